@@ -1,0 +1,101 @@
+/** @file dynamics.h
+ *  One pose at a time: leg lengths and rates, Jacobian, inverse and forward dynamics, reactions. For controllers, which call
+ *  these once a cycle: nothing here allocates, branches on data are none, all functions are safe to call concurrently.
+ */
+#ifndef GOUGH_DYNAMICS_H
+#define GOUGH_DYNAMICS_H
+
+#include "gough/model.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Pose and velocity of the top frame in the base frame. */
+typedef struct gough_state {
+    double position[3];         /**< of the top frame's origin */
+    double rotation[3][3];      /**< R: columns are the top frame's axes in the base frame */
+    double velocity[3];         /**< of the origin */
+    double angular_velocity[3]; /**< base axes */
+} gough_state;
+
+/** Acceleration of the top frame's origin and angular acceleration, base axes. */
+typedef struct gough_acceleration {
+    double linear[3];
+    double angular[3];
+} gough_acceleration;
+
+/** Force and moment on the load besides legs and gravity: force at the centre of mass, base axes. */
+typedef struct gough_wrench {
+    double force[3];
+    double moment[3];
+} gough_wrench;
+
+/** The home pose at rest. */
+GOUGH_API gough_state gough_state_home(const gough_machine *machine);
+
+/** R = Rz(yaw) Ry(pitch) Rx(roll), radians. */
+GOUGH_API void gough_rotation_from_angles(const double angles[3], double rotation[3][3]);
+
+/** Roll, pitch, yaw of R, pitch in [−π/2, π/2]; at pitch ±π/2 roll and yaw are not separate and roll is what atan2 gives. */
+GOUGH_API void gough_angles_from_rotation(double rotation[3][3], double angles[3]);
+
+/** Leg lengths, rates l̇ and second rates l̈ (legs-2), (legs-4), (legs-6).
+ *  @param acceleration  may be NULL, then @p second_rate is not written
+ *  @param[out] length,rate,second_rate  six numbers each; any may be NULL
+ *  A leg of no length gives NaN in its rates. */
+GOUGH_API void gough_leg_kinematics(const gough_machine *machine, const gough_state *state,
+                                    const gough_acceleration *acceleration,
+                                    double length[GOUGH_LEGS], double rate[GOUGH_LEGS],
+                                    double second_rate[GOUGH_LEGS]);
+
+/** Jacobian of the lengths, l̇ = J (v, ω) with v of the top frame's origin and ω, both in base axes (legs-5). */
+GOUGH_API void gough_jacobian(const gough_machine *machine, const gough_state *state,
+                              double jacobian[GOUGH_LEGS][6]);
+
+/** How near the six equations are to singular.
+ *  @param[out] condition    2-norm condition of J about the top frame's origin, moment columns divided by the mean
+ *                           top-joint distance; INFINITY if singular; NaN for a leg of no length. May be NULL
+ *  @param[out] determinant  of the same matrix, its sign tells the assembly's side of the singular surface. May be NULL */
+GOUGH_API void gough_conditioning(const gough_machine *machine, const gough_state *state,
+                                  double *condition, double *determinant);
+
+/** Inverse dynamics, the paper's direct problem, (2.2), (2.4)–(2.6): the leg forces that give an acceleration.
+ *  @param external  may be NULL for none
+ *  @return GOUGH_OK, or GOUGH_ERROR_NUMERICAL if condition > 1e8 or a number is not finite; @p force is then not to be used. */
+GOUGH_API gough_status gough_inverse_dynamics(const gough_machine *machine,
+                                              const gough_state *state,
+                                              const gough_acceleration *acceleration,
+                                              const gough_wrench *external,
+                                              double force[GOUGH_LEGS], double *condition);
+
+/** Forward dynamics, the paper's inverse problem, (1.4)–(1.6): the acceleration under given leg forces.
+ *  @return GOUGH_OK, or GOUGH_ERROR_NUMERICAL where a leg has no length (accelerations are then not finite). */
+GOUGH_API gough_status gough_forward_dynamics(const gough_machine *machine,
+                                              const gough_state *state,
+                                              const double force[GOUGH_LEGS],
+                                              const gough_wrench *external,
+                                              gough_acceleration *acceleration);
+
+/** Multipliers of the six constraints (1.2), Λ_ii, Λ_jj, Λ_kk, Λ_ij, Λ_jk, Λ_ki in the central frame (body-6), under given
+ *  leg forces. A moment on the load enters as Q_e = ½ m × e. */
+GOUGH_API void gough_reactions(const gough_machine *machine, const gough_state *state,
+                               const double force[GOUGH_LEGS], const gough_wrench *external,
+                               double reactions[6]);
+
+/** Control law F = F^p + G (l^p − l) + D (l̇^p − l̇), (law-1): for a real-time loop that has its own F^p, l^p and l̇^p. */
+GOUGH_API void gough_control_law(const gough_control *control,
+                                 const double program_force[GOUGH_LEGS],
+                                 const double program_length[GOUGH_LEGS],
+                                 const double program_rate[GOUGH_LEGS],
+                                 const double length[GOUGH_LEGS], const double rate[GOUGH_LEGS],
+                                 double force[GOUGH_LEGS]);
+
+/** State and acceleration of the top that a program asks for at t. Not finite where a formula is not. */
+GOUGH_API void gough_program(const gough_machine *machine, const gough_motion *motion, double t,
+                             gough_state *state, gough_acceleration *acceleration);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

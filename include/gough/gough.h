@@ -1,0 +1,16 @@
+/** @file gough.h
+ *  All of gough: dynamics and control of Stewart–Gough platforms.
+ */
+#ifndef GOUGH_GOUGH_H
+#define GOUGH_GOUGH_H
+
+#include "gough/dynamics.h"
+#include "gough/model.h"
+#include "gough/report.h"
+#include "gough/result.h"
+#include "gough/simulate.h"
+#include "gough/status.h"
+#include "gough/study.h"
+#include "gough/version.h"
+
+#endif

@@ -1,0 +1,216 @@
+/** @file model.h
+ *  What a study is made of: the platform, its load, the program, the control law and the disturbances.
+ *
+ *  Units: any consistent set (SI, or the dimensionless one of docs/theory/units.md); angles in radians.
+ *  Frames: base frame, x forward, y left, z up; the top frame coincides with it in orientation at home, its origin is
+ *  then at (0, 0, height). A leg force is positive when it pushes the top away from the base. Legs are massless.
+ *  All structs are plain data: fill, copy and share them freely; nothing here allocates.
+ */
+#ifndef GOUGH_MODEL_H
+#define GOUGH_MODEL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "gough/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { GOUGH_LEGS = 6 };
+
+/** Joints and limits. gough_platform_default() has no joints and no limits. */
+typedef struct gough_platform {
+    double base[GOUGH_LEGS][3]; /**< base joints, base frame */
+    double top[GOUGH_LEGS][3];  /**< top joints, top frame; leg n joins base[n] and top[n] */
+    double height;              /**< z of the top frame's origin at home */
+    double
+        base_radius; /**< R_b, the unit of length of the dimensionless form; 0: mean distance of the base joints
+                                     from their centroid */
+    double length_min; /**< least leg length; 0: none */
+    double length_max; /**< greatest leg length; INFINITY: none */
+    double speed_max;  /**< greatest |leg rate|; INFINITY: none */
+    double force_max;  /**< greatest |leg force|; INFINITY: none */
+} gough_platform;
+
+GOUGH_API gough_platform gough_platform_default(void);
+
+/** Joints in pairs on two circles: base pairs at ±half_angle about 0°, 120°, 240°, top pairs about 60°, 180°, 300°;
+ *  leg 1 runs from base angle +base_half_angle to top angle 60° − top_half_angle, legs 2 … 6 follow counter-clockwise,
+ *  each joining neighbours. Half angles in radians. Sets base_radius and height; limits are none. */
+GOUGH_API gough_platform gough_platform_symmetric(double base_radius, double base_half_angle,
+                                                  double top_radius, double top_half_angle,
+                                                  double height);
+
+/** Everything that moves with the top, as one rigid body. */
+typedef struct gough_load {
+    double mass;
+    double center_of_mass[3]; /**< top frame */
+    double inertia[3][3];     /**< about the centre of mass, axes of the top frame; symmetric */
+} gough_load;
+
+/** A validated machine with what follows from it; fill it with gough_machine_init() only. Const afterwards, shareable. */
+typedef struct gough_machine {
+    gough_platform platform;
+    gough_load load;
+    double gravity[3];              /**< base axes */
+    double base_radius;             /**< R_b > 0 */
+    double gravity_magnitude;       /**< |g|, may be 0 */
+    double principal_axes[3][3];    /**< columns: axes of the central frame Cxyz in the top frame */
+    double second_moments[3];       /**< I_x = ∫x²dm, …, in the central frame */
+    double home_length[GOUGH_LEGS]; /**< leg lengths at home */
+    double home_condition; /**< condition of the six equations at home (INFINITY if singular) */
+} gough_machine;
+
+/** Checks geometry and inertia and derives the rest, (1.1), (2.7).
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with a sentence: a number not finite, mass not positive, an inertia that no body
+ *  has, two legs sharing both joints, all base or all top joints on one line, a leg of no length at home, or a machine
+ *  singular in every pose (similar hexagons). A home pose that alone is singular is accepted (home_condition tells).
+ *  A flat body (J_x + J_y = J_z within 1e-12) is accepted, its vanishing second moment set to 0. */
+GOUGH_API gough_status gough_machine_init(gough_machine *machine, const gough_platform *platform,
+                                          const gough_load *load, const double gravity[3],
+                                          gough_error *error);
+
+/* ---- formulas in t ------------------------------------------------------------------------------------------- */
+
+enum { GOUGH_FORMULA_OPERATIONS = 192, GOUGH_FORMULA_DEPTH = 24 };
+
+/** A compiled formula in t: postfix operations on a small stack. `count` 0 is the constant 0. */
+typedef struct gough_formula {
+    int count;
+    struct {
+        int code;     /**< operation, private to model/formula.c */
+        int exponent; /**< whole exponent of a power, private */
+        double value; /**< constant, private */
+    } operation[GOUGH_FORMULA_OPERATIONS];
+} gough_formula;
+
+/** Compiles a formula: numbers, t, pi, + − * / ^ (right-associative; -t^2 is -(t^2)), parentheses and the functions
+ *  sin cos tan asin acos atan atan2(y, x) exp log sqrt tanh ramp(t, T). ramp rises from 0 to 1 over 0 … T, twice
+ *  continuously differentiable. Trigonometric functions take radians.
+ *  @param text,length  the formula, not necessarily terminated
+ *  @param[out] offset  byte offset of the character an error is about (may be NULL)
+ *  @return GOUGH_OK or GOUGH_ERROR_INPUT with a sentence (unknown name and the nearest one, missing parenthesis, too long,
+ *  too deep, empty, …). Does not allocate; safe to call concurrently; independent of the locale. */
+GOUGH_API gough_status gough_formula_compile(gough_formula *formula, const char *text,
+                                             size_t length, size_t *offset, gough_error *error);
+
+/** The formula that is a constant everywhere. */
+GOUGH_API gough_formula gough_formula_constant(double value);
+
+/** Whether the formula is the constant 0 (so that a disturbance is absent). */
+GOUGH_API bool gough_formula_is_zero(const gough_formula *formula);
+
+/** Value, first and second derivative at t, exact up to rounding (evaluated on jets, never differenced). Outside the domain
+ *  of a function the results are not finite. Does not allocate. */
+GOUGH_API void gough_formula_evaluate(const gough_formula *formula, double t, double jet[3]);
+
+/* ---- the program --------------------------------------------------------------------------------------------- */
+
+/** The six components of a motion: displacement of a point of the top from home, base axes, and the angles of
+ *  R = Rz(yaw) Ry(pitch) Rx(roll). */
+enum gough_component {
+    GOUGH_SURGE,
+    GOUGH_SWAY,
+    GOUGH_HEAVE,
+    GOUGH_ROLL,
+    GOUGH_PITCH,
+    GOUGH_YAW,
+    GOUGH_COMPONENTS
+};
+
+/** Names of the components in the order of the enumeration: "surge" … "yaw". */
+GOUGH_API const char *gough_component_name(int component);
+
+/** A point-to-point move: minimum jerk from where the program then is (0 before the first move) to target. */
+typedef struct gough_move {
+    double start, duration;
+    double target[GOUGH_COMPONENTS]; /**< from home */
+    bool given[GOUGH_COMPONENTS];    /**< components left out keep their value */
+} gough_move;
+
+/** Recorded motion: the caller's memory, kept alive while the motion is used. Rows in increasing time.
+ *  value and curvature are row-major [count][GOUGH_COMPONENTS]; curvature (second derivatives of the C² cubic spline,
+ *  not-a-knot at both ends; a parabola through 3 rows, a line through 2) is filled by gough_samples_prepare(). */
+typedef struct gough_samples {
+    size_t count;
+    const double *time;
+    const double *value;
+    double *curvature;
+} gough_samples;
+
+/** Doubles of scratch memory that gough_samples_prepare() needs for @p count rows. */
+GOUGH_API size_t gough_samples_scratch(size_t count);
+
+/** Computes the spline through the samples, whose times need not be equally spaced.
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT: fewer than 2 rows, times not increasing, a number not finite. */
+GOUGH_API gough_status gough_samples_prepare(const gough_samples *samples, double *scratch,
+                                             gough_error *error);
+
+typedef enum gough_motion_kind {
+    GOUGH_MOTION_FORMULAS,
+    GOUGH_MOTION_MOVES,
+    GOUGH_MOTION_SAMPLES
+} gough_motion_kind;
+
+/** The program. Zero-filled: rest at home. */
+typedef struct gough_motion {
+    gough_motion_kind kind;
+    double about[3];                         /**< the point of the top frame whose motion this is */
+    gough_formula formula[GOUGH_COMPONENTS]; /**< lengths, and radians times `angle_unit` */
+    double
+        angle_unit; /**< factor from the formulas' angles to radians; 0 means 1. (π/180 for study files;
+                                                  applied to formulas only: moves and samples are in radians) */
+    const gough_move *move; /**< caller's memory, in increasing time, not overlapping */
+    size_t moves;
+    gough_samples samples;
+    double period; /**< 0: to be found from the formulas */
+} gough_motion;
+
+/** The six components at t with their first and second derivatives: component[c][order], radians. Before the first and
+ *  after the last sample the end values hold. Not finite where a formula is not. Does not allocate. */
+GOUGH_API void gough_motion_evaluate(const gough_motion *motion, double t,
+                                     double component[GOUGH_COMPONENTS][3]);
+
+/* ---- control, disturbance, initial state ---------------------------------------------------------------------- */
+
+/** F = F^p + G (l^p − l) + D (l̇^p − l̇), per leg. Zero-filled with feedforward set: open loop. */
+typedef struct gough_control {
+    bool feedforward; /**< F^p from inverse dynamics along the program; false: F^p ≡ 0 */
+    double stiffness[GOUGH_LEGS]; /**< G */
+    double damping[GOUGH_LEGS];   /**< D */
+} gough_control;
+
+/** Formulas in t, all zero by default. */
+typedef struct gough_disturbance {
+    gough_formula leg_force[GOUGH_LEGS]; /**< added to each leg */
+    gough_formula
+        vertical_force; /**< a total force along the base z axis, shared by the legs: the leg forces which, in the
+                                              program's pose, have it as resultant through the centre of mass, no moment */
+    gough_formula force[3];  /**< on the load at its centre of mass, base axes */
+    gough_formula moment[3]; /**< on the load, base axes */
+} gough_disturbance;
+
+/** Where a run starts: each part not given is the program's at t = 0. */
+typedef struct gough_initial {
+    double component[GOUGH_COMPONENTS]; /**< from home, of the point `about` of the motion */
+    bool given[GOUGH_COMPONENTS];
+    double velocity[3];         /**< of that point, base axes */
+    double angular_velocity[3]; /**< base axes */
+    bool velocity_given, angular_velocity_given;
+} gough_initial;
+
+/** All of it. Large (about 100 kB, mostly formulas): keep it static or on the heap. */
+typedef struct gough_model {
+    gough_machine machine;
+    gough_motion motion;
+    gough_control control;
+    gough_disturbance disturbance;
+    gough_initial initial;
+} gough_model;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

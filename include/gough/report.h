@@ -1,0 +1,40 @@
+/** @file report.h
+ *  Figures of results as PNG, SVG or PDF, drawn by gnuplot. This room runs a program and writes files.
+ */
+#ifndef GOUGH_REPORT_H
+#define GOUGH_REPORT_H
+
+#include "gough/result.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What to draw. */
+typedef struct gough_figure {
+    const char *kind;    /**< NULL: chosen by the table; else one of gough_figure_kinds() */
+    const char *title;   /**< NULL: the table's title */
+    const char *columns; /**< NULL, or names separated by commas, for kind "columns" */
+    double from, to;     /**< range of t; NaN: all of it */
+    bool logarithmic;    /**< logarithmic ordinate (magnitudes) */
+} gough_figure;
+
+/** Everything from the tables, nothing chosen. */
+GOUGH_API gough_figure gough_figure_default(void);
+
+/** Kinds of figure, terminated by NULL, each "name — sentence". */
+GOUGH_API const char *const *gough_figure_kinds(void);
+
+/** Draws one figure of one or several tables (compared in the same panels) to .png, .svg or .pdf. Complete or absent.
+ *  @param labels  what each table is called in the key; NULL: its title or file name
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT (extension, kind or column unknown, the nearest named) or GOUGH_ERROR_FILE (gnuplot is
+ *  missing or failed, the folder does not exist, the disk is full). Text of the tables is never executed. */
+GOUGH_API gough_status gough_figure_draw(const gough_figure *figure,
+                                         const gough_table *const *tables,
+                                         const char *const *labels, size_t table_count,
+                                         const char *path, gough_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,76 @@
+/** @file result.h
+ *  What a run leaves: tables in memory, written as HDF5 or CSV, complete or not at all. This room allocates and writes files.
+ */
+#ifndef GOUGH_RESULT_H
+#define GOUGH_RESULT_H
+
+#include <stdio.h>
+
+#include "gough/simulate.h"
+#include "gough/study.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Rows in memory, in the units of the output (angles in degrees, dimensionless if asked for). Opaque. */
+typedef struct gough_result gough_result;
+
+/** Where the numbers of a table stand. */
+typedef struct gough_units {
+    bool dimensionless; /**< unit labels "1", else SI labels */
+    double length, mass,
+        time; /**< what one unit of the output is in units of the run: 1, 1, 1, or R_b, M, √(R_b/g) */
+} gough_units;
+
+/** Units of a study's output: its own, or with @p dimensionless R_b, M and √(R_b/g) (already so for dimensionless studies with
+ *  R_b = M = g = 1).
+ *  @return GOUGH_ERROR_INPUT if gravity is 0, so that no unit of time follows. */
+GOUGH_API gough_status gough_units_of_study(const gough_study *study, bool dimensionless,
+                                            gough_units *units, gough_error *error);
+
+/** An empty table for a verb ("forces" or "simulate") of a study. NULL if memory is out. */
+GOUGH_API gough_result *gough_result_new(const gough_study *study, const char *verb,
+                                         const gough_units *units);
+
+/** A gough_sink: @p result is a gough_result. Returns nonzero when memory is out. */
+GOUGH_API int gough_result_add(void *result, const gough_row *row);
+
+/** How the run ended: attributes end_time and end_cause (and end_message). */
+GOUGH_API void gough_result_set_end(gough_result *result, const gough_end *end);
+
+/** Writes the table: .h5 (HDF5) or .csv by extension, "-" CSV on standard output. Complete or absent: written beside, synced,
+ *  renamed. @return GOUGH_OK, GOUGH_ERROR_INPUT (unknown extension), GOUGH_ERROR_FILE. */
+GOUGH_API gough_status gough_result_write(const gough_result *result, const char *path,
+                                          gough_error *error);
+
+GOUGH_API void gough_result_free(gough_result *result);
+
+/** A table read back, from HDF5 or CSV, of this program or of other hands (a CSV with a header row). */
+typedef struct gough_table {
+    size_t rows, columns;
+    char **name;     /**< [columns] */
+    char **unit;     /**< [columns]; "" where unknown */
+    double **value;  /**< [columns][rows] */
+    char *title;     /**< "" where unknown */
+    char *verb;      /**< "" where unknown */
+    char *end_cause; /**< "" where unknown */
+    double end_time; /**< NaN where unknown */
+} gough_table;
+
+/** Reads a table. @return GOUGH_OK, GOUGH_ERROR_INPUT (not such a file, with the place: `file:line:column: …`), GOUGH_ERROR_FILE.
+ *  Any bytes end in one of these. */
+GOUGH_API gough_status gough_table_read(const char *path, gough_table **table, gough_error *error);
+GOUGH_API void gough_table_free(gough_table *table);
+
+/** Column by name; NULL if absent. */
+GOUGH_API const double *gough_table_column(const gough_table *table, const char *name);
+
+/** Writes bytes to a file complete or not at all: beside it, write, fsync, close, each checked, then rename. "-" is stdout. */
+GOUGH_API gough_status gough_write_file(const char *path, const void *bytes, size_t length,
+                                        gough_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,190 @@
+/** @file simulate.h
+ *  One run: the program's forces (inverse dynamics along the motion) or the motion under forces, control and
+ *  disturbances (forward dynamics), as rows of named columns handed to the caller one by one.
+ */
+#ifndef GOUGH_SIMULATE_H
+#define GOUGH_SIMULATE_H
+
+#include "gough/model.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__SIZEOF_FLOAT128__)
+/** 33 significant digits. */
+__extension__ typedef __float128 gough_quad;
+#else
+typedef long double gough_quad;
+#endif
+
+/** Columns of a row, in the order of every table; names and kinds in gough_column_table. Angles in radians here. */
+enum gough_column {
+    GOUGH_T = 0,
+    GOUGH_X,
+    GOUGH_Y,
+    GOUGH_Z,
+    GOUGH_ROLL_ANGLE,
+    GOUGH_PITCH_ANGLE,
+    GOUGH_YAW_ANGLE, /* top-frame origin and R, base frame */
+    GOUGH_VX,
+    GOUGH_VY,
+    GOUGH_VZ, /* its velocity */
+    GOUGH_WX,
+    GOUGH_WY,
+    GOUGH_WZ, /* angular velocity, base axes */
+    GOUGH_AX,
+    GOUGH_AY,
+    GOUGH_AZ, /* derivatives of the two above */
+    GOUGH_ALX,
+    GOUGH_ALY,
+    GOUGH_ALZ,
+    GOUGH_L,                         /* l1 … l6 */
+    GOUGH_DL = GOUGH_L + GOUGH_LEGS, /* dl1 … dl6 */
+    GOUGH_F = GOUGH_DL + GOUGH_LEGS, /* f1 … f6, push positive, leg disturbance included */
+    GOUGH_P = GOUGH_F + GOUGH_LEGS,  /* p1 … p6 = f · dl */
+    GOUGH_CONDITION = GOUGH_P + GOUGH_LEGS,
+    GOUGH_EX,
+    GOUGH_EY,
+    GOUGH_EZ,
+    GOUGH_EROLL,
+    GOUGH_EPITCH,
+    GOUGH_EYAW,  /* actual − program */
+    GOUGH_DRIFT, /* largest violation of (1.2) before projection since the row before */
+    GOUGH_RXX,
+    GOUGH_RYY,
+    GOUGH_RZZ,
+    GOUGH_RXY,
+    GOUGH_RYZ,
+    GOUGH_RZX, /* Λ, constraint reactions */
+    GOUGH_COLUMNS
+};
+
+/** Dimension of a column: unit = length^l · mass^m · time^t · angle^a. */
+typedef struct gough_column_info {
+    const char *name;      /**< "t", "x", … "rzx" */
+    const char *long_name; /**< "time", "x of the top frame's origin", … */
+    int length, mass, time, angle;
+} gough_column_info;
+
+GOUGH_API extern const gough_column_info gough_column_table[GOUGH_COLUMNS];
+
+/** One row. Columns that the verb does not have are NaN (see gough_run_columns()). */
+typedef struct gough_row {
+    double value[GOUGH_COLUMNS];
+    const gough_quad
+        *quad; /**< the same numbers in 33 digits, or NULL; valid during the call only */
+} gough_row;
+
+/** Called for each row in order of time; a value other than 0 stops the run (GOUGH_END_STOPPED). */
+typedef int (*gough_sink)(void *context, const gough_row *row);
+
+typedef enum gough_method {
+    GOUGH_DOP853,
+    GOUGH_RK4,
+    GOUGH_RATTLE2,
+    GOUGH_RATTLE4,
+    GOUGH_RATTLE6,
+    GOUGH_RATTLE8,
+    GOUGH_METHODS
+} gough_method;
+typedef enum gough_constraints { GOUGH_PROJECTION, GOUGH_NONE, GOUGH_BAUMGARTE } gough_constraints;
+typedef enum gough_precision { GOUGH_DOUBLE, GOUGH_QUADRUPLE } gough_precision;
+
+/** "dop853", "rk4", "rattle2" …; NULL outside the enumeration. */
+GOUGH_API const char *gough_method_name(int method);
+
+/** How to run; start from gough_simulation_default(): 20 units, rows each 0.05, dop853 at tolerance 1e-10, projection. */
+typedef struct gough_simulation {
+    double duration;
+    double output_step; /**< rows at k · output_step, k = 0 … ⌊duration/output_step + 1e-9⌋ */
+    gough_method method;
+    double step; /**< fixed step, a divisor of output_step; 0 with dop853: adaptive */
+    double
+        tolerance; /**< adaptive dop853: RMS of error/(tol·(s + |y|)), s = R_b and 1, per √(R_b/g) for rates */
+    gough_constraints constraints;
+    double baumgarte[2]; /**< α, β */
+    gough_precision precision;
+    bool reactions; /**< fill the columns of Λ */
+} gough_simulation;
+
+GOUGH_API gough_simulation gough_simulation_default(void);
+
+/** Checks the options against the model.
+ *  @return GOUGH_OK or GOUGH_ERROR_INPUT: duration, output_step or step not positive and finite, step not dividing
+ *  output_step within 1e-9, more than 1e8 rows, tolerance outside what the precision can give (double 1e-15 … 1e-1,
+ *  quadruple 1e-30 … 1e-1), a step missing where the method needs one, Baumgarte with a rattle method, a duration beyond recorded motion. */
+GOUGH_API gough_status gough_simulation_check(const gough_model *model,
+                                              const gough_simulation *simulation,
+                                              gough_error *error);
+
+/** First column and one past the last that a run fills: forces GOUGH_T … GOUGH_CONDITION, simulate up to GOUGH_DRIFT; the six
+ *  reactions besides, if asked for. @return whether @p column is filled. */
+GOUGH_API bool gough_column_filled(int column, bool simulated, bool reactions);
+
+/** One excess of a leg's limit found along the program. */
+typedef struct gough_crossing {
+    gough_cause cause;
+    int leg;      /**< 1 … 6 */
+    double enter; /**< when the limit is left */
+    double leave; /**< when it is met again; INFINITY: not before the end */
+    double worst; /**< the worst value in between (length, speed or force) */
+    double worst_time;
+} gough_crossing;
+
+typedef void (*gough_crossing_sink)(void *context, const gough_crossing *crossing);
+
+/** Inverse dynamics along the program, (2.1)–(2.7): rows at the output times.
+ *  Limits do not end it: each crossing is located and handed to @p crossings (may be NULL), in order of its beginning; the end
+ *  is then the first of them. A singular or nearly singular pose, a leg of no length or a formula not finite ends it.
+ *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL where @p end has a cause other than done, with its time located to 1e-9 relative;
+ *  GOUGH_ERROR_INPUT where a formula is not finite or the options are wrong. Allocates nothing. Thread-safe. */
+GOUGH_API gough_status gough_forces(const gough_model *model, const gough_simulation *simulation,
+                                    gough_sink sink, void *context, gough_crossing_sink crossings,
+                                    void *crossings_context, gough_end *end, gough_error *error);
+
+/** Forward dynamics, (1.4), (1.5), under control and disturbances: rows at the output times, up to the end.
+ *  Ends at the first limit left, singular pose, leg of no length or number not finite; rows before stay valid.
+ *  @return as gough_forces(). Allocates nothing while it runs. Thread-safe. */
+GOUGH_API gough_status gough_simulate(const gough_model *model, const gough_simulation *simulation,
+                                      gough_sink sink, void *context, gough_end *end,
+                                      gough_error *error);
+
+/* ---- what a run leaves in a few numbers ----------------------------------------------------------------------- */
+
+typedef struct gough_leg_summary {
+    double length_min, length_max;
+    double speed; /**< peak |rate| */
+    double force_min, force_max;
+    double rms_force; /**< root of the mean over time */
+    double power_min, power_max;
+    double energy; /**< net work done by the leg */
+    double swing_base,
+        swing_top; /**< largest angle from the leg's direction at home, seen from the base and from the top */
+} gough_leg_summary;
+
+/** Sums up rows as they come; fill it by gough_summary_begin(), gough_summary_add(), gough_summary_end(). */
+typedef struct gough_summary {
+    gough_leg_summary leg[GOUGH_LEGS];
+    size_t rows;
+    double first_time, last_time;
+    double condition; /**< largest */
+    double condition_time;
+    double position_deviation; /**< largest distance actual – program; NaN for forces */
+    double angle_deviation;    /**< largest angle of the rotation between them; NaN for forces */
+    double drift;              /**< largest */
+    double window_
+        [4][1 + 2 * GOUGH_LEGS]; /**< private: the last rows for the fourth-order time integrals */
+    double square_[GOUGH_LEGS];  /**< private */
+} gough_summary;
+
+GOUGH_API void gough_summary_begin(gough_summary *summary);
+GOUGH_API void gough_summary_add(gough_summary *summary, const gough_machine *machine,
+                                 const gough_row *row);
+/** Completes the time integrals. Rows equally spaced are integrated to fourth order. */
+GOUGH_API void gough_summary_end(gough_summary *summary);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,69 @@
+/** @file status.h
+ *  How every function of the library answers: a status, a sentence where something is wrong, and how a run ended.
+ */
+#ifndef GOUGH_STATUS_H
+#define GOUGH_STATUS_H
+
+#if defined(GOUGH_SHARED) && defined(__GNUC__)
+#define GOUGH_API __attribute__((visibility("default")))
+#else
+#define GOUGH_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Status of a call. The values are the exit codes of the command. */
+typedef enum gough_status {
+    GOUGH_OK = 0, /**< done */
+    GOUGH_ERROR_NUMERICAL =
+        1, /**< a limit, a singular pose, no convergence: what came before is valid */
+    GOUGH_ERROR_INPUT = 2, /**< the caller's numbers or text describe nothing possible */
+    GOUGH_ERROR_FILE = 3   /**< reading, writing or memory failed */
+} gough_status;
+
+/** What is wrong, as one sentence that the user can act on. Empty message: nothing was wrong. */
+typedef struct gough_error {
+    gough_status status;
+    char message[500];
+} gough_error;
+
+/** Fills @p error (which may be NULL) with a printf-style sentence.
+ *  @return @p status, so that a check reads `return gough_fail(error, …)`. Safe to call concurrently on distinct errors. */
+GOUGH_API gough_status gough_fail(gough_error *error, gough_status status, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 3, 4)))
+#endif
+    ;
+
+/** Why a run ended. */
+typedef enum gough_cause {
+    GOUGH_END_DONE = 0,      /**< the whole duration */
+    GOUGH_END_LEG_SHORT,     /**< a leg got shorter than its least length */
+    GOUGH_END_LEG_LONG,      /**< a leg got longer than its greatest length */
+    GOUGH_END_LEG_SPEED,     /**< a leg exceeded its greatest speed */
+    GOUGH_END_LEG_FORCE,     /**< a leg exceeded its greatest force */
+    GOUGH_END_LEG_NO_LENGTH, /**< both joints of a leg met: its direction is undefined */
+    GOUGH_END_SINGULAR, /**< the six equations became singular or nearly so (condition over 1e8, or det J changed sign) */
+    GOUGH_END_NOT_FINITE, /**< a formula or the motion ceased to be finite */
+    GOUGH_END_NO_CONVERGENCE, /**< the stepper could not meet the tolerance, or an implicit step did not converge */
+    GOUGH_END_STOPPED /**< the caller's sink asked to stop */
+} gough_cause;
+
+/** Short fixed word for a cause, as in the JSON summary and the attribute `end_cause`:
+ *  done, leg_short, leg_long, leg_speed, leg_force, leg_no_length, singular, not_finite, no_convergence, stopped. */
+GOUGH_API const char *gough_cause_name(gough_cause cause);
+
+/** How and when a run ended. */
+typedef struct gough_end {
+    gough_cause cause;
+    double time;       /**< time of the end, in the study's units */
+    int leg;           /**< 1 … 6 where one leg is the cause, else 0 */
+    char message[400]; /**< one sentence; empty for GOUGH_END_DONE */
+} gough_end;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,70 @@
+/** @file study.h
+ *  Study files: YAML in, validated model out, every error at its place. This room allocates and reads files.
+ */
+#ifndef GOUGH_STUDY_H
+#define GOUGH_STUDY_H
+
+#include "gough/model.h"
+#include "gough/simulate.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A study as read. All memory belongs to it; free it with gough_study_free(). */
+typedef struct gough_study {
+    char *title;        /**< UTF-8, never NULL; "" if none */
+    char *text;         /**< the file's text as read, terminated */
+    char *name;         /**< the path it was read from, for messages */
+    bool dimensionless; /**< units: dimensionless; else SI */
+    gough_model *model;
+    gough_simulation simulation;
+    void *memory_; /**< private: samples, moves */
+} gough_study;
+
+/** One override, as from `--set control.stiffness=50`. */
+typedef struct gough_setting {
+    const char
+        *key; /**< dotted path; a list's element by its number from 1: disturbance.leg_force.2 */
+    const char *value; /**< YAML of the value */
+} gough_setting;
+
+/** Everything that is wrong with a study: a text of one or more messages of the form
+ *  `file:line:column: error: sentence` with the line and a caret below. Free with gough_study_free_messages(). */
+
+/** Reads, checks and prepares a study.
+ *  @param path      file; "-" reads standard input
+ *  @param settings  overrides, applied before the checks
+ *  @param[out] study     set on GOUGH_OK only
+ *  @param[out] messages  allocated text with every error found (or NULL if none)
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT (the text or the machine it describes is wrong) or GOUGH_ERROR_FILE (it or its samples
+ *  cannot be read). At most 64 KiB, UTF-8, one document, no anchors, aliases or tags. Any bytes end in one of these. */
+GOUGH_API gough_status gough_study_read(const char *path, const gough_setting *settings,
+                                        size_t setting_count, gough_study **study, char **messages);
+
+/** The same for a text in memory, which need not be terminated; @p name stands for the file in messages, relative sample
+ *  files are taken from its folder. */
+GOUGH_API gough_status gough_study_parse(const char *name, const char *text, size_t length,
+                                         const gough_setting *settings, size_t setting_count,
+                                         gough_study **study, char **messages);
+
+GOUGH_API void gough_study_free(gough_study *study);
+GOUGH_API void gough_study_free_messages(char *messages);
+
+/** One key that a study file may have; the table that the reader checks against and the guide is generated from. */
+typedef struct gough_key {
+    const char *path;     /**< "platform.base.radius" */
+    const char *type;     /**< "number", "formula", "choice", … */
+    const char *unit;     /**< "length", "angle [degrees]", "force/length", "" … */
+    const char *range;    /**< "> 0" … */
+    const char *fallback; /**< default, "required", or "" */
+    const char *sentence; /**< what it is */
+} gough_key;
+
+/** The table of keys in the order of the guide; @p count receives their number. */
+GOUGH_API const gough_key *gough_study_keys(size_t *count);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,112 @@
+/* The vocabulary of every kernel text: one number type, chosen by the file that includes the texts.
+ *
+ * Before including, define one of NUMBER_DOUBLE, NUMBER_QUAD, NUMBER_COMPLEX, NUMBER_LANES (2, 4 or 8).
+ *
+ *   number    what the equations are written in: + - * / apply
+ *   real      the scalar beside it: time, and all that is the same in every lane; broadcast by number_of_real
+ *   mask      outcome of a comparison
+ *
+ * A text never branches on a number: it selects. "greater" compares real parts, so that an imaginary step follows the
+ * same path as the value it rides on.
+ */
+#ifndef GOUGH_KERNEL_NUMBER_H
+#define GOUGH_KERNEL_NUMBER_H
+
+#include <math.h>
+#include <stddef.h>
+
+#if defined(NUMBER_DOUBLE)
+
+typedef double number;
+typedef double real;
+typedef int mask;
+#define REAL_EPSILON 2.220446049250313e-16
+#define REAL_PI 3.14159265358979323846
+/* sweeps of an iteration that squares its error, from where it starts to converge */
+enum { NUMBER_SWEEPS = 3, NUMBER_NEWTON = 8 };
+
+static inline number number_of_real(real x) { return x; }
+static inline real number_first(number x) { return x; }
+static inline number number_root(number x) { return sqrt(x); }
+static inline mask number_greater(number a, number b) { return a > b; }
+static inline number number_select(mask m, number a, number b) { return m ? a : b; }
+
+#elif defined(NUMBER_QUAD)
+
+#if defined(__SIZEOF_FLOAT128__)
+__extension__ typedef __float128 real;
+/* libquadmath's header is GCC's own; its functions are declared here so that Clang finds them too */
+extern real sqrtq(real);
+#define REAL_LITERAL(x) x##Q
+static inline real real_root_quad(real x) { return sqrtq(x); }
+#else
+typedef long double real;
+#define REAL_LITERAL(x) x##L
+static inline real real_root_quad(real x) { return sqrtl(x); }
+#endif
+typedef real number;
+typedef int mask;
+#define REAL_EPSILON REAL_LITERAL(1.925929944387235853055977942584927319e-34)
+#define REAL_PI REAL_LITERAL(3.141592653589793238462643383279502884197)
+enum { NUMBER_SWEEPS = 4, NUMBER_NEWTON = 10 };
+
+static inline number number_of_real(real x) { return x; }
+static inline real number_first(number x) { return x; }
+static inline number number_root(number x) { return real_root_quad(x); }
+static inline mask number_greater(number a, number b) { return a > b; }
+static inline number number_select(mask m, number a, number b) { return m ? a : b; }
+
+#elif defined(NUMBER_COMPLEX)
+
+#include <complex.h>
+
+typedef double _Complex number;
+typedef double real;
+typedef int mask;
+#define REAL_EPSILON 2.220446049250313e-16
+#define REAL_PI 3.14159265358979323846
+/* one sweep more than double, lest the derivative in the imaginary part be cut off */
+enum { NUMBER_SWEEPS = 4, NUMBER_NEWTON = 9 };
+
+static inline number number_of_real(real x) { return x; }
+static inline real number_first(number x) { return creal(x); }
+static inline number number_root(number x) { return csqrt(x); }
+static inline mask number_greater(number a, number b) { return creal(a) > creal(b); }
+static inline number number_select(mask m, number a, number b) { return m ? a : b; }
+
+#elif defined(NUMBER_LANES)
+
+typedef double number __attribute__((vector_size(8 * NUMBER_LANES)));
+typedef double real;
+typedef long long mask __attribute__((vector_size(8 * NUMBER_LANES)));
+#define REAL_EPSILON 2.220446049250313e-16
+#define REAL_PI 3.14159265358979323846
+enum { NUMBER_SWEEPS = 3, NUMBER_NEWTON = 8 };
+
+static inline number number_of_real(real x) { return x - (number){0}; }
+static inline real number_first(number x) { return x[0]; }
+static inline number number_root(number x) {
+    number r;
+    for (int i = 0; i < NUMBER_LANES; i++) r[i] = sqrt(x[i]);
+    return r;
+}
+static inline mask number_greater(number a, number b) { return a > b; }
+static inline number number_select(mask m, number a, number b) {
+    return (number)((m & (mask)a) | (~m & (mask)b));
+}
+
+#else
+#error "define NUMBER_DOUBLE, NUMBER_QUAD, NUMBER_COMPLEX or NUMBER_LANES first"
+#endif
+
+/* ---- what follows from the vocabulary, for every type alike ---- */
+
+static inline number number_of(double x) { return number_of_real((real)x); }
+static inline number number_magnitude(number x) {
+    return number_select(number_greater(number_of(0), x), -x, x);
+}
+static inline number number_larger(number a, number b) {
+    return number_select(number_greater(b, a), b, a);
+}
+
+#endif
