@@ -20,6 +20,7 @@
 typedef double number;
 typedef double real;
 typedef int mask;
+#define REAL_LITERAL(x) x
 #define REAL_EPSILON 2.220446049250313e-16
 #define REAL_PI 3.14159265358979323846
 /* sweeps of an iteration that squares its error, from where it starts to converge */
@@ -37,7 +38,8 @@ static inline number number_select(mask m, number a, number b) { return m ? a : 
 __extension__ typedef __float128 real;
 /* libquadmath's header is GCC's own; its functions are declared here so that Clang finds them too */
 extern real sqrtq(real);
-#define REAL_LITERAL(x) x##Q
+/* the suffix is no part of the standard, which a table of such constants should not warn about */
+#define REAL_LITERAL(x) (__extension__ x##Q)
 static inline real real_root_quad(real x) { return sqrtq(x); }
 #else
 typedef long double real;
@@ -63,6 +65,7 @@ static inline number number_select(mask m, number a, number b) { return m ? a : 
 typedef double _Complex number;
 typedef double real;
 typedef int mask;
+#define REAL_LITERAL(x) x
 #define REAL_EPSILON 2.220446049250313e-16
 #define REAL_PI 3.14159265358979323846
 /* one sweep more than double, lest the derivative in the imaginary part be cut off */
@@ -79,6 +82,7 @@ static inline number number_select(mask m, number a, number b) { return m ? a : 
 typedef double number __attribute__((vector_size(8 * NUMBER_LANES)));
 typedef double real;
 typedef long long mask __attribute__((vector_size(8 * NUMBER_LANES)));
+#define REAL_LITERAL(x) x
 #define REAL_EPSILON 2.220446049250313e-16
 #define REAL_PI 3.14159265358979323846
 enum { NUMBER_SWEEPS = 3, NUMBER_NEWTON = 8 };
