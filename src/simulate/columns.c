@@ -1,9 +1,10 @@
-/* The columns of every table: name, what it is, dimension as exponents of length, mass, time and angle. */
+/* The columns of every table: name, what it is, and its dimension as exponents of length, mass,
+ * time and angle, in this order. */
 #include "gough/simulate.h"
 
-/* clang-format off: one line a column, exponents aligned */
+/* One line a column. */
+/* clang-format off */
 const gough_column_info gough_column_table[GOUGH_COLUMNS] = {
-    /*                                                                          length mass time angle */
     [GOUGH_T]           = {"t", "time",                                              0, 0,  1, 0},
 
     [GOUGH_X]           = {"x", "x of the top frame's origin in the base frame",     1, 0,  0, 0},
@@ -13,16 +14,16 @@ const gough_column_info gough_column_table[GOUGH_COLUMNS] = {
     [GOUGH_PITCH_ANGLE] = {"pitch", "pitch of the top",                              0, 0,  0, 1},
     [GOUGH_YAW_ANGLE]   = {"yaw", "yaw of the top",                                  0, 0,  0, 1},
 
-    [GOUGH_VX]          = {"vx", "velocity of the top frame's origin along base x",  1, 0, -1, 0},
-    [GOUGH_VY]          = {"vy", "velocity of the top frame's origin along base y",  1, 0, -1, 0},
-    [GOUGH_VZ]          = {"vz", "velocity of the top frame's origin along base z",  1, 0, -1, 0},
+    [GOUGH_VX]          = {"vx", "velocity of the top's origin along base x",      1, 0, -1, 0},
+    [GOUGH_VY]          = {"vy", "velocity of the top's origin along base y",      1, 0, -1, 0},
+    [GOUGH_VZ]          = {"vz", "velocity of the top's origin along base z",      1, 0, -1, 0},
     [GOUGH_WX]          = {"wx", "angular velocity of the top about base x",         0, 0, -1, 1},
     [GOUGH_WY]          = {"wy", "angular velocity of the top about base y",         0, 0, -1, 1},
     [GOUGH_WZ]          = {"wz", "angular velocity of the top about base z",         0, 0, -1, 1},
 
-    [GOUGH_AX]          = {"ax", "acceleration of the top frame's origin along base x", 1, 0, -2, 0},
-    [GOUGH_AY]          = {"ay", "acceleration of the top frame's origin along base y", 1, 0, -2, 0},
-    [GOUGH_AZ]          = {"az", "acceleration of the top frame's origin along base z", 1, 0, -2, 0},
+    [GOUGH_AX]          = {"ax", "acceleration of the top's origin along base x",  1, 0, -2, 0},
+    [GOUGH_AY]          = {"ay", "acceleration of the top's origin along base y",  1, 0, -2, 0},
+    [GOUGH_AZ]          = {"az", "acceleration of the top's origin along base z",  1, 0, -2, 0},
     [GOUGH_ALX]         = {"alx", "angular acceleration of the top about base x",    0, 0, -2, 1},
     [GOUGH_ALY]         = {"aly", "angular acceleration of the top about base y",    0, 0, -2, 1},
     [GOUGH_ALZ]         = {"alz", "angular acceleration of the top about base z",    0, 0, -2, 1},
@@ -55,7 +56,7 @@ const gough_column_info gough_column_table[GOUGH_COLUMNS] = {
     [GOUGH_P + 4]       = {"p5", "power of leg 5",                                   2, 1, -3, 0},
     [GOUGH_P + 5]       = {"p6", "power of leg 6",                                   2, 1, -3, 0},
 
-    [GOUGH_CONDITION]   = {"condition", "condition of the Jacobian of the leg lengths", 0, 0, 0, 0},
+    [GOUGH_CONDITION]   = {"condition", "condition of the Jacobian of the leg lengths",   0, 0, 0, 0},
 
     [GOUGH_EX]          = {"ex", "deviation from the program in x",                  1, 0,  0, 0},
     [GOUGH_EY]          = {"ey", "deviation from the program in y",                  1, 0,  0, 0},
@@ -64,7 +65,7 @@ const gough_column_info gough_column_table[GOUGH_COLUMNS] = {
     [GOUGH_EPITCH]      = {"epitch", "deviation from the program in pitch",          0, 0,  0, 1},
     [GOUGH_EYAW]        = {"eyaw", "deviation from the program in yaw",              0, 0,  0, 1},
 
-    [GOUGH_DRIFT]       = {"drift", "largest violation of the constraints before projection", 0, 0, 0, 0},
+    [GOUGH_DRIFT]       = {"drift", "largest violation of the constraints",          0, 0, 0, 0},
 
     [GOUGH_RXX]         = {"rxx", "constraint reaction of i with i",                 2, 1, -2, 0},
     [GOUGH_RYY]         = {"ryy", "constraint reaction of j with j",                 2, 1, -2, 0},
