@@ -1,0 +1,57 @@
+# make            install what is missing, build; the command is then build/gough
+# make test       install what is missing, build, run every test
+# make demo       install what is missing, build, run the paper's whole study into out/
+# make install    into PREFIX (default /usr/local), under DESTDIR if given
+# make package    a Debian package in build/
+# make fuzz       each fuzzing target for FUZZ_SECONDS under sanitizers
+# make bench      timings
+# make lint       formatting and static analysis
+# make docs       API reference in build/docs
+# make clean      remove build/ and out/
+BUILD        ?= build
+PREFIX       ?= /usr/local
+FUZZ_SECONDS ?= 60
+CMAKE_FLAGS  ?=
+
+.PHONY: all configure test demo install package fuzz bench lint docs clean
+
+all: configure
+	@cmake --build $(BUILD) --target gough_command gough_core gough_shared gough_files_shared
+
+configure:
+	@scripts/install-packages.sh build
+	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_INSTALL_PREFIX=$(PREFIX) $(CMAKE_FLAGS) >/dev/null
+
+test:
+	@scripts/install-packages.sh build test
+	@scripts/test.sh $(BUILD)
+
+demo: all
+	@scripts/install-packages.sh demo
+	@scripts/demo.sh
+
+install: all
+	cmake --install $(BUILD) --prefix $(PREFIX)
+
+package:
+	@scripts/install-packages.sh build package
+	@scripts/package.sh $(BUILD)
+
+fuzz:
+	@scripts/install-packages.sh build test
+	@FUZZ_SECONDS=$(FUZZ_SECONDS) scripts/fuzz.sh
+
+bench: all
+	@scripts/install-packages.sh bench
+	@scripts/bench.sh
+
+lint: all
+	@scripts/install-packages.sh lint
+	@scripts/lint.sh $(BUILD)
+
+docs: configure
+	@scripts/install-packages.sh docs
+	@scripts/docs.sh $(BUILD)
+
+clean:
+	rm -rf $(BUILD) out

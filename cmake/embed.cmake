@@ -1,0 +1,17 @@
+# Writes OUTPUT, a C file with the bytes of FILES and a table of them (src/cli/embedded.h). Byte arrays, because a C
+# string literal may be too short for a study file.
+set(arrays "")
+set(table "")
+set(index 0)
+list(SORT FILES)
+foreach(file IN LISTS FILES)
+    file(READ ${file} bytes HEX)
+    file(SIZE ${file} size)
+    get_filename_component(name ${file} NAME)
+    string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
+    string(REGEX REPLACE "(................................................................................)" "\\1\n    " bytes "${bytes}")
+    string(APPEND arrays "static const unsigned char bytes_${index}[] = {\n    ${bytes}0x00};\n")
+    string(APPEND table "    {\"${name}\", (const char *)bytes_${index}, ${size}},\n")
+    math(EXPR index "${index} + 1")
+endforeach()
+file(WRITE ${OUTPUT} "#include \"cli/embedded.h\"\n\n${arrays}\nconst embedded_file embedded_files[] = {\n${table}    {0, 0, 0}};\n")

@@ -1,0 +1,35 @@
+# What `make install` puts where. The man page, completions and examples are installed as they stand in the source.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS gough_command RUNTIME)
+install(TARGETS gough_core ARCHIVE)
+install(TARGETS gough_shared gough_files_shared EXPORT gough-targets LIBRARY)
+install(DIRECTORY include/gough DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(FILES ${PROJECT_BINARY_DIR}/include/gough/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gough)
+
+# find_package(gough): targets gough::gough (core) and gough::files
+set(GOUGH_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/gough)
+install(EXPORT gough-targets NAMESPACE gough:: DESTINATION ${GOUGH_CMAKE_FOLDER})
+file(WRITE ${PROJECT_BINARY_DIR}/gough-config.cmake
+    "include(\"\${CMAKE_CURRENT_LIST_DIR}/gough-targets.cmake\")\n")
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/gough-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/gough-config.cmake ${PROJECT_BINARY_DIR}/gough-config-version.cmake
+    DESTINATION ${GOUGH_CMAKE_FOLDER})
+
+# pkg-config: gough (core) and gough-files
+list(TRANSFORM GOUGH_MATH PREPEND "-l" OUTPUT_VARIABLE GOUGH_MATH_LINK)
+list(JOIN GOUGH_MATH_LINK " " GOUGH_MATH_LINK)
+file(RELATIVE_PATH GOUGH_PC_UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" GOUGH_PC_UP "${GOUGH_PC_UP}")
+foreach(name gough gough-files)
+    configure_file(cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()
+
+install(FILES docs/man/gough.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES completions/gough.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gough)
+install(FILES completions/_gough DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES completions/gough.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)

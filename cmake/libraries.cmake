@@ -1,0 +1,43 @@
+# Two libraries: the core (kernel to simulate: no dependency but the C library and libquadmath) and, over it, files and
+# figures (study, result, report). Each is compiled once, as position-independent code with only GOUGH_API visible, and
+# serves as a static library (command, tests) and as a shared one (installed).
+configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/gough/version.h @ONLY)
+
+file(GLOB GOUGH_HEADERS CONFIGURE_DEPENDS include/gough/*.h)
+file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
+    src/kernel/*.c src/model/*.c src/dynamics/*.c src/integrate/*.c src/simulate/*.c src/batch/*.c src/analyse/*.c)
+file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS src/study/*.c src/result/*.c src/report/*.c)
+
+# gough_room_libraries(SUFFIX [FLAGS…]): the two static libraries gough_core<SUFFIX> and gough_files<SUFFIX>.
+function(gough_room_libraries suffix)
+    add_library(gough_core_objects${suffix} OBJECT ${GOUGH_HEADERS} ${GOUGH_CORE_SOURCES})
+    add_library(gough_files_objects${suffix} OBJECT ${GOUGH_HEADERS} ${GOUGH_FILES_SOURCES})
+    foreach(part core files)
+        set_target_properties(gough_${part}_objects${suffix} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+        target_compile_definitions(gough_${part}_objects${suffix} PRIVATE GOUGH_SHARED)
+        target_link_libraries(gough_${part}_objects${suffix} PRIVATE gough_flags ${ARGN})
+        add_library(gough_${part}${suffix} STATIC $<TARGET_OBJECTS:gough_${part}_objects${suffix}>)
+        set_target_properties(gough_${part}${suffix} PROPERTIES LINKER_LANGUAGE C)
+    endforeach()
+    target_link_libraries(gough_files_objects${suffix} PRIVATE PkgConfig::LIBFYAML PkgConfig::HDF5)
+    target_link_libraries(gough_core${suffix} PUBLIC gough_flags ${ARGN} ${GOUGH_MATH})
+    target_link_libraries(gough_files${suffix} PUBLIC gough_core${suffix} PRIVATE PkgConfig::LIBFYAML PkgConfig::HDF5)
+endfunction()
+
+gough_room_libraries("")
+
+# installed under these names: libgough.a, libgough.so, libgough-files.so
+set_target_properties(gough_core PROPERTIES OUTPUT_NAME gough)
+add_library(gough_shared SHARED $<TARGET_OBJECTS:gough_core_objects>)
+add_library(gough_files_shared SHARED $<TARGET_OBJECTS:gough_files_objects>)
+set_target_properties(gough_shared PROPERTIES OUTPUT_NAME gough EXPORT_NAME gough)
+set_target_properties(gough_files_shared PROPERTIES OUTPUT_NAME gough-files EXPORT_NAME files)
+foreach(library gough_shared gough_files_shared)
+    set_target_properties(${library} PROPERTIES
+        LINKER_LANGUAGE C VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+    target_include_directories(${library} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    target_link_options(${library} PRIVATE $<$<NOT:$<BOOL:${GOUGH_SANITIZE}>>:-Wl,--no-undefined>)
+endforeach()
+target_link_libraries(gough_shared PRIVATE $<BUILD_INTERFACE:gough_flags> ${GOUGH_MATH})
+target_link_libraries(gough_files_shared PUBLIC gough_shared
+    PRIVATE $<BUILD_INTERFACE:gough_flags> $<BUILD_INTERFACE:PkgConfig::LIBFYAML> $<BUILD_INTERFACE:PkgConfig::HDF5> m)
