@@ -1,8 +1,8 @@
-/* Symmetric compositions of a symmetric second-order step: a step of h of order 4, 6 or 8 is a row of
- * second-order steps of h times these weights.
+/* Symmetric compositions of a symmetric second-order step: a step of order 4, 6 or 8 is a row of
+ * second-order steps whose lengths are these weights times its own.
  *
  *   order 4    five stages, 1/(4 - 4^(1/3)) around the middle: M. Suzuki, Phys. Lett. A 146 (1990)
- *   order 6    nine stages, order 8 seventeen stages: the methods s9odr6a and s17odr8a of W. Kahan and
+ *   order 6    nine stages, and order 8, seventeen stages: s9odr6a and s17odr8a of W. Kahan and
  *              R.-C. Li, Composition constants for raising the orders of unconventional schemes for
  *              ordinary differential equations, Math. Comp. 66 (1997)
  *
