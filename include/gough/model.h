@@ -80,9 +80,9 @@ enum { GOUGH_FORMULA_OPERATIONS = 192, GOUGH_FORMULA_DEPTH = 24 };
 typedef struct gough_formula {
     int count;
     struct {
-        int code;     /**< operation, private to model/formula.c */
-        int exponent; /**< whole exponent of a power, private */
-        double value; /**< constant, private */
+        int code;     /**< operation, private to src/model */
+        int constant; /**< which operands do not depend on t, private */
+        double value; /**< of a number, private */
     } operation[GOUGH_FORMULA_OPERATIONS];
 } gough_formula;
 

@@ -1,0 +1,258 @@
+/* A machine from its platform and load: the checks that it can exist and move, and what follows
+ * from it, (body-2), (legs-2), (legs-8). */
+#define NUMBER_DOUBLE
+#include <string.h>
+
+#include "gough/model.h"
+#include "kernel/legs.h"
+#include "kernel/principal.h"
+#include "kernel/real.h"
+
+/* Relative sizes below which a length or a moment counts as none. Geometry is given with a few
+ * digits, so a distance of 1e-9 of the machine is one meant to be zero; triangle inequalities of
+ * an inertia computed in double hold to 1e-12. */
+static const double NO_DISTANCE = 1e-9, NO_MOMENT = 1e-12;
+
+/* Determinant of the six equations over the product of their columns' lengths: about 1e-16 where
+ * round-off is all that is left, above 1e-6 in any machine whose sensitivities leave something
+ * to control. */
+static const double NO_DETERMINANT = 1e-10;
+
+/* Home poses at which the Jacobian is worse conditioned than double precision can tell from
+ * singular. */
+static const double CONDITION_SINGULAR = 1e15;
+
+#define FAIL(error, ...) gough_fail(error, GOUGH_ERROR_INPUT, __VA_ARGS__)
+
+static double distance(const double a[3], const double b[3]) {
+    const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    return sqrt(x * x + y * y + z * z);
+}
+
+static double length_of(const double a[3]) { return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
+
+static bool all_finite(const double *x, int count) {
+    for (int i = 0; i < count; i++)
+        if (!real_finite(x[i])) return false;
+    return true;
+}
+
+/* ---- numbers ---- */
+
+static gough_status check_numbers(const gough_platform *p, const gough_load *load,
+                                  const double gravity[3], gough_error *error) {
+    static const char AXIS[] = "xyz";
+    for (int n = 0; n < GOUGH_LEGS; n++) {
+        for (int a = 0; a < 3; a++) {
+            if (!real_finite(p->base[n][a]))
+                return FAIL(error, "%c of base joint %d is not finite", AXIS[a], n + 1);
+            if (!real_finite(p->top[n][a]))
+                return FAIL(error, "%c of top joint %d is not finite", AXIS[a], n + 1);
+        }
+    }
+    if (!real_finite(p->height)) return FAIL(error, "the platform's height is not finite");
+    if (!(real_finite(p->base_radius) && p->base_radius >= 0))
+        return FAIL(error, "the base radius must be positive and finite, not %g", p->base_radius);
+    if (!(p->length_min >= 0 && real_finite(p->length_min)))
+        return FAIL(error, "the least leg length must be 0 or positive, not %g", p->length_min);
+    if (!(p->length_max > p->length_min))
+        return FAIL(error, "the greatest leg length, %g, must exceed the least, %g", p->length_max,
+                    p->length_min);
+    if (!(p->speed_max > 0))
+        return FAIL(error, "the greatest leg speed must be positive, not %g", p->speed_max);
+    if (!(p->force_max > 0))
+        return FAIL(error, "the greatest leg force must be positive, not %g", p->force_max);
+    if (!(load->mass > 0 && real_finite(load->mass)))
+        return FAIL(error, "the load's mass must be positive and finite, not %g", load->mass);
+    if (!all_finite(load->center_of_mass, 3))
+        return FAIL(error, "the load's centre of mass is not finite");
+    if (!all_finite(load->inertia[0], 3) || !all_finite(load->inertia[1], 3) ||
+        !all_finite(load->inertia[2], 3))
+        return FAIL(error, "the load's inertia is not finite");
+    if (!all_finite(gravity, 3)) return FAIL(error, "gravity is not finite");
+    return GOUGH_OK;
+}
+
+/* ---- joints ---- */
+
+/* Whether all six points lie on one line, or at one point. */
+static bool on_a_line(const double point[GOUGH_LEGS][3]) {
+    int far = 1;
+    for (int n = 2; n < GOUGH_LEGS; n++)
+        if (distance(point[n], point[0]) > distance(point[far], point[0])) far = n;
+    const double span = distance(point[far], point[0]);
+    if (!(span > 0)) return true;
+
+    const vector origin = vector_of(point[0]);
+    const vector line = scale(1 / span, subtract(vector_of(point[far]), origin));
+    for (int n = 1; n < GOUGH_LEGS; n++) {
+        const vector off = cross(line, subtract(vector_of(point[n]), origin));
+        if (norm(off) > NO_DISTANCE * span) return false;
+    }
+    return true;
+}
+
+/* Mean distance of the base joints from their centroid. */
+static double mean_radius(const double point[GOUGH_LEGS][3]) {
+    double centroid[3] = {0, 0, 0}, mean = 0;
+    for (int n = 0; n < GOUGH_LEGS; n++)
+        for (int a = 0; a < 3; a++) centroid[a] += point[n][a] / GOUGH_LEGS;
+    for (int n = 0; n < GOUGH_LEGS; n++) mean += distance(point[n], centroid) / GOUGH_LEGS;
+    return mean;
+}
+
+static gough_status check_joints(const gough_platform *p, gough_error *error) {
+    const double span = mean_radius(p->base) + mean_radius(p->top);
+    if (!real_finite(span)) return FAIL(error, "the joints lie too far apart to be measured");
+    if (on_a_line(p->base)) return FAIL(error, "all base joints lie on one line");
+    if (on_a_line(p->top)) return FAIL(error, "all top joints lie on one line");
+    for (int m = 0; m < GOUGH_LEGS; m++) {
+        for (int n = m + 1; n < GOUGH_LEGS; n++) {
+            if (distance(p->base[m], p->base[n]) <= NO_DISTANCE * span &&
+                distance(p->top[m], p->top[n]) <= NO_DISTANCE * span)
+                return FAIL(error, "legs %d and %d share both joints: they may share one, not both",
+                            m + 1, n + 1);
+        }
+    }
+    for (int n = 0; n < GOUGH_LEGS; n++) {
+        const double top[3] = {p->top[n][0], p->top[n][1], p->top[n][2] + p->height};
+        if (distance(top, p->base[n]) <= NO_DISTANCE * span)
+            return FAIL(error, "leg %d has no length at home: its joints meet", n + 1);
+    }
+    return GOUGH_OK;
+}
+
+/* ---- inertia ---- */
+
+/* Principal axes and second moments, I_x = (J_y + J_z − J_x)/2: a body exists where none is
+ * negative. */
+static gough_status set_inertia(gough_machine *m, gough_error *error) {
+    double(*J)[3] = m->load.inertia;
+    double largest = 0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) largest = fmax(largest, fabs(J[i][j]));
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < i; j++) {
+            if (fabs(J[i][j] - J[j][i]) > NO_DISTANCE * largest)
+                return FAIL(error,
+                            "the inertia is not symmetric: row %d column %d holds %g, row %d "
+                            "column %d holds %g",
+                            i + 1, j + 1, J[i][j], j + 1, i + 1, J[j][i]);
+            if (J[i][j] > J[j][i] || J[i][j] < J[j][i])
+                J[i][j] = J[j][i] = J[i][j] / 2 + J[j][i] / 2;
+        }
+    }
+
+    double moment[3];
+    principal_axes(J, m->principal_axes, moment);
+    const double greatest = fmax(moment[0], fmax(moment[1], moment[2]));
+    for (int a = 0; a < 3; a++) {
+        if (!(moment[a] > NO_MOMENT * greatest) || !real_finite(moment[a]))
+            return FAIL(error,
+                        "no body has this inertia: its principal moments are %.6g, %.6g, %.6g, and "
+                        "each must be positive",
+                        moment[0], moment[1], moment[2]);
+    }
+    for (int a = 0; a < 3; a++) {
+        const double b = moment[(a + 1) % 3], c = moment[(a + 2) % 3];
+        m->second_moments[a] = (b - moment[a] + c) / 2;
+        if (fabs(m->second_moments[a]) <= NO_MOMENT * greatest) m->second_moments[a] = 0;
+        if (m->second_moments[a] < 0)
+            return FAIL(error,
+                        "no body has this inertia: of its principal moments %.6g, %.6g, %.6g the "
+                        "greatest exceeds the sum of the other two",
+                        moment[0], moment[1], moment[2]);
+    }
+    return GOUGH_OK;
+}
+
+/* ---- the six equations ---- */
+
+/* Top frame at `position`, turned by the unit quaternion of (1, turn). */
+static coordinates pose(const hexapod *h, vector position, vector turn) {
+    const double w2 = 1 / (1 + dot(turn, turn)); /* square of the quaternion's scalar part */
+    triad R = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    vector *axis[3] = {&R.i, &R.j, &R.k};
+    for (int a = 0; a < 3; a++) {
+        const vector once = cross(turn, *axis[a]);
+        *axis[a] = along(*axis[a], 2 * w2, add(once, cross(turn, once)));
+    }
+    return (coordinates){add(position, out_of(&R, h->center)), compose(&R, &h->axes)};
+}
+
+/* |det| of the six equations over the product of the lengths of its columns, 0 … 1; 0 also where
+ * a leg has no length. */
+static double relative_determinant(const hexapod *h, const coordinates *x) {
+    legs g;
+    double a[6][6], product = 1;
+    legs_at(h, x, &g);
+    legs_equations(h, x, &g, h->top, a);
+    for (int v = 0; v < LEGS; v++) {
+        double square = 0;
+        for (int r = 0; r < 6; r++) square += a[r][v] * a[r][v];
+        product *= sqrt(square);
+    }
+    const double ratio = fabs(solve_six(a, NULL, 0).determinant) / product;
+    return ratio > 0 ? ratio : 0; /* a pivot of exactly 0 leaves no number behind */
+}
+
+/* Whether the machine is singular wherever it goes: tried in poses spread around home by an
+ * additive recurrence, whose six steps are the powers of 1/φ, φ⁷ = φ + 1, as these fill the six
+ * dimensions evenly. */
+static bool singular_everywhere(const hexapod *h, double height, double radius) {
+    enum { POSES = 20 };
+    const double step = 1 / 1.1127756842787055;
+    for (int k = 1; k <= POSES; k++) {
+        double offset[6], power = 1;
+        for (int i = 0; i < 6; i++) {
+            power *= step;
+            offset[i] = k * power - floor(k * power) - 0.5;
+        }
+        const vector position = {0.6 * radius * offset[0], 0.6 * radius * offset[1],
+                                 height + 0.6 * radius * offset[2]};
+        const vector turn = {0.5 * offset[3], 0.5 * offset[4], 0.5 * offset[5]};
+        const coordinates x = pose(h, position, turn);
+        if (relative_determinant(h, &x) > NO_DETERMINANT) return false;
+    }
+    return true;
+}
+
+static gough_status set_home(gough_machine *m, gough_error *error) {
+    const gough_platform *p = &m->platform;
+    const gough_load *load = &m->load;
+    hexapod h;
+    hexapod_setup(&h, p->base, p->top, load->mass, load->center_of_mass, m->principal_axes,
+                  m->second_moments, m->gravity);
+
+    legs g;
+    const coordinates x = pose(&h, (vector){0, 0, p->height}, (vector){0, 0, 0});
+    legs_at(&h, &x, &g);
+    memcpy(m->home_length, g.length, sizeof m->home_length);
+    const double condition = legs_condition(&h, &x, &g);
+    m->home_condition = condition < CONDITION_SINGULAR ? condition : INFINITY;
+
+    if (singular_everywhere(&h, p->height, m->base_radius))
+        return FAIL(error,
+                    "the machine is singular in every pose, so its legs cannot hold the top: "
+                    "this is so where base and top are similar hexagons; change the "
+                    "spacing of the joints of one of them");
+    return GOUGH_OK;
+}
+
+gough_status gough_machine_init(gough_machine *machine, const gough_platform *platform,
+                                const gough_load *load, const double gravity[3],
+                                gough_error *error) {
+    gough_machine m = {.platform = *platform, .load = *load};
+    memcpy(m.gravity, gravity, sizeof m.gravity);
+
+    gough_status status = check_numbers(platform, load, gravity, error);
+    if (status == GOUGH_OK) status = check_joints(platform, error);
+    if (status != GOUGH_OK) return status;
+    m.gravity_magnitude = length_of(gravity);
+    m.base_radius = platform->base_radius > 0 ? platform->base_radius : mean_radius(platform->base);
+
+    status = set_inertia(&m, error);
+    if (status == GOUGH_OK) status = set_home(&m, error);
+    if (status == GOUGH_OK) *machine = m;
+    return status;
+}

@@ -1,0 +1,144 @@
+/* Sentences for errors and words for the ends of runs. A sentence is the same in every locale:
+ * numbers have a point. */
+#include "gough/status.h"
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A text that is cut where it is full. */
+typedef struct sentence {
+    char *text;
+    size_t size, used;
+} sentence;
+
+static void append(sentence *s, const char *text, size_t length) {
+    const size_t room = s->size - 1 - s->used;
+    const size_t taken = length < room ? length : room;
+    memcpy(s->text + s->used, text, taken);
+    s->used += taken;
+    s->text[s->used] = '\0';
+}
+
+/* Whatever the locale has put for the decimal point becomes a point. */
+static void append_number(sentence *s, const char *number) {
+    bool point = false;
+    for (const char *c = number; *c != '\0'; c++) {
+        if (strchr("+- 0123456789abcdefinptxABCDEFINPTX", *c) != NULL) {
+            append(s, c, 1);
+            point = false;
+        } else if (!point) {
+            append(s, ".", 1);
+            point = true;
+        }
+    }
+}
+
+/* One conversion, "%-10.3g" and the like; returns the first character after it. The format
+ * attribute has had the compiler check the arguments. Known: c d i u x s e f g %, lengths l and
+ * z, width and precision as digits or *. */
+static const char *append_conversion(sentence *s, const char *format, va_list *arguments) {
+    char spec[24] = "%", out[400] = "";
+    size_t n = 1;
+    const char *at = format + 1;
+    for (; *at != '\0' && strchr("+-# .0123456789*", *at) != NULL; at++) {
+        if (*at == '*') {
+            n += (size_t)snprintf(spec + n, sizeof spec - n, "%d", va_arg(*arguments, int));
+        } else {
+            spec[n++] = *at;
+        }
+        if (n > sizeof spec - 14) return at + 1;
+    }
+    char length = '\0';
+    for (; *at == 'l' || *at == 'z'; at++) spec[n++] = length = *at;
+    spec[n] = *at;
+    switch (*at) {
+    case '\0':
+        return at;
+    case '%':
+        append(s, "%", 1);
+        break;
+    case 'c':
+        snprintf(out, sizeof out, spec, va_arg(*arguments, int));
+        break;
+    case 's':
+        /* with a precision the text need not be terminated, which snprintf respects */
+        if (strchr(spec, '.') == NULL && n == 1) {
+            const char *text = va_arg(*arguments, const char *);
+            append(s, text, strlen(text));
+        } else {
+            snprintf(out, sizeof out, spec, va_arg(*arguments, const char *));
+        }
+        break;
+    case 'e':
+    case 'f':
+    case 'g':
+        snprintf(out, sizeof out, spec, va_arg(*arguments, double));
+        append_number(s, out);
+        return at + 1;
+    default:
+        if (length == 'l')
+            snprintf(out, sizeof out, spec, va_arg(*arguments, long));
+        else if (length == 'z')
+            snprintf(out, sizeof out, spec, va_arg(*arguments, size_t));
+        else
+            snprintf(out, sizeof out, spec, va_arg(*arguments, int));
+    }
+    append(s, out, strlen(out));
+    return at + 1;
+}
+
+gough_status gough_fail(gough_error *error, gough_status status, const char *format, ...) {
+    if (error == NULL) return status;
+    error->status = status;
+    error->message[0] = '\0';
+    sentence s = {error->message, sizeof error->message, 0};
+
+    va_list arguments;
+    va_start(arguments, format);
+    while (*format != '\0') {
+        if (*format == '%') {
+            format = append_conversion(&s, format, &arguments);
+        } else {
+            append(&s, format, 1);
+            format++;
+        }
+    }
+    va_end(arguments);
+
+    /* a sentence that was cut does not end within a UTF-8 character */
+    if (s.used == s.size - 1) {
+        size_t end = s.used;
+        while (end > 0 && (s.text[end - 1] & 0xc0) == 0x80) end--;
+        if (end > 0 && (s.text[end - 1] & 0x80) != 0) s.text[end - 1] = '\0';
+    }
+    return status;
+}
+
+const char *gough_cause_name(gough_cause cause) {
+    switch (cause) {
+    case GOUGH_END_DONE:
+        return "done";
+    case GOUGH_END_LEG_SHORT:
+        return "leg_short";
+    case GOUGH_END_LEG_LONG:
+        return "leg_long";
+    case GOUGH_END_LEG_SPEED:
+        return "leg_speed";
+    case GOUGH_END_LEG_FORCE:
+        return "leg_force";
+    case GOUGH_END_LEG_NO_LENGTH:
+        return "leg_no_length";
+    case GOUGH_END_SINGULAR:
+        return "singular";
+    case GOUGH_END_NOT_FINITE:
+        return "not_finite";
+    case GOUGH_END_NO_CONVERGENCE:
+        return "no_convergence";
+    case GOUGH_END_STOPPED:
+        return "stopped";
+    }
+    return "unknown";
+}
