@@ -1,0 +1,116 @@
+/* Dormand and Prince's Runge–Kutta method of order 8 with error estimate and dense output (step-2), (step-3). */
+#ifndef GOUGH_INTEGRATE_DOP853_H
+#define GOUGH_INTEGRATE_DOP853_H
+
+#include "integrate/dop853_table.h"
+#include "integrate/stepper.h"
+#include "kernel/real.h"
+
+/* The slopes of one step, and its dense output once prepared. slope[0] is the rate at the step's beginning, from the caller. */
+typedef struct {
+    number slope[16][STEPPER_SIZE];
+    number dense[8][STEPPER_SIZE];
+} dop853;
+
+/* z = y + h Σ a_j slope_j: the point at which stage `row` is taken */
+static inline void dop853_point(const dop853 *s, int n, int row, real h, const number *y,
+                                number *z) {
+    for (int i = 0; i < n; i++) z[i] = number_of(0);
+    for (int j = 0; j < row && j < 15; j++) {
+        if (dop853_a[row][j] == 0) continue; /* the tableau's own zeros */
+        const number weight = number_of_real(dop853_a[row][j]);
+        for (int i = 0; i < n; i++) z[i] = z[i] + weight * s->slope[j][i];
+    }
+    for (int i = 0; i < n; i++) z[i] = y[i] + number_of_real(h) * z[i];
+}
+
+/* (step-2): the step from y at t to `out` at t + h; eleven evaluations */
+static inline void dop853_step(dop853 *s, rate_function f, void *context, int n, real t, real h,
+                               const number *y, number *out) {
+    number z[STEPPER_SIZE];
+
+    for (int row = 1; row < DOP853_STAGES; row++) {
+        dop853_point(s, n, row, h, y, z);
+        f(context, t + dop853_c[row] * h, z, s->slope[row]);
+    }
+    dop853_point(s, n, DOP853_STAGES, h, y, out);
+}
+
+/* (step-2): the estimated error of the step over its tolerance, the fifth-order estimate held against the third-order one;
+ * accepted where at most 1. size: what is added to |y| in each component. For scalar number types. */
+static inline real dop853_error(const dop853 *s, int n, real h, const number *y, const number *out,
+                                const real *size, real tolerance) {
+    real fifth = 0, third = 0;
+
+    for (int i = 0; i < n; i++) {
+        const real before = real_magnitude(number_first(y[i]));
+        const real after = real_magnitude(number_first(out[i]));
+        const real scale = tolerance * (size[i] + (after > before ? after : before));
+        real e5 = 0, e3 = 0;
+        for (int j = 0; j < DOP853_STAGES; j++) {
+            e5 = e5 + dop853_error5[j] * number_first(s->slope[j][i]);
+            e3 = e3 + dop853_error3[j] * number_first(s->slope[j][i]);
+        }
+        fifth = fifth + (e5 / scale) * (e5 / scale);
+        third = third + (e3 / scale) * (e3 / scale);
+    }
+    if (!(fifth > 0)) return fifth; /* no error at all, or not finite */
+    return real_magnitude(h) * fifth / real_root((fifth + third / 100) * n);
+}
+
+/* (step-3): the polynomial of degree 7 through the step; four more evaluations */
+static inline void dop853_prepare(dop853 *s, rate_function f, void *context, int n, real t, real h,
+                                  const number *y, const number *out) {
+    const number step = number_of_real(h);
+    number z[STEPPER_SIZE];
+
+    f(context, t + h, out, s->slope[DOP853_STAGES]);
+    for (int row = DOP853_STAGES + 1; row < 16; row++) {
+        dop853_point(s, n, row, h, y, z);
+        f(context, t + dop853_c[row] * h, z, s->slope[row]);
+    }
+    for (int i = 0; i < n; i++) {
+        const number whole = out[i] - y[i], bend = step * s->slope[0][i] - whole;
+        s->dense[0][i] = y[i];
+        s->dense[1][i] = whole;
+        s->dense[2][i] = bend;
+        s->dense[3][i] = whole - step * s->slope[DOP853_STAGES][i] - bend;
+    }
+    for (int row = 0; row < 4; row++) {
+        for (int i = 0; i < n; i++) {
+            number sum = number_of(0);
+            for (int j = 0; j < 16; j++) {
+                sum = sum + number_of_real(dop853_d[row][j]) * s->slope[j][i];
+            }
+            s->dense[4 + row][i] = step * sum;
+        }
+    }
+}
+
+/* (step-3): y at t + theta h */
+static inline void dop853_dense(const dop853 *s, int n, real theta, number *y) {
+    const number a = number_of_real(theta), b = number_of_real(1 - theta);
+
+    for (int i = 0; i < n; i++) {
+        number sum = a * s->dense[7][i];
+        sum = b * (s->dense[6][i] + sum);
+        sum = a * (s->dense[5][i] + sum);
+        sum = b * (s->dense[4][i] + sum);
+        sum = a * (s->dense[3][i] + sum);
+        sum = b * (s->dense[2][i] + sum);
+        sum = a * (s->dense[1][i] + sum);
+        y[i] = s->dense[0][i] + sum;
+    }
+}
+
+/* Factor from a step to the next for an error over tolerance: (1/error)^(1/8) with a margin, between 1/3 and 6 */
+static inline real dop853_factor(real error) {
+    const real least = (real)1 / 3, most = 6, margin = (real)9 / 10;
+    real factor;
+
+    if (!(error > 0)) return error <= 0 ? most : least;
+    factor = margin / real_pow(error, (real)1 / 8);
+    return factor < least ? least : factor > most ? most : factor;
+}
+
+#endif

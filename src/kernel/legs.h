@@ -1,0 +1,136 @@
+/* Six extensible legs between base and load: lengths, rates, resultant, the six equations, (2.1)–(2.7).
+ * Base axes unless a comment says central axes (those of the triad). Theory: docs/theory/legs.md. */
+#ifndef GOUGH_KERNEL_LEGS_H
+#define GOUGH_KERNEL_LEGS_H
+
+#include "kernel/body.h"
+#include "kernel/solve.h"
+
+enum { LEGS = 6 };
+
+/* The machine as the equations see it. */
+typedef struct {
+    body load;
+    vector gravity;
+    vector base[LEGS]; /* base joints b_ν */
+    vector arm[LEGS];  /* (x, y, z)_ν: top joints from the centre of mass, central axes */
+    vector top[LEGS];  /* top joints from the top frame's origin, central axes */
+    vector center;     /* centre of mass, top frame */
+    triad axes;        /* central axes in the top frame */
+    number reach; /* mean distance of the top joints from the top frame's origin: scales moments */
+} hexapod;
+
+/* What the legs are in one pose, and in one motion. */
+typedef struct {
+    number length[LEGS]; /* (legs-2) */
+    vector n[LEGS];      /* (legs-3) */
+    number rate[LEGS];   /* (legs-4) */
+} legs;
+
+/* axes: columns are the central axes in the top frame; moments: second moments along them */
+static inline void hexapod_setup(hexapod *h, const double base[LEGS][3], const double top[LEGS][3],
+                                 double mass, const double center_of_mass[3], number axes[3][3],
+                                 const number moments[3], const double gravity[3]) {
+    h->axes = (triad){{axes[0][0], axes[1][0], axes[2][0]},
+                      {axes[0][1], axes[1][1], axes[2][1]},
+                      {axes[0][2], axes[1][2], axes[2][2]}};
+    h->load = (body){number_of(mass), moments[0], moments[1], moments[2]};
+    h->gravity = vector_of(gravity);
+    h->center = vector_of(center_of_mass);
+
+    h->reach = number_of(0);
+    for (int v = 0; v < LEGS; v++) {
+        h->base[v] = vector_of(base[v]);
+        h->top[v] = onto(&h->axes, vector_of(top[v]));
+        h->arm[v] = onto(&h->axes, subtract(vector_of(top[v]), h->center));
+        h->reach = h->reach + norm(h->top[v]) / number_of(LEGS);
+    }
+}
+
+/* (legs-1), (legs-2), (legs-3): ℓ = ρ + x i + y j + z k − b, l = |ℓ|, n = ℓ/l */
+static inline void legs_at(const hexapod *h, const coordinates *x, legs *g) {
+    for (int v = 0; v < LEGS; v++) {
+        const vector l = subtract(add(x->rho, out_of(&x->q, h->arm[v])), h->base[v]);
+        g->length[v] = norm(l);
+        g->n[v] = scale(number_of(1) / g->length[v], l);
+    }
+}
+
+/* (legs-4): l̇ = n·(ρ̇ + x i̇ + y j̇ + z k̇) */
+static inline void legs_rates(const hexapod *h, const coordinates *rate, legs *g) {
+    for (int v = 0; v < LEGS; v++) {
+        g->rate[v] = dot(g->n[v], add(rate->rho, out_of(&rate->q, h->arm[v])));
+    }
+}
+
+/* (legs-6): ṅ = (v − l̇ n)/l, l̈ = n·a + l |ṅ|² */
+static inline void legs_second_rates(const hexapod *h, const coordinates *rate,
+                                     const coordinates *acceleration, const legs *g,
+                                     number second_rate[LEGS]) {
+    for (int v = 0; v < LEGS; v++) {
+        const vector velocity = add(rate->rho, out_of(&rate->q, h->arm[v]));
+        const vector a = add(acceleration->rho, out_of(&acceleration->q, h->arm[v]));
+        const vector turn =
+            scale(number_of(1) / g->length[v], along(velocity, -g->rate[v], g->n[v]));
+
+        second_rate[v] = dot(g->n[v], a) + g->length[v] * dot(turn, turn);
+    }
+}
+
+/* F = Σ u n in base axes, and (2.6), L_x = Σ u (y n_z − z n_y) …, in central axes */
+static inline void legs_resultant(const hexapod *h, const coordinates *x, const legs *g,
+                                  const number u[LEGS], vector *F, vector *L) {
+    const number zero = number_of(0);
+
+    *F = *L = (vector){zero, zero, zero};
+    for (int v = 0; v < LEGS; v++) {
+        *F = along(*F, u[v], g->n[v]);
+        *L = along(*L, u[v], cross(h->arm[v], onto(&x->q, g->n[v])));
+    }
+}
+
+/* (legs-7): the matrix of (2.5) and (2.6) for the legs' forces u, central axes; moments about the point from which `arm` is
+ * measured, divided by the reach so that all entries are of one size */
+static inline void legs_equations(const hexapod *h, const coordinates *x, const legs *g,
+                                  const vector arm[LEGS], number a[6][6]) {
+    for (int v = 0; v < LEGS; v++) {
+        const vector n = onto(&x->q, g->n[v]);
+        const vector m = scale(number_of(1) / h->reach, cross(arm[v], n));
+
+        a[0][v] = n.x, a[1][v] = n.y, a[2][v] = n.z;
+        a[3][v] = m.x, a[4][v] = m.y, a[5][v] = m.z;
+    }
+}
+
+/* (legs-8): condition of the Jacobian about the top frame's origin, moment columns divided by the reach */
+static inline number legs_condition(const hexapod *h, const coordinates *x, const legs *g) {
+    number a[6][6], largest, smallest;
+
+    legs_equations(h, x, g, h->top, a);
+    singular_values(a, &largest, &smallest);
+    return largest / smallest;
+}
+
+/* (legs-8): determinant of the same matrix, and the ratio of its pivots */
+static inline elimination legs_determinant(const hexapod *h, const coordinates *x, const legs *g) {
+    number a[6][6];
+
+    legs_equations(h, x, g, h->top, a);
+    return solve_six(a, NULL, 0);
+}
+
+/* Generalised forces on i, j, k: Q_i = Σ x F …, and a moment m on the load (base axes) as ½ m × e */
+static inline triad legs_generalised(const hexapod *h, const legs *g, const triad *q,
+                                     const number u[LEGS], vector moment) {
+    const vector half = scale(number_of(0.5), moment);
+    triad Q = {cross(half, q->i), cross(half, q->j), cross(half, q->k)};
+
+    for (int v = 0; v < LEGS; v++) {
+        Q.i = along(Q.i, h->arm[v].x * u[v], g->n[v]);
+        Q.j = along(Q.j, h->arm[v].y * u[v], g->n[v]);
+        Q.k = along(Q.k, h->arm[v].z * u[v], g->n[v]);
+    }
+    return Q;
+}
+
+#endif

@@ -1,0 +1,112 @@
+/* Six linear equations, and how near they are to singular; without a branch on a number, so that each lane pivots for itself. */
+#ifndef GOUGH_KERNEL_SOLVE_H
+#define GOUGH_KERNEL_SOLVE_H
+
+#include "kernel/number.h"
+
+typedef struct {
+    number determinant;
+    number
+        pivot_ratio; /* smallest over largest pivot in magnitude: a cheap sign of trouble, not the condition */
+} elimination;
+
+/* a x = b by Gaussian elimination with partial pivoting, for `count` right-hand sides b[r], which become the solutions;
+ * a is destroyed. A singular matrix gives determinant 0 and solutions that are not finite. */
+static inline elimination solve_six(number a[6][6], number b[][6], int count) {
+    const number one = number_of(1);
+    number sign = one, least, most;
+    elimination result;
+
+    for (int c = 0; c < 6; c++) {
+        /* after these exchanges row c holds the largest entry of the rows from c on */
+        for (int r = c + 1; r < 6; r++) {
+            const mask larger =
+                number_greater(number_magnitude(a[r][c]), number_magnitude(a[c][c]));
+            for (int k = c; k < 6; k++) {
+                const number x = a[c][k], y = a[r][k];
+                a[c][k] = number_select(larger, y, x);
+                a[r][k] = number_select(larger, x, y);
+            }
+            for (int k = 0; k < count; k++) {
+                const number x = b[k][c], y = b[k][r];
+                b[k][c] = number_select(larger, y, x);
+                b[k][r] = number_select(larger, x, y);
+            }
+            sign = number_select(larger, -sign, sign);
+        }
+        const number inverse = one / a[c][c];
+        for (int r = c + 1; r < 6; r++) {
+            const number factor = a[r][c] * inverse;
+            for (int k = c + 1; k < 6; k++) a[r][k] = a[r][k] - factor * a[c][k];
+            for (int k = 0; k < count; k++) b[k][r] = b[k][r] - factor * b[k][c];
+        }
+    }
+
+    result.determinant = sign * a[0][0];
+    least = most = number_magnitude(a[0][0]);
+    for (int c = 1; c < 6; c++) {
+        const number pivot = number_magnitude(a[c][c]);
+        result.determinant = result.determinant * a[c][c];
+        least = number_select(number_greater(least, pivot), pivot, least);
+        most = number_larger(most, pivot);
+    }
+    result.pivot_ratio = least / most;
+
+    for (int k = 0; k < count; k++) {
+        for (int r = 5; r >= 0; r--) {
+            for (int c = r + 1; c < 6; c++) b[k][r] = b[k][r] - a[r][c] * b[k][c];
+            b[k][r] = b[k][r] / a[r][r];
+        }
+    }
+    return result;
+}
+
+/* Largest and smallest singular value of a 6×6 matrix by one-sided Jacobi rotations of its columns; a is destroyed. Six
+ * to ten sweeps leave the columns orthogonal to round-off; the rest are for the worst cases. */
+static inline void singular_values(number a[6][6], number *largest, number *smallest) {
+    const number zero = number_of(0), one = number_of(1), four = number_of(4), two = number_of(2);
+    number high, low;
+
+    for (int sweep = 0; sweep < 6 + 2 * NUMBER_SWEEPS; sweep++) {
+        for (int p = 0; p < 5; p++) {
+            for (int q = p + 1; q < 6; q++) {
+                number pp = zero, qq = zero, pq = zero;
+                for (int r = 0; r < 6; r++) {
+                    pp = pp + a[r][p] * a[r][p];
+                    qq = qq + a[r][q] * a[r][q];
+                    pq = pq + a[r][p] * a[r][q];
+                }
+
+                /* tan of the angle that makes the two columns orthogonal; 0 where they are */
+                const number d = qq - pp, root = number_root(d * d + four * pq * pq);
+                const mask negative = number_greater(zero, d);
+                const number below = number_magnitude(d) + root;
+                const number above = two * number_select(negative, -pq, pq);
+                const mask turned = number_greater(below, zero);
+                const number t =
+                    number_select(turned, above / number_select(turned, below, one), zero);
+                const number c = one / number_root(one + t * t), s = c * t;
+
+                for (int r = 0; r < 6; r++) {
+                    const number x = a[r][p], y = a[r][q];
+                    a[r][p] = c * x - s * y;
+                    a[r][q] = s * x + c * y;
+                }
+            }
+        }
+    }
+
+    high = zero;
+    low = zero;
+    for (int c = 0; c < 6; c++) {
+        number square = zero;
+        for (int r = 0; r < 6; r++) square = square + a[r][c] * a[r][c];
+        const number value = number_root(square);
+        high = number_larger(high, value);
+        low = c == 0 ? value : number_select(number_greater(low, value), value, low);
+    }
+    *largest = high;
+    *smallest = low;
+}
+
+#endif

@@ -1,0 +1,427 @@
+/* One run of forward dynamics: a stepper, the constraints kept, rows at the output times, the end found. For scalar number
+ * types; theory: docs/theory/steppers.md. */
+#ifndef GOUGH_SIMULATE_DRIVE_H
+#define GOUGH_SIMULATE_DRIVE_H
+
+#include "integrate/dop853.h"
+#include "integrate/rk4.h"
+#include "simulate/limits.h"
+#include "simulate/row.h"
+
+/* halvings of a bracket around an end: to round-off of the step */
+enum { DRIVE_HALVINGS = 64 };
+
+typedef struct {
+    run r;
+    gough_sink sink;
+    void *context;
+    gough_end *end;
+    limits_side side;
+    long long row;   /* the next */
+    long long rows;  /* number of rows */
+    real drift;      /* since the row before */
+    number y[STATE]; /* at t, constraints kept */
+    real t;
+
+    /* the step that is being looked at: from (t0, y0) to (t0 + h, y1), their rates, and the dense output if any */
+    real t0, h;
+    number y0[STATE], rate0[STATE], raw[STATE], rate[STATE];
+    dop853 *dense;
+    int prepared;
+} drive;
+
+static inline void drive_project(const drive *d, number *y) {
+    coordinates x, rate;
+
+    if (d->r.options->constraints != GOUGH_PROJECTION) return;
+    x = coordinates_load(y);
+    rate = coordinates_load(y + COORDINATES);
+    coordinates_project(&x, &rate);
+    coordinates_store(&x, y);
+    coordinates_store(&rate, y + COORDINATES);
+}
+
+static inline void drive_note_drift(drive *d, const number *y) {
+    const coordinates x = coordinates_load(y);
+    const real violation = triad_violation(&x.q);
+
+    if (!(violation <= d->drift)) d->drift = violation;
+}
+
+/* (x, ρ̇, ω) at the beginning: the program's, or what the study gives */
+static inline void drive_start(drive *d) {
+    const gough_initial *initial = &d->r.model->initial;
+    const gough_motion *motion = &d->r.model->motion;
+    const hexapod *h = &d->r.h;
+    const vector about = vector_of(motion->about);
+    jet component[GOUGH_COMPONENTS];
+    coordinates x[3], rate;
+    vector velocity, omega;
+
+    motion_components(motion, 0, component);
+    coordinates_of_motion(h, d->r.model->machine.platform.height, motion->about, component, x);
+    velocity = (vector){component[0].d, component[1].d, component[2].d};
+    omega = triad_angular_velocity(&x[0].q, &x[1].q);
+    if (initial->velocity_given) velocity = vector_of(initial->velocity);
+    if (initial->angular_velocity_given) omega = vector_of(initial->angular_velocity);
+
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        if (initial->given[c]) component[c] = jet_constant(initial->component[c]);
+    }
+    coordinates_of_motion(h, d->r.model->machine.platform.height, motion->about, component, x);
+    const vector arm = out_of(&x[0].q, onto(&h->axes, subtract(h->center, about)));
+    rate = (coordinates){add(velocity, cross(omega, arm)), triad_rate(&x[0].q, omega)};
+    coordinates_project(&x[0], &rate);
+    coordinates_store(&x[0], d->y);
+    coordinates_store(&rate, d->y + COORDINATES);
+}
+
+/* GOUGH_ERROR_NUMERICAL with the end said */
+static inline gough_status drive_stop(drive *d, gough_cause cause, real t, const char *sentence) {
+    d->end->cause = cause;
+    d->end->time = (double)t;
+    d->end->leg = 0;
+    snprintf(d->end->message, sizeof d->end->message, "%s at t = %.9g", sentence, (double)t);
+    return GOUGH_ERROR_NUMERICAL;
+}
+
+/* sends the row that is due, from a state; GOUGH_OK to go on */
+static inline gough_status drive_row(drive *d, const number *y) {
+    const real t = (real)d->row * (real)d->r.options->output_step;
+    const stage *s = run_stage(&d->r, t);
+    real value[GOUGH_COLUMNS];
+    instant m;
+
+    run_instant(&d->r, t, y, &m);
+    if (d->r.fault.what) return limits_fault(&d->r, d->end);
+    row_fill(&d->r, s, t, &m, 1, d->drift, value);
+    if (!(value[GOUGH_CONDITION] <= (real)greatest_condition)) {
+        limits_say_singular(0, (double)t, d->end);
+        return GOUGH_ERROR_NUMERICAL;
+    }
+    if (!row_finite(&d->r, 1, value)) {
+        return drive_stop(d, GOUGH_END_NOT_FINITE, t, "the motion ceases to be finite");
+    }
+    d->row++;
+    d->drift = 0;
+    if (row_send(value, d->sink, d->context)) {
+        return drive_stop(d, GOUGH_END_STOPPED, t, "the run was stopped");
+    }
+    return GOUGH_OK;
+}
+
+/* the state inside the step */
+static inline void drive_inside(const drive *d, real theta, number *y) {
+    if (d->prepared) {
+        dop853_dense(d->dense, STATE, theta, y);
+    } else {
+        interpolate_cubic(STATE, d->h, theta, d->y0, d->rate0, d->y, d->rate, y);
+    }
+    drive_project(d, y);
+}
+
+static inline int drive_broken(drive *d, real theta) {
+    const real t = theta < 1 ? d->t0 + theta * d->h : d->t;
+    real margin[MARGINS];
+    number y[STATE];
+    instant m;
+
+    if (theta < 1) drive_inside(d, theta, y);
+    run_instant(&d->r, t, theta < 1 ? y : d->y, &m);
+    limits_margins(&d->r, run_stage(&d->r, t), &m, &d->side, margin);
+    return limits_broken(margin, 0, MARGINS);
+}
+
+/* makes the dense output of the step, once */
+static inline void drive_prepare(drive *d) {
+    if (d->dense == NULL || d->prepared) return;
+    dop853_prepare(d->dense, run_rates, &d->r, STATE, d->t0, d->h, d->y0, d->raw);
+    d->prepared = 1;
+}
+
+/* Whether the step breaks a limit: at its end, and for long steps at quarters too. Sets the end. *until is where the valid
+ * part of the step ends. */
+static inline gough_status drive_watch(drive *d, int inside, real *until) {
+    real low = 0, high = 0;
+    int broken = -1;
+    instant m;
+
+    *until = d->t;
+    for (int quarter = inside ? 1 : 4; quarter <= 4 && broken < 0; quarter++) {
+        low = high;
+        high = (real)quarter / 4;
+        broken = drive_broken(d, high);
+    }
+    if (broken >= 0) {
+        drive_prepare(d);
+        for (int i = 0; i < DRIVE_HALVINGS; i++) {
+            const real middle = (low + high) / 2;
+            const int there = drive_broken(d, middle);
+            if (there >= 0) {
+                broken = there;
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        *until = d->t0 + high * d->h;
+        limits_end(&d->r, broken, *until, d->end);
+        return GOUGH_ERROR_NUMERICAL;
+    }
+    run_instant(&d->r, d->t, d->y, &m);
+    if (limits_nearly_singular(&d->r, run_stage(&d->r, d->t), &m)) {
+        limits_say_singular(0, (double)d->t, d->end);
+        return GOUGH_ERROR_NUMERICAL;
+    }
+    return GOUGH_OK;
+}
+
+/* first row, and the limits at the beginning */
+static inline gough_status drive_begin(drive *d) {
+    gough_status status;
+    real margin[MARGINS];
+    instant m;
+    int broken;
+
+    d->t = 0;
+    d->row = 0;
+    d->drift = 0;
+    drive_note_drift(d, d->y);
+    run_instant(&d->r, 0, d->y, &m);
+    if (d->r.fault.what) return limits_fault(&d->r, d->end);
+    d->side = limits_begin(&d->r, run_stage(&d->r, 0), &m);
+    if (limits_nearly_singular(&d->r, run_stage(&d->r, 0), &m)) {
+        limits_say_singular(0, 0, d->end);
+        return GOUGH_ERROR_NUMERICAL;
+    }
+    status = drive_row(d, d->y);
+    if (status != GOUGH_OK) return status;
+    limits_margins(&d->r, run_stage(&d->r, 0), &m, &d->side, margin);
+    broken = limits_broken(margin, 0, MARGINS);
+    if (broken < 0) return GOUGH_OK;
+    limits_end(&d->r, broken, 0, d->end);
+    return GOUGH_ERROR_NUMERICAL;
+}
+
+/* rows due up to `until`, from inside the step */
+static inline gough_status drive_rows(drive *d, real until) {
+    const real step = d->r.options->output_step;
+
+    while (d->row < d->rows) {
+        const real t = (real)d->row * step;
+        number y[STATE];
+        gough_status status;
+
+        if (t > until + step * (real)1e-12) return GOUGH_OK;
+        if (t < d->t) {
+            drive_prepare(d);
+            drive_inside(d, (t - d->t0) / d->h, y);
+            status = drive_row(d, y);
+        } else {
+            status = drive_row(d, d->y);
+        }
+        if (status != GOUGH_OK) return status;
+    }
+    return GOUGH_OK;
+}
+
+static inline int drive_finite(const number *y) {
+    real sum = 0;
+
+    for (int i = 0; i < STATE; i++) sum = sum + real_magnitude(number_first(y[i]));
+    return real_finite(sum);
+}
+
+static inline gough_status drive_not_finite(drive *d, real t) {
+    if (d->r.fault.what) return limits_fault(&d->r, d->end);
+    return drive_stop(d, GOUGH_END_NOT_FINITE, t, "the motion ceases to be finite");
+}
+
+/* what follows each step: drift, projection, limits, rows; d->raw is the step's outcome. until: end of the valid part */
+static inline gough_status drive_accept(drive *d, int inside) {
+    gough_status ended, status;
+    real until;
+
+    drive_note_drift(d, d->raw);
+    for (int i = 0; i < STATE; i++) d->y[i] = d->raw[i];
+    drive_project(d, d->y);
+    run_rates(&d->r, d->t, d->y, d->rate);
+    if (d->r.fault.what) return limits_fault(&d->r, d->end);
+    if (!drive_finite(d->y) || !drive_finite(d->rate)) return drive_not_finite(d, d->t);
+
+    ended = drive_watch(d, inside, &until);
+    const gough_end end = *d->end;
+    status = drive_rows(d, until);
+    if (ended == GOUGH_OK) return status;
+    *d->end = end; /* rows before the end do not change its cause */
+    return ended;
+}
+
+/* (step-2): a first step from the size of the rates and of their change over a small explicit step */
+static inline real drive_first_step(drive *d, const real *size, real tolerance, real longest) {
+    real y = 0, rate = 0, change = 0, h, other;
+    number z[STATE], after[STATE];
+
+    for (int i = 0; i < STATE; i++) {
+        const real scale = tolerance * (size[i] + real_magnitude(number_first(d->y[i])));
+        const real a = number_first(d->y[i]) / scale, b = number_first(d->rate[i]) / scale;
+        y = y + a * a;
+        rate = rate + b * b;
+    }
+    h = rate > (real)1e-10 && y > (real)1e-10 ? real_root(y / rate) / 100 : (real)1e-6;
+    if (h > longest) h = longest;
+    for (int i = 0; i < STATE; i++) z[i] = d->y[i] + number_of_real(h) * d->rate[i];
+    run_rates(&d->r, d->t + h, z, after);
+    for (int i = 0; i < STATE; i++) {
+        const real scale = tolerance * (size[i] + real_magnitude(number_first(d->y[i])));
+        const real c = number_first(after[i] - d->rate[i]) / scale;
+        change = change + c * c;
+    }
+    change = real_root(change) / h;
+    rate = real_root(rate);
+    other = change > rate ? change : rate;
+    other = other > (real)1e-15 ? real_pow((real)0.01 / other, (real)1 / 8) : (real)1e-3;
+    d->r.fault.what = NULL; /* what a trial met is not the run's fault */
+    if (other > 100 * h) other = 100 * h;
+    return other > longest || !real_finite(other) ? longest : other;
+}
+
+/* adaptive dop853 */
+static inline gough_status drive_adaptive(drive *d) {
+    const gough_machine *machine = &d->r.model->machine;
+    const real tolerance = d->r.options->tolerance, duration = d->r.options->duration;
+    const real length = machine->base_radius, gravity = machine->gravity_magnitude;
+    const real unit = gravity > 0 ? real_root(length / gravity) : 1;
+    real size[STATE], step;
+    dop853 work;
+    int rejected = 0;
+
+    for (int i = 0; i < COORDINATES; i++) {
+        size[i] = i < 3 ? length : 1;
+        size[COORDINATES + i] = size[i] / unit;
+    }
+    d->dense = &work;
+    run_rates(&d->r, 0, d->y, d->rate);
+    step = drive_first_step(d, size, tolerance, duration);
+    while (d->t < duration) {
+        const real left = duration - d->t;
+        real error, factor;
+
+        /* the last step meets the end; two nearly equal steps rather than a tiny one */
+        if (step > left * (real)0.999999) {
+            step = left;
+        } else if (step > left / 2) {
+            step = left / 2;
+        }
+        if (step < 16 * REAL_EPSILON * (d->t > unit ? d->t : unit)) {
+            if (d->r.fault.what) return limits_fault(&d->r, d->end);
+            return drive_stop(d, GOUGH_END_NO_CONVERGENCE, d->t,
+                              "no step meets the tolerance; a larger tolerance, or a look at what "
+                              "the motion does there, may help:");
+        }
+        for (int i = 0; i < STATE; i++) {
+            d->y0[i] = d->y[i];
+            d->rate0[i] = work.slope[0][i] = d->rate[i];
+        }
+        d->t0 = d->t;
+        d->h = step;
+        d->prepared = 0;
+        dop853_step(&work, run_rates, &d->r, STATE, d->t0, step, d->y0, d->raw);
+        error = dop853_error(&work, STATE, step, d->y0, d->raw, size, tolerance);
+        factor = dop853_factor(error);
+        if (!(error <= 1)) {
+            step = step * (factor < 1 ? factor : 1);
+            rejected = 1;
+            continue;
+        }
+        d->r.fault.what = NULL;
+        d->t = step < left ? d->t0 + step : duration;
+        const gough_status status = drive_accept(d, 1);
+        if (status != GOUGH_OK) return status;
+        step = step * (rejected && factor > 1 ? 1 : factor);
+        rejected = 0;
+    }
+    return GOUGH_OK;
+}
+
+/* steps of dop853 and rk4 of a given length */
+static inline void drive_explicit_step(drive *d, dop853 *work) {
+    if (d->r.options->method == GOUGH_RK4) {
+        rk4_step(run_rates, &d->r, STATE, d->t0, d->h, d->y0, d->rate0, d->raw);
+        return;
+    }
+    for (int i = 0; i < STATE; i++) work->slope[0][i] = d->rate0[i];
+    dop853_step(work, run_rates, &d->r, STATE, d->t0, d->h, d->y0, d->raw);
+}
+
+/* rattle: the state goes on as velocities, and is read out as rates of the triad */
+static inline void drive_rattle_read(const rattle_state *s, number *y) {
+    const coordinates rate = {s->velocity, triad_rate(&s->x.q, out_of(&s->x.q, s->omega))};
+
+    coordinates_store(&s->x, y);
+    coordinates_store(&rate, y + COORDINATES);
+}
+
+static inline gough_status drive_fixed(drive *d) {
+    const gough_simulation *o = d->r.options;
+    const int rattling = o->method >= GOUGH_RATTLE2;
+    const real h = o->step;
+    const long long steps = (long long)floor(o->duration / o->step + 1e-9);
+    const rattle method = {&d->r.h.load, run_wrench, &d->r, d->r.damped};
+    rattle_state state;
+    dop853 work;
+
+    d->dense = NULL;
+    d->prepared = 0;
+    d->h = h;
+    if (rattling) {
+        const coordinates rate = coordinates_load(d->y + COORDINATES);
+        state.x = coordinates_load(d->y);
+        state.velocity = rate.rho;
+        state.omega = onto(&state.x.q, triad_angular_velocity(&state.x.q, &rate.q));
+        rattle_begin(&method, 0, &state);
+    }
+    run_rates(&d->r, 0, d->y, d->rate);
+    for (long long k = 0; k < steps; k++) {
+        d->t0 = (real)k * h;
+        for (int i = 0; i < STATE; i++) d->y0[i] = d->y[i], d->rate0[i] = d->rate[i];
+        if (rattling) {
+            const real residual =
+                rattle_compose(&method, (int)o->method - (int)GOUGH_RATTLE2, d->t0, h, &state);
+            drive_rattle_read(&state, d->raw);
+            if (!(residual <= (real)1e-6) && drive_finite(d->raw)) {
+                return drive_stop(d, GOUGH_END_NO_CONVERGENCE, d->t0,
+                                  "the step is too long for the turn of the load; a shorter step "
+                                  "would do:");
+            }
+        } else {
+            drive_explicit_step(d, &work);
+        }
+        d->t = (real)(k + 1) * h;
+        const gough_status status = drive_accept(d, 0);
+        if (status != GOUGH_OK) return status;
+    }
+    return GOUGH_OK;
+}
+
+static inline gough_status drive_run(const gough_model *model, const gough_simulation *options,
+                                     gough_sink sink, void *context, gough_end *end) {
+    gough_status status;
+    drive d;
+
+    run_begin(&d.r, model, options);
+    d.sink = sink;
+    d.context = context;
+    d.end = end;
+    d.rows = (long long)floor(options->duration / options->output_step + 1e-9) + 1;
+    drive_start(&d);
+    status = drive_begin(&d);
+    if (status == GOUGH_OK) {
+        status = options->method == GOUGH_DOP853 && !(options->step > 0) ? drive_adaptive(&d)
+                                                                         : drive_fixed(&d);
+    }
+    if (status == GOUGH_OK) end->time = options->duration;
+    return status;
+}
+
+#endif

@@ -1,0 +1,170 @@
+/* The public face of a run: options with defaults and checks, the choice of precision. */
+#include "gough/simulate.h"
+
+#include <math.h>
+
+#include "simulate/simulate.h"
+
+/* more rows than this are a mistake, not a study */
+static const double most_rows = 1e8;
+
+/* relative slack for one time dividing another, as both are decimals in binary */
+static const double division_slack = 1e-9;
+
+static const char *const method_names[GOUGH_METHODS] = {"dop853",  "rk4",     "rattle2",
+                                                        "rattle4", "rattle6", "rattle8"};
+
+const char *gough_method_name(int method) {
+    return method >= 0 && method < GOUGH_METHODS ? method_names[method] : NULL;
+}
+
+gough_simulation gough_simulation_default(void) {
+    return (gough_simulation){.duration = 20,
+                              .output_step = 0.05,
+                              .method = GOUGH_DOP853,
+                              .tolerance = 1e-10,
+                              .constraints = GOUGH_PROJECTION};
+}
+
+bool gough_column_filled(int column, bool simulated, bool reactions) {
+    if (column < 0 || column >= GOUGH_COLUMNS) return false;
+    if (column >= GOUGH_RXX) return reactions;
+    return column <= GOUGH_CONDITION || simulated;
+}
+
+static bool positive(double x) { return x > 0 && isfinite(x); }
+
+static gough_status check_times(const gough_simulation *s, gough_error *error) {
+    if (!positive(s->duration)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.duration must be a finite number > 0, not %.9g", s->duration);
+    }
+    if (!positive(s->output_step)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.output_step must be a finite number > 0, not %.9g",
+                          s->output_step);
+    }
+    if (s->duration / s->output_step > most_rows) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.output_step %.9g makes more than 1e8 rows in %.9g; take a "
+                          "longer one",
+                          s->output_step, s->duration);
+    }
+    return GOUGH_OK;
+}
+
+static gough_status check_step(const gough_simulation *s, gough_error *error) {
+    const double ratio = s->output_step / s->step;
+
+    if (!positive(s->step)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.step must be a finite number > 0 for the method %s",
+                          gough_method_name((int)s->method));
+    }
+    if (ratio < 1 - division_slack || fabs(ratio - round(ratio)) > division_slack * ratio) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.step %.9g does not divide simulation.output_step %.9g; the "
+                          "nearest that does is %.17g",
+                          s->step, s->output_step, s->output_step / fmax(1, round(ratio)));
+    }
+    return GOUGH_OK;
+}
+
+static gough_status check_tolerance(const gough_simulation *s, gough_error *error) {
+    const double least = s->precision == GOUGH_QUADRUPLE ? 1e-30 : 1e-15;
+
+    if (!(s->tolerance >= least && s->tolerance <= 0.1)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.tolerance must lie between %g and 0.1 in %s precision, not "
+                          "%.9g",
+                          least, s->precision == GOUGH_QUADRUPLE ? "quadruple" : "double",
+                          s->tolerance);
+    }
+    return GOUGH_OK;
+}
+
+static gough_status check_constraints(const gough_simulation *s, gough_error *error) {
+    if (s->constraints != GOUGH_BAUMGARTE) return GOUGH_OK;
+    for (int i = 0; i < 2; i++) {
+        if (!(s->baumgarte[i] >= 0) || !isfinite(s->baumgarte[i])) {
+            return gough_fail(error, GOUGH_ERROR_INPUT,
+                              "simulation.constraints.baumgarte takes two finite numbers >= 0, "
+                              "alpha and beta");
+        }
+    }
+    if (s->method >= GOUGH_RATTLE2) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.constraints: the method %s keeps the constraints by "
+                          "construction and takes no Baumgarte terms; use dop853 or rk4 with them",
+                          gough_method_name((int)s->method));
+    }
+    return GOUGH_OK;
+}
+
+static gough_status check_samples(const gough_model *model, const gough_simulation *s,
+                                  gough_error *error) {
+    const gough_samples *samples = &model->motion.samples;
+    double first, last;
+
+    if (model->motion.kind != GOUGH_MOTION_SAMPLES) return GOUGH_OK;
+    first = samples->time[0];
+    last = samples->time[samples->count - 1];
+    if (first > 0 || last < s->duration * (1 - division_slack)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.duration: the run from 0 to %.9g goes beyond the recorded "
+                          "motion, which is given from %.9g to %.9g",
+                          s->duration, first, last);
+    }
+    return GOUGH_OK;
+}
+
+gough_status gough_simulation_check(const gough_model *model, const gough_simulation *simulation,
+                                    gough_error *error) {
+    const gough_simulation *s = simulation;
+    gough_status status = check_times(s, error);
+
+    if (status != GOUGH_OK) return status;
+    if (gough_method_name((int)s->method) == NULL) {
+        return gough_fail(error, GOUGH_ERROR_INPUT, "simulation.method is none of the methods");
+    }
+    if (s->method == GOUGH_DOP853 && !(s->step > 0) && !(s->step < 0)) {
+        status = check_tolerance(s, error);
+    } else {
+        status = check_step(s, error);
+    }
+    if (status == GOUGH_OK) status = check_constraints(s, error);
+    if (status == GOUGH_OK) status = check_samples(model, s, error);
+    return status;
+}
+
+static const struct simulate_table *table_of(const gough_simulation *simulation) {
+    return simulation->precision == GOUGH_QUADRUPLE ? &simulate_quad : &simulate_double;
+}
+
+/* an end that is the input's fault is its error's sentence too */
+static gough_status finish(gough_status status, const gough_end *end, gough_error *error) {
+    if (status == GOUGH_OK) return status;
+    return gough_fail(error, status, "%s", end->message);
+}
+
+gough_status gough_forces(const gough_model *model, const gough_simulation *simulation,
+                          gough_sink sink, void *context, gough_crossing_sink crossings,
+                          void *crossings_context, gough_end *end, gough_error *error) {
+    const gough_status checked = gough_simulation_check(model, simulation, error);
+
+    *end = (gough_end){.cause = GOUGH_END_DONE};
+    if (checked != GOUGH_OK) return checked;
+    return finish(table_of(simulation)
+                      ->forces(model, simulation, sink, context, crossings, crossings_context, end),
+                  end, error);
+}
+
+gough_status gough_simulate(const gough_model *model, const gough_simulation *simulation,
+                            gough_sink sink, void *context, gough_end *end, gough_error *error) {
+    const gough_status checked = gough_simulation_check(model, simulation, error);
+
+    *end = (gough_end){.cause = GOUGH_END_DONE};
+    if (checked != GOUGH_OK) return checked;
+    return finish(table_of(simulation)->simulate(model, simulation, sink, context, end), end,
+                  error);
+}

@@ -1,0 +1,238 @@
+/* All that depends on time alone, found once a stage and then the same for every lane; and the equations of motion under it.
+ * Theory: docs/theory/control.md. */
+#ifndef GOUGH_SIMULATE_STAGE_H
+#define GOUGH_SIMULATE_STAGE_H
+
+#include "dynamics/forward.h"
+#include "dynamics/inverse.h"
+#include "dynamics/machine.h"
+#include "dynamics/program.h"
+#include "dynamics/state.h"
+#include "gough/simulate.h"
+#include "integrate/rattle.h"
+#include "kernel/law.h"
+
+/* What the program and the disturbances are at one time. */
+typedef struct {
+    coordinates x[3];        /* the program and its derivatives */
+    legs program;            /* l^p, l̇^p */
+    number force[LEGS];      /* F^p, if fed forward, and what disturbs the legs */
+    vector push, turn;       /* force at the centre of mass and moment on the load, base axes */
+    elimination singularity; /* of the six equations of F^p; determinant 1 where none were solved */
+} stage;
+
+/* What is not finite: a sentence's subject, or NULL. */
+typedef struct {
+    const char *what;
+    real time;
+} stage_fault;
+
+typedef struct {
+    const gough_model *model;
+    const gough_simulation *options;
+    hexapod h;
+    number G[LEGS], D[LEGS];
+    int feeds;          /* F^p is fed forward */
+    int solves;         /* the six equations of the program are needed */
+    int damped;         /* some D > 0 */
+    int share;          /* a vertical force is shared by the legs */
+    int loaded;         /* force or moment on the load */
+    int shaken[LEGS];   /* leg disturbances present */
+    number alpha, beta; /* Baumgarte, or 0 */
+
+    stage now; /* the stage at `time`, kept since steppers come back to it */
+    real time;
+    int valid;
+    stage_fault fault;
+} run;
+
+static inline void run_begin(run *r, const gough_model *model, const gough_simulation *options) {
+    const gough_disturbance *d = &model->disturbance;
+
+    r->model = model;
+    r->options = options;
+    hexapod_of_machine(&r->h, &model->machine);
+    r->damped = 0;
+    for (int v = 0; v < LEGS; v++) {
+        r->G[v] = number_of(model->control.stiffness[v]);
+        r->D[v] = number_of(model->control.damping[v]);
+        r->damped = r->damped || model->control.damping[v] > 0;
+        r->shaken[v] = !gough_formula_is_zero(&d->leg_force[v]);
+    }
+    r->share = !gough_formula_is_zero(&d->vertical_force);
+    r->loaded = 0;
+    for (int c = 0; c < 3; c++) {
+        r->loaded = r->loaded || !gough_formula_is_zero(&d->force[c]) ||
+                    !gough_formula_is_zero(&d->moment[c]);
+    }
+    r->feeds = model->control.feedforward;
+    r->solves = r->feeds || r->share;
+    r->alpha = number_of(options->constraints == GOUGH_BAUMGARTE ? options->baumgarte[0] : 0);
+    r->beta = number_of(options->constraints == GOUGH_BAUMGARTE ? options->baumgarte[1] : 0);
+    r->valid = 0;
+    r->fault = (stage_fault){NULL, 0};
+}
+
+/* F^p alone, whatever control and disturbances the study has: the direct problem */
+static inline void run_program_only(run *r) {
+    r->feeds = r->solves = 1;
+    r->share = r->loaded = 0;
+    for (int v = 0; v < LEGS; v++) r->shaken[v] = 0;
+}
+
+static inline void run_blame(run *r, const char *what, real t) {
+    if (r->fault.what == NULL || t < r->fault.time) r->fault = (stage_fault){what, t};
+}
+
+/* value of a disturbance's formula */
+static inline real run_value(run *r, const gough_formula *formula, const char *what, real t) {
+    const real value = formula_jet(formula, t).v;
+
+    if (!real_finite(value)) run_blame(r, what, t);
+    return value;
+}
+
+/* the program at t, with its formulas checked */
+static inline void run_program(run *r, real t, stage *s) {
+    static const char *const name[GOUGH_COMPONENTS] = {
+        "motion.surge", "motion.sway", "motion.heave", "motion.roll", "motion.pitch", "motion.yaw"};
+    const gough_motion *motion = &r->model->motion;
+    jet component[GOUGH_COMPONENTS];
+
+    motion_components(motion, t, component);
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        if (!real_finite(component[c].v + component[c].d + component[c].dd)) {
+            run_blame(r, name[c], t);
+        }
+    }
+    coordinates_of_motion(&r->h, r->model->machine.platform.height, motion->about, component, s->x);
+    legs_at(&r->h, &s->x[0], &s->program);
+    legs_rates(&r->h, &s->x[1], &s->program);
+}
+
+/* F^p, and the share of each leg in a vertical force: solutions of the same six equations, (law-2) */
+static inline void run_program_forces(run *r, real t, stage *s) {
+    const number zero = number_of(0);
+    const vector none = {zero, zero, zero};
+    number wrench[2][6];
+    int count = 0, program = -1, share = -1;
+
+    if (r->feeds) {
+        program = count++;
+        required_wrench(&r->h, &s->x[0], &s->x[1], &s->x[2], none, none, wrench[program]);
+    }
+    if (r->share) {
+        const real force =
+            run_value(r, &r->model->disturbance.vertical_force, "disturbance.vertical_force", t);
+        share = count++;
+        central_wrench(&s->x[0], (vector){zero, zero, number_of_real(force)}, wrench[share]);
+    }
+    if (count > 0) s->singularity = leg_forces_of(&r->h, &s->x[0], &s->program, wrench, count);
+    for (int v = 0; v < LEGS; v++) {
+        if (program >= 0) s->force[v] = wrench[program][v];
+        if (share >= 0) s->force[v] = s->force[v] + wrench[share][v];
+    }
+}
+
+static inline void run_disturbances(run *r, real t, stage *s) {
+    const gough_disturbance *d = &r->model->disturbance;
+    real force[3] = {0, 0, 0}, moment[3] = {0, 0, 0};
+
+    for (int v = 0; v < LEGS; v++) {
+        if (!r->shaken[v]) continue;
+        const real value = run_value(r, &d->leg_force[v], "disturbance.leg_force", t);
+        s->force[v] = s->force[v] + number_of_real(value);
+    }
+    for (int c = 0; r->loaded && c < 3; c++) {
+        force[c] = run_value(r, &d->force[c], "disturbance.force", t);
+        moment[c] = run_value(r, &d->moment[c], "disturbance.moment", t);
+    }
+    s->push =
+        (vector){number_of_real(force[0]), number_of_real(force[1]), number_of_real(force[2])};
+    s->turn =
+        (vector){number_of_real(moment[0]), number_of_real(moment[1]), number_of_real(moment[2])};
+}
+
+static inline const stage *run_stage(run *r, real t) {
+    if (r->valid && !(t < r->time) && !(t > r->time)) return &r->now;
+    for (int v = 0; v < LEGS; v++) r->now.force[v] = number_of(0);
+    r->now.singularity = (elimination){number_of(1), number_of(1)};
+    run_program(r, t, &r->now);
+    if (r->solves) run_program_forces(r, t, &r->now);
+    run_disturbances(r, t, &r->now);
+    r->time = t;
+    r->valid = 1;
+    return &r->now;
+}
+
+/* (law-1), with the disturbances of the legs */
+static inline void run_leg_forces(const run *r, const stage *s, const legs *g, number u[LEGS]) {
+    for (int v = 0; v < LEGS; v++) {
+        u[v] = law_force(s->force[v], r->G[v], r->D[v], s->program.length[v], s->program.rate[v],
+                         g->length[v], g->rate[v]);
+    }
+}
+
+/* All of one instant: legs, forces and accelerations in a state. */
+typedef struct {
+    coordinates x, rate, acceleration;
+    legs g;
+    number u[LEGS];
+} instant;
+
+static inline void run_instant(run *r, real t, const number *y, instant *m) {
+    const stage *s = run_stage(r, t);
+
+    m->x = coordinates_load(y);
+    m->rate = coordinates_load(y + COORDINATES);
+    legs_at(&r->h, &m->x, &m->g);
+    legs_rates(&r->h, &m->rate, &m->g);
+    run_leg_forces(r, s, &m->g, m->u);
+    forward_dynamics(&r->h, &m->x, &m->rate, &m->g, m->u, s->push, s->turn, &m->acceleration);
+    if (r->options->constraints == GOUGH_BAUMGARTE) {
+        triad_stabilise(&r->h.load, &m->x.q, &m->rate.q, r->alpha, r->beta, &m->acceleration.q);
+    }
+}
+
+/* the rate_function of a run */
+static inline void run_rates(void *context, real t, const number *y, number *rate) {
+    instant m;
+
+    run_instant(context, t, y, &m);
+    coordinates_store(&m.rate, rate);
+    coordinates_store(&m.acceleration, rate + COORDINATES);
+}
+
+/* The wrench_function of a run: forces with the legs at rest, and damping Σ D w wᵀ, where l̇ = w·(ρ̇, Ω), w = (n, arm × n) */
+static inline void run_wrench(void *context, real t, const coordinates *x, number wrench[6],
+                              number damping[6][6]) {
+    run *r = context;
+    const stage *s = run_stage(r, t);
+    number u[LEGS];
+    vector F, L;
+    legs g;
+
+    legs_at(&r->h, x, &g);
+    for (int v = 0; v < LEGS; v++) g.rate[v] = number_of(0);
+    run_leg_forces(r, s, &g, u);
+    legs_resultant(&r->h, x, &g, u, &F, &L);
+    F = along(add(F, s->push), r->h.load.mass, r->h.gravity);
+    L = add(L, onto(&x->q, s->turn));
+    vector_store(F, wrench);
+    vector_store(L, wrench + 3);
+    if (!r->damped) return;
+
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++) damping[i][j] = number_of(0);
+    }
+    for (int v = 0; v < LEGS; v++) {
+        number w[6];
+        vector_store(g.n[v], w);
+        vector_store(cross(r->h.arm[v], onto(&x->q, g.n[v])), w + 3);
+        for (int i = 0; i < 6; i++) {
+            for (int j = 0; j < 6; j++) damping[i][j] = damping[i][j] + r->D[v] * w[i] * w[j];
+        }
+    }
+}
+
+#endif
