@@ -1,1 +1,100 @@
-int main(void) { return 0; }
+/* The command `gough`: finds the verb and hands it the rest of the command line. Exit codes are those of gough_status. */
+#define _GNU_SOURCE
+#include <argp.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/command.h"
+
+typedef struct verb {
+    const char *name;
+    gough_status (*run)(int count, char **argument);
+} verb;
+
+static const verb verbs[] = {{"example", example_verb},
+                             {"check", check_verb},
+                             {"forces", forces_verb},
+                             {"simulate", simulate_verb},
+                             {"plot", plot_verb}};
+enum { VERBS = sizeof verbs / sizeof *verbs };
+
+static const char text[] =
+    "Dynamics and control of Stewart-Gough platforms.\n"
+    "\n"
+    "  gough example NAME      print a ready study file to start from (no NAME: list them)\n"
+    "  gough check STUDY       validate a study and print its machine\n"
+    "  gough forces STUDY      the leg forces that the program of motion needs\n"
+    "  gough simulate STUDY    the motion under control and disturbance\n"
+    "  gough plot RESULT...    figures as PNG, SVG or PDF\n"
+    "\n"
+    "'gough VERB --help' says more about each."
+    "\v"
+    "Exit status: 0 done; 1 a numerical end (a leg's limit, a singular pose, no convergence), the "
+    "results up to there "
+    "being complete; 2 a bad study or command line; 3 reading or writing failed.\n"
+    "\n"
+    "First steps:\n"
+    "  gough example heave > heave.yaml\n"
+    "  gough check heave.yaml\n"
+    "  gough forces heave.yaml -o heave.h5\n"
+    "  gough plot heave.h5";
+
+/* A descriptor that was closed is taken, in the mode that makes its use fail, lest a result file get its number. */
+static void occupy_standard_descriptors(void) {
+    for (int descriptor = 0; descriptor <= 2; descriptor++)
+        if (fcntl(descriptor, F_GETFD) == -1)
+            (void)!open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
+}
+
+/* The last word on standard output: what could not be written must not pass as done. */
+static void close_output(void) {
+    const bool failed = ferror(stdout) != 0;
+    if (fclose(stdout) != 0 || failed) {
+        complain(NULL, "standard output could not be written");
+        _exit(GOUGH_ERROR_FILE);
+    }
+}
+
+static error_t read_verb(int key, char *argument, struct argp_state *state) {
+    const verb **found = state->input;
+    if (key == ARGP_KEY_NO_ARGS) {
+        argp_state_help(state, stderr, ARGP_HELP_STD_ERR);
+        return EINVAL;
+    }
+    if (key != ARGP_KEY_ARG) return ARGP_ERR_UNKNOWN;
+
+    const char *name[VERBS];
+    for (size_t i = 0; i < VERBS; i++) {
+        name[i] = verbs[i].name;
+        if (strcmp(argument, name[i]) == 0) *found = &verbs[i];
+    }
+    if (!*found) {
+        const char *near = nearest_word(argument, name, VERBS);
+        argp_error(state, near ? "there is no verb '%s'; is '%s' meant?" : "there is no verb '%s'",
+                   argument, near);
+    }
+    state->next = state->argc; /* the rest belongs to the verb */
+    return 0;
+}
+
+int main(int count, char **argument) {
+    occupy_standard_descriptors();
+    atexit(close_output);
+    signal(SIGXFSZ, SIG_IGN); /* a file too large is a failed write with its message, not a death */
+    argp_program_version = "gough " GOUGH_VERSION;
+    argp_err_exit_status = GOUGH_ERROR_INPUT;
+
+    const verb *found = NULL;
+    const struct argp argp = {.parser = read_verb, .args_doc = "VERB ...", .doc = text};
+    argp_parse(&argp, count, argument, ARGP_IN_ORDER, NULL, &found);
+
+    int first = 1; /* only options that end the process stand before the verb */
+    while (first < count && strcmp(argument[first], found->name) != 0) first++;
+    char title[32];
+    snprintf(title, sizeof title, "gough %s", found->name);
+    argument[first] = title;
+    return (int)found->run(count - first, argument + first);
+}

@@ -1,0 +1,97 @@
+/* What the verbs of the command share: options, talk, progress, the study that they read and the summary they print. */
+#ifndef GOUGH_CLI_COMMAND_H
+#define GOUGH_CLI_COMMAND_H
+
+#include <argp.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "gough/gough.h"
+
+/* ---- verbs: each takes its own arguments, argument[0] being "gough VERB", and returns the exit code ---- */
+
+gough_status example_verb(int count, char **argument);
+gough_status check_verb(int count, char **argument);
+gough_status forces_verb(int count, char **argument);
+gough_status simulate_verb(int count, char **argument);
+gough_status plot_verb(int count, char **argument);
+
+/* ---- line.c: what may stand on the command line ---- */
+
+enum option_key {
+    OPTION_OUTPUT = 'o',
+    OPTION_QUIET = 'q',
+    OPTION_JSON = 0x100, /* beyond characters: no short form */
+    OPTION_SET,
+    OPTION_PRECISION,
+    OPTION_REACTIONS,
+    OPTION_DIMENSIONLESS,
+    OPTION_FIGURE,
+    OPTION_COLUMNS,
+    OPTION_FROM,
+    OPTION_TO,
+    OPTION_LOG,
+    OPTION_LABEL
+};
+
+typedef struct command_line {
+    const char *verb;
+    const char *output; /* NULL: none */
+    bool json, quiet, reactions, dimensionless;
+    gough_precision precision;
+    gough_setting *settings; /* from --set */
+    size_t setting_count;
+    const char **file; /* what is no option, in order */
+    size_t files;
+    const char **label; /* from --label */
+    size_t labels;
+    gough_figure figure;
+} command_line;
+
+/* What a verb accepts; the text of its --help. */
+typedef struct verb_usage {
+    const char *verb;
+    const struct argp_option *option;
+    const char *arguments; /* "STUDY" */
+    const char *text;
+    size_t least_files, most_files;
+    char *(*help_filter)(int key, const char *text, void *input);
+} verb_usage;
+
+/* Reads the command line; what is wrong with it ends the process with a sentence and exit code 2. */
+command_line command_line_read(const verb_usage *usage, int count, char **argument);
+void command_line_free(command_line *line);
+
+/* ---- talk.c: what is said on standard error ---- */
+
+/* "gough VERB: error: …" */
+void complain(const char *verb, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* "gough VERB: …" */
+void remark(const char *verb, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* whether colours may be used on a stream */
+bool colourful(FILE *stream);
+/* the candidate nearest to a misspelled word; NULL if none is near */
+const char *nearest_word(const char *word, const char *const *candidate, size_t count);
+
+/* ---- progress.c: a bar on a terminal for work over a second ---- */
+
+typedef struct progress {
+    bool wanted, shown;
+    const char *verb;
+    double whole;         /* duration of the run */
+    double started, last; /* of the clock, seconds */
+} progress;
+
+progress progress_begin(const char *verb, double whole, bool quiet);
+void progress_update(progress *progress, double done);
+void progress_end(progress *progress);
+
+/* ---- study and run ---- */
+
+/* Reads the study named on the command line with its --set overrides and says what is wrong with it. */
+gough_status read_study(const command_line *line, gough_study **study);
+
+/* forces and simulate differ in the function that they call. */
+gough_status run_verb(const verb_usage *usage, bool simulated, int count, char **argument);
+
+#endif

@@ -1,0 +1,31 @@
+/* gough forces: inverse dynamics along the program. */
+#include "cli/command.h"
+
+static const struct argp_option option[] = {
+    {"output", OPTION_OUTPUT, "FILE", 0,
+     "write the table to FILE: .h5 or .csv by its ending; - is CSV on standard output", 0},
+    {"json", OPTION_JSON, NULL, 0, "print the summary as JSON", 0},
+    {"set", OPTION_SET, "KEY=VALUE", 0,
+     "override a key of the study, as in --set load.mass=2; may be repeated", 0},
+    {"precision", OPTION_PRECISION, "double|quad", 0, "16 or 33 digits", 0},
+    {"reactions", OPTION_REACTIONS, NULL, 0, "add the constraint reactions to the table", 0},
+    {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
+     "table and summary in units of R_b, M and sqrt(R_b/g)", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
+    {0}};
+
+gough_status forces_verb(int count, char **argument) {
+    static const verb_usage usage = {.verb = "forces",
+                                     .option = option,
+                                     .arguments = "STUDY",
+                                     .text =
+                                         "The leg forces that the program of motion needs (the "
+                                         "paper's direct problem), with lengths, rates and "
+                                         "power; the summary gives what sizes a leg.\v"
+                                         "STUDY is a study file, or - for standard input. Limits "
+                                         "that the program leaves are all listed, and the "
+                                         "exit status is then 1.",
+                                     .least_files = 1,
+                                     .most_files = 1};
+    return run_verb(&usage, false, count, argument);
+}

@@ -1,0 +1,81 @@
+/* The summary of forces and simulate as JSON: the same keys in the same order always; null where there is no number. */
+#include <jansson.h>
+#include <math.h>
+#include <string.h>
+
+#include "cli/json.h"
+#include "cli/summary.h"
+
+json_t *json_number(double value) { return isfinite(value) ? json_real(value) : json_null(); }
+
+json_t *json_words(const char *text) {
+    /* a sentence cut to fit may end inside a character */
+    size_t length = strlen(text);
+    json_t *words = json_stringn(text, length);
+    for (int back = 0; !words && length > 0 && back < 4; back++)
+        words = json_stringn(text, --length);
+    return words ? words : json_string("");
+}
+
+json_t *json_numbers(const double *value, size_t count) {
+    json_t *array = json_array();
+    for (size_t i = 0; i < count; i++) json_array_append_new(array, json_number(value[i]));
+    return array;
+}
+
+int json_print(json_t *object) {
+    const int failed =
+        !object ||
+        json_dumpf(object, stdout, JSON_INDENT(2) | JSON_PRESERVE_ORDER | JSON_REAL_PRECISION(17));
+    json_decref(object);
+    putchar('\n');
+    return failed ? -1 : 0;
+}
+
+static json_t *pair(double least, double greatest) {
+    return json_numbers((double[]){least, greatest}, 2);
+}
+
+static json_t *leg_object(const run_report *report, const gough_leg_summary *leg) {
+    json_t *object = json_object(), *swing = json_object();
+    const double stroke = report->stroke[1] - report->stroke[0];
+    const int limited = report->stroke[0] > 0 && isfinite(stroke);
+    json_object_set_new(object, "length", pair(leg->length_min, leg->length_max));
+    json_object_set_new(object, "speed", json_number(leg->speed));
+    json_object_set_new(object, "force", pair(leg->force_min, leg->force_max));
+    json_object_set_new(object, "rms_force", json_number(leg->rms_force));
+    json_object_set_new(object, "power", pair(leg->power_min, leg->power_max));
+    json_object_set_new(object, "energy", json_number(leg->energy));
+    json_object_set_new(swing, "base", json_number(leg->swing_base));
+    json_object_set_new(swing, "top", json_number(leg->swing_top));
+    json_object_set_new(object, "swing", swing);
+    json_object_set_new(object, "stroke_used",
+                        limited ? json_number((leg->length_max - leg->length_min) / stroke)
+                                : json_null());
+    return object;
+}
+
+int run_report_print_json(const run_report *report) {
+    const gough_summary *s = &report->summary;
+    const gough_end *ended = &report->end;
+    json_t *object = json_object(), *end = json_object(), *deviation = json_object();
+    json_t *legs = json_array();
+
+    json_object_set_new(end, "status", json_string(gough_cause_name(ended->cause)));
+    json_object_set_new(end, "time", json_number(ended->time));
+    json_object_set_new(end, "leg", ended->leg ? json_integer(ended->leg) : json_null());
+    json_object_set_new(end, "message", json_words(ended->message));
+    for (int i = 0; i < GOUGH_LEGS; i++)
+        json_array_append_new(legs, leg_object(report, &s->leg[i]));
+    json_object_set_new(deviation, "position", json_number(s->position_deviation));
+    json_object_set_new(deviation, "angle", json_number(s->angle_deviation));
+
+    json_object_set_new(object, "verb", json_string(report->verb));
+    json_object_set_new(object, "title", json_words(report->study->title));
+    json_object_set_new(object, "end", end);
+    json_object_set_new(object, "legs", legs);
+    json_object_set_new(object, "condition", json_number(s->condition));
+    json_object_set_new(object, "deviation", deviation);
+    json_object_set_new(object, "drift", json_number(report->simulated ? s->drift : NAN));
+    return json_print(object);
+}

@@ -1,0 +1,15 @@
+/* Small helpers over jansson: numbers that may not be finite, sentences that may be cut. */
+#ifndef GOUGH_CLI_JSON_H
+#define GOUGH_CLI_JSON_H
+
+#include <jansson.h>
+
+/* null for NaN and infinities, which JSON does not have */
+json_t *json_number(double value);
+json_t *json_numbers(const double *value, size_t count);
+json_t *json_words(const char *text);
+
+/* Prints on standard output and lets go of the object. Returns 0, or -1 when memory is out or the output fails. */
+int json_print(json_t *object);
+
+#endif

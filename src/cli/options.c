@@ -1,0 +1,128 @@
+/* What may stand on the command line. Each verb has its own table of options; one function understands them all. */
+#define _GNU_SOURCE
+#include "cli/command.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct reader {
+    const verb_usage *usage;
+    command_line *line;
+} reader;
+
+/* KEY=VALUE; the copy lives as long as the options */
+static void read_setting(struct argp_state *state, command_line *line, const char *text) {
+    const char *equal = strchr(text, '=');
+    if (!equal || equal == text)
+        argp_error(
+            state,
+            "--set takes KEY=VALUE, as in --set control.stiffness=50; '%s' is not of this form",
+            text);
+    else {
+        char *key = strndup(text, (size_t)(equal - text));
+        if (!key) argp_failure(state, 3, 0, "memory is out");
+        line->settings[line->setting_count++] = (gough_setting){.key = key, .value = equal + 1};
+    }
+}
+
+static double read_time(struct argp_state *state, const char *option, const char *text) {
+    char *rest = NULL;
+    const double value = strtod(text, &rest);
+    if (rest == text || *rest || !isfinite(value))
+        argp_error(state, "%s takes a number, a time as in the column t; '%s' is none", option,
+                   text);
+    return value;
+}
+
+static error_t read_option(int key, char *text, struct argp_state *state) {
+    reader *reading = state->input;
+    command_line *o = reading->line;
+    switch (key) {
+    case OPTION_OUTPUT:
+        o->output = text;
+        break;
+    case OPTION_QUIET:
+        o->quiet = true;
+        break;
+    case OPTION_JSON:
+        o->json = true;
+        break;
+    case OPTION_SET:
+        read_setting(state, o, text);
+        break;
+    case OPTION_REACTIONS:
+        o->reactions = true;
+        break;
+    case OPTION_DIMENSIONLESS:
+        o->dimensionless = true;
+        break;
+    case OPTION_PRECISION:
+        if (strcmp(text, "double") == 0)
+            o->precision = GOUGH_DOUBLE;
+        else if (strcmp(text, "quad") == 0)
+            o->precision = GOUGH_QUADRUPLE;
+        else
+            argp_error(state, "--precision is double or quad, not '%s'", text);
+        break;
+    case OPTION_FIGURE:
+        o->figure.kind = text;
+        break;
+    case OPTION_COLUMNS:
+        o->figure.columns = text;
+        break;
+    case OPTION_FROM:
+        o->figure.from = read_time(state, "--from", text);
+        break;
+    case OPTION_TO:
+        o->figure.to = read_time(state, "--to", text);
+        break;
+    case OPTION_LOG:
+        o->figure.logarithmic = true;
+        break;
+    case OPTION_LABEL:
+        o->label[o->labels++] = text;
+        break;
+    case ARGP_KEY_ARG:
+        if (o->files == reading->usage->most_files)
+            argp_error(state, "too many arguments: '%s'", text);
+        o->file[o->files++] = text;
+        break;
+    case ARGP_KEY_END:
+        if (o->files < reading->usage->least_files)
+            argp_error(state, "%s is missing", reading->usage->arguments);
+        break;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
+command_line command_line_read(const verb_usage *usage, int count, char **argument) {
+    const size_t room = (size_t)count + 1;
+    command_line o = {.verb = usage->verb,
+                      .precision = GOUGH_DOUBLE,
+                      .settings = calloc(room, sizeof *o.settings),
+                      .file = calloc(room, sizeof *o.file),
+                      .label = calloc(room, sizeof *o.label),
+                      .figure = gough_figure_default()};
+    if (!o.settings || !o.file || !o.label) {
+        complain(usage->verb, "memory is out");
+        exit(GOUGH_ERROR_FILE);
+    }
+    reader reading = {.usage = usage, .line = &o};
+    const struct argp argp = {.options = usage->option,
+                              .parser = read_option,
+                              .args_doc = usage->arguments,
+                              .doc = usage->text,
+                              .help_filter = usage->help_filter};
+    argp_parse(&argp, count, argument, 0, NULL, &reading);
+    return o;
+}
+
+void command_line_free(command_line *o) {
+    for (size_t i = 0; i < o->setting_count; i++) free((void *)o->settings[i].key);
+    free(o->settings);
+    free(o->file);
+    free(o->label);
+}

@@ -1,0 +1,192 @@
+/* What forces and simulate share: read the study, run it, keep the table, say what came out. */
+#define _GNU_SOURCE
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+
+#include "cli/command.h"
+#include "cli/summary.h"
+
+/* Rows on their way into table and summary. */
+typedef struct running {
+    const gough_machine *machine;
+    gough_result *result; /* NULL: no table wanted */
+    run_report *report;
+    progress progress;
+    bool memory_out;
+} running;
+
+static int take_row(void *context, const gough_row *row) {
+    running *run = context;
+    gough_summary_add(&run->report->summary, run->machine, row);
+    progress_update(&run->progress, row->value[GOUGH_T]);
+    if (run->result && gough_result_add(run->result, row) != 0) run->memory_out = true;
+    return run->memory_out;
+}
+
+static void take_crossing(void *context, const gough_crossing *crossing) {
+    crossing_list *c = &((running *)context)->report->crossings;
+    if (c->count == c->room) {
+        const size_t room = c->room ? 2 * c->room : 16;
+        gough_crossing *list = realloc(c->list, room * sizeof *list);
+        if (!list) {
+            c->incomplete = true;
+            return;
+        }
+        c->list = list;
+        c->room = room;
+    }
+    c->list[c->count++] = *crossing;
+}
+
+gough_status read_study(const command_line *line, gough_study **study) {
+    char *messages = NULL;
+    const gough_status status =
+        gough_study_read(line->file[0], line->settings, line->setting_count, study, &messages);
+    if (messages) {
+        fputs(messages, stderr);
+        const size_t length = strlen(messages);
+        if (length && messages[length - 1] != '\n') fputc('\n', stderr);
+    }
+    gough_study_free_messages(messages);
+    return status;
+}
+
+/* What can be known about the output before a long run: a name of no known kind, a folder that is not there. */
+static gough_status check_output(const command_line *line) {
+    const char *path = line->output;
+    if (!path) return GOUGH_OK;
+    const bool standard = strcmp(path, "-") == 0;
+    if (standard && line->json) {
+        complain(line->verb, "'-o -' and --json both want standard output; give -o a file");
+        return GOUGH_ERROR_INPUT;
+    }
+    if (standard) return GOUGH_OK;
+    const char *ending = strrchr(path, '.');
+    if (!ending || (strcasecmp(ending, ".h5") != 0 && strcasecmp(ending, ".csv") != 0)) {
+        complain(line->verb,
+                 "-o takes a name that ends in .h5 or .csv, or - for CSV on standard output; '%s' "
+                 "does not",
+                 path);
+        return GOUGH_ERROR_INPUT;
+    }
+    const char *slash = strrchr(path, '/');
+    char *folder = slash ? strndup(path, slash == path ? 1 : (size_t)(slash - path)) : strdup(".");
+    struct stat status;
+    const bool there = folder && stat(folder, &status) == 0 && S_ISDIR(status.st_mode);
+    if (!there) complain(line->verb, "%s: there is no folder '%s'", path, folder ? folder : "?");
+    free(folder);
+    return there ? GOUGH_OK : GOUGH_ERROR_FILE;
+}
+
+static bool open_loop(const gough_control *control) {
+    bool loose = control->feedforward;
+    for (int i = 0; i < GOUGH_LEGS; i++) loose = loose && !(fabs(control->stiffness[i]) > 0);
+    return loose;
+}
+
+/* Says why a run ended; the table and the summary are the answer, this is the reason for the exit code. */
+static void explain_end(const command_line *line, const run_report *report) {
+    if (report->end.cause == GOUGH_END_DONE) return;
+    const bool rescaled = report->units.time != 1 || report->units.length != 1;
+    complain(line->verb, "%s: %s%s", report->study->name, report->end.message,
+             rescaled ? " (in the study's own units)" : "");
+}
+
+static gough_status write_table(const command_line *line, gough_result *result,
+                                const run_report *report, const gough_end *end) {
+    gough_error error = {0};
+    fflush(stdout);
+    gough_result_set_end(result, end);
+    const gough_status status = gough_result_write(result, line->output, &error);
+    if (status) complain(line->verb, "%s", error.message);
+    (void)report;
+    return status;
+}
+
+static gough_status print_summary(const command_line *line, const run_report *report) {
+    const bool standard = line->output && strcmp(line->output, "-") == 0;
+    if (line->json) {
+        if (!line->quiet) run_report_print_crossings(stderr, report);
+        return run_report_print_json(report) ? GOUGH_ERROR_FILE : GOUGH_OK;
+    }
+    if (!line->quiet) run_report_print(standard ? stderr : stdout, report);
+    return GOUGH_OK;
+}
+
+static gough_status execute(const command_line *line, running *run, gough_error *error) {
+    run_report *report = run->report;
+    const gough_study *study = report->study;
+    gough_simulation simulation = study->simulation;
+    if (line->precision == GOUGH_QUADRUPLE) simulation.precision = GOUGH_QUADRUPLE;
+    simulation.reactions |= line->reactions;
+
+    gough_summary_begin(&report->summary);
+    run->progress = progress_begin(line->verb, simulation.duration, line->quiet);
+    const gough_status status =
+        report->simulated
+            ? gough_simulate(study->model, &simulation, take_row, run, &report->end, error)
+            : gough_forces(study->model, &simulation, take_row, run, take_crossing, run,
+                           &report->end, error);
+    progress_end(&run->progress);
+    gough_summary_end(&report->summary);
+    return status;
+}
+
+static gough_status run_study(const command_line *line, const gough_study *study,
+                              run_report *report) {
+    gough_error error = {0};
+    gough_status status = gough_units_of_study(study, line->dimensionless, &report->units, &error);
+    if (status) {
+        complain(line->verb, "%s: %s", study->name, error.message);
+        return status;
+    }
+    running run = {.machine = &study->model->machine, .report = report};
+    if (line->output && !(run.result = gough_result_new(study, line->verb, &report->units))) {
+        complain(line->verb, "memory is out");
+        return GOUGH_ERROR_FILE;
+    }
+    if (report->simulated && !line->quiet && open_loop(&study->model->control))
+        remark(line->verb, "open loop: legs that push with given forces leave a hexapod "
+                           "unstable at rest (some mode always "
+                           "grows), and round-off grows with it; control.stiffness holds it");
+
+    status = execute(line, &run, &error);
+    const gough_end end = report->end; /* the table scales by itself */
+    if (run.memory_out) {
+        complain(line->verb,
+                 "memory is out for the table; a greater simulation.output_step needs less");
+        status = GOUGH_ERROR_FILE;
+    } else if (status == GOUGH_OK || status == GOUGH_ERROR_NUMERICAL) {
+        run_report_scale(report);
+        const gough_status written =
+            run.result ? write_table(line, run.result, report, &end) : GOUGH_OK;
+        report->output =
+            written || !line->output || strcmp(line->output, "-") == 0 ? NULL : line->output;
+        const gough_status printed = print_summary(line, report);
+        explain_end(line, report);
+        if (written || printed) status = written ? written : printed;
+    } else {
+        complain(line->verb, "%s: %s", study->name, error.message);
+    }
+    gough_result_free(run.result);
+    return status;
+}
+
+gough_status run_verb(const verb_usage *usage, bool simulated, int count, char **argument) {
+    command_line line = command_line_read(usage, count, argument);
+    run_report report = {.verb = usage->verb, .simulated = simulated};
+    gough_study *study = NULL;
+    gough_status status = check_output(&line);
+    if (!status) status = read_study(&line, &study);
+    if (!status) {
+        report.study = study;
+        status = run_study(&line, study, &report);
+    }
+    free(report.crossings.list);
+    gough_study_free(study);
+    command_line_free(&line);
+    return status;
+}

@@ -1,0 +1,31 @@
+/* gough simulate: forward dynamics under control and disturbance. */
+#include "cli/command.h"
+
+static const struct argp_option option[] = {
+    {"output", OPTION_OUTPUT, "FILE", 0,
+     "write the table to FILE: .h5 or .csv by its ending; - is CSV on standard output", 0},
+    {"json", OPTION_JSON, NULL, 0, "print the summary as JSON", 0},
+    {"set", OPTION_SET, "KEY=VALUE", 0,
+     "override a key of the study, as in --set control.stiffness=50; may be repeated", 0},
+    {"precision", OPTION_PRECISION, "double|quad", 0, "16 or 33 digits", 0},
+    {"reactions", OPTION_REACTIONS, NULL, 0, "add the constraint reactions to the table", 0},
+    {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
+     "table and summary in units of R_b, M and sqrt(R_b/g)", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
+    {0}};
+
+gough_status simulate_verb(int count, char **argument) {
+    static const verb_usage usage = {.verb = "simulate",
+                                     .option = option,
+                                     .arguments = "STUDY",
+                                     .text = "The motion under leg forces, control and disturbance "
+                                             "(the paper's inverse problem), and how far it "
+                                             "deviates from the program.\v"
+                                             "STUDY is a study file, or - for standard input. The "
+                                             "run ends at the first limit left, singular pose or "
+                                             "step that does not converge; the results up to there "
+                                             "are complete and the exit status is then 1.",
+                                     .least_files = 1,
+                                     .most_files = 1};
+    return run_verb(&usage, true, count, argument);
+}

@@ -1,0 +1,200 @@
+/* The summary of forces and simulate for reading: two tables over the legs, then what holds for the run. */
+#include "cli/summary.h"
+
+#include <math.h>
+
+static const double DEGREES = 57.295779513082320877;
+
+static void scale_leg(gough_leg_summary *leg, const gough_units *u) {
+    const double speed = u->length / u->time, force = u->mass * speed / u->time;
+    leg->length_min /= u->length;
+    leg->length_max /= u->length;
+    leg->speed /= speed;
+    leg->force_min /= force;
+    leg->force_max /= force;
+    leg->rms_force /= force;
+    leg->power_min /= force * speed;
+    leg->power_max /= force * speed;
+    leg->energy /= force * u->length;
+    leg->swing_base *= DEGREES;
+    leg->swing_top *= DEGREES;
+}
+
+static void scale_crossing(gough_crossing *crossing, const gough_units *u) {
+    double unit = u->length;
+    if (crossing->cause == GOUGH_END_LEG_SPEED) unit /= u->time;
+    if (crossing->cause == GOUGH_END_LEG_FORCE) unit *= u->mass / (u->time * u->time);
+    crossing->enter /= u->time;
+    crossing->leave /= u->time;
+    crossing->worst_time /= u->time;
+    crossing->worst /= unit;
+}
+
+void run_report_scale(run_report *report) {
+    const gough_units *u = &report->units;
+    gough_summary *s = &report->summary;
+    for (int i = 0; i < GOUGH_LEGS; i++) scale_leg(&s->leg[i], u);
+    s->first_time /= u->time;
+    s->last_time /= u->time;
+    s->condition_time /= u->time;
+    s->position_deviation /= u->length;
+    s->angle_deviation *= DEGREES;
+    report->end.time /= u->time;
+    for (size_t i = 0; i < report->crossings.count; i++)
+        scale_crossing(&report->crossings.list[i], u);
+    report->stroke[0] = report->study->model->machine.platform.length_min / u->length;
+    report->stroke[1] = report->study->model->machine.platform.length_max / u->length;
+}
+
+static double peak(double least, double greatest) { return fmax(fabs(least), fabs(greatest)); }
+
+/* Share of the stroke that a leg uses, in percent; NaN where the legs' lengths are not limited on both sides. */
+static double stroke_share(const run_report *report, double used) {
+    const double *stroke = report->stroke;
+    if (!(stroke[0] > 0) || !isfinite(stroke[1]) || !(stroke[1] > stroke[0])) return NAN;
+    return 100 * used / (stroke[1] - stroke[0]);
+}
+
+static void print_strokes(FILE *stream, const run_report *report, const unit_words *unit) {
+    const table_heading length = heading_of("length", unit->length),
+                        speed = heading_of("", unit->speed);
+    table_column column[] = {{length.text, "least", {0}, 6},     {length.text, "greatest", {0}, 6},
+                             {length.text, "used", {0}, 6},      {"stroke", "used %", {0}, 3},
+                             {"peak speed", speed.text, {0}, 5}, {"swing [deg] at", "base", {0}, 4},
+                             {"swing [deg] at", "top", {0}, 4},  {0}};
+    enum { LEAST, GREATEST, USED, SHARE, SPEED, BASE, TOP, COLUMNS };
+    if (!*speed.text) column[SPEED].head = "";
+    for (int c = 0; c < COLUMNS; c++) column[c].value[GOUGH_LEGS] = c == LEAST ? INFINITY : 0;
+    for (int i = 0; i < GOUGH_LEGS; i++) {
+        const gough_leg_summary *leg = &report->summary.leg[i];
+        const double used = leg->length_max - leg->length_min;
+        const double row[COLUMNS] = {
+            leg->length_min, leg->length_max, used,          stroke_share(report, used),
+            leg->speed,      leg->swing_base, leg->swing_top};
+        for (int c = 0; c < COLUMNS; c++) {
+            double *all = &column[c].value[GOUGH_LEGS];
+            column[c].value[i] = row[c];
+            *all = c == LEAST ? fmin(*all, row[c]) : fmax(*all, row[c]);
+        }
+    }
+    const bool limited = isfinite(stroke_share(report, 0));
+    if (!limited)
+        for (int c = SHARE; c < COLUMNS; c++) column[c] = column[c + 1];
+    table_print(stream, column, true);
+    if (limited)
+        fprintf(stream, "  stroke available: %.6g%s, from %.6g to %.6g%s\n",
+                report->stroke[1] - report->stroke[0], unit->length, report->stroke[0],
+                report->stroke[1], unit->length);
+}
+
+static void print_loads(FILE *stream, const run_report *report, const unit_words *unit) {
+    const table_heading force = heading_of("force", unit->force),
+                        power = heading_of("power", unit->power),
+                        energy = heading_of("", unit->energy);
+    table_column column[] = {{force.text, "least", {0}, 5},   {force.text, "greatest", {0}, 5},
+                             {force.text, "peak", {0}, 5},    {force.text, "RMS", {0}, 5},
+                             {power.text, "least", {0}, 5},   {power.text, "greatest", {0}, 5},
+                             {"energy", energy.text, {0}, 5}, {0}};
+    enum { LEAST, GREATEST, PEAK, RMS, POWER_LEAST, POWER_GREATEST, ENERGY, COLUMNS };
+    for (int c = 0; c < COLUMNS; c++)
+        column[c].value[GOUGH_LEGS] = c == LEAST || c == POWER_LEAST ? INFINITY : -INFINITY;
+    column[ENERGY].value[GOUGH_LEGS] = 0;
+    for (int i = 0; i < GOUGH_LEGS; i++) {
+        const gough_leg_summary *leg = &report->summary.leg[i];
+        const double row[COLUMNS] = {
+            leg->force_min, leg->force_max, peak(leg->force_min, leg->force_max),
+            leg->rms_force, leg->power_min, leg->power_max,
+            leg->energy};
+        for (int c = 0; c < COLUMNS; c++) {
+            double *all = &column[c].value[GOUGH_LEGS];
+            column[c].value[i] = row[c];
+            if (c == ENERGY)
+                *all += row[c];
+            else if (c == LEAST || c == POWER_LEAST)
+                *all = fmin(*all, row[c]);
+            else
+                *all = fmax(*all, row[c]);
+        }
+    }
+    table_print(stream, column, true);
+}
+
+static const char *crossing_words(gough_cause cause) {
+    switch (cause) {
+    case GOUGH_END_LEG_SHORT:
+        return "too short";
+    case GOUGH_END_LEG_LONG:
+        return "too long";
+    case GOUGH_END_LEG_SPEED:
+        return "too fast";
+    case GOUGH_END_LEG_FORCE:
+        return "overloaded";
+    default:
+        return gough_cause_name(cause);
+    }
+}
+
+static const char *crossing_unit(const gough_crossing *crossing, const unit_words *unit) {
+    if (crossing->cause == GOUGH_END_LEG_SPEED) return unit->speed;
+    return crossing->cause == GOUGH_END_LEG_FORCE ? unit->force : unit->length;
+}
+
+void run_report_print_crossings(FILE *stream, const run_report *report) {
+    const unit_words *unit = unit_words_of(&report->units);
+    const crossing_list *crossings = &report->crossings;
+    if (crossings->count == 0) return;
+    fprintf(stream, "  limits left %zu time%s along the program:\n", crossings->count,
+            crossings->count == 1 ? "" : "s");
+    for (size_t i = 0; i < crossings->count; i++) {
+        const gough_crossing *c = &crossings->list[i];
+        fprintf(stream, "    leg %d %-10s  t = %.6g", c->leg, crossing_words(c->cause), c->enter);
+        if (isfinite(c->leave))
+            fprintf(stream, " to %.6g", c->leave);
+        else
+            fprintf(stream, " to the end");
+        fprintf(stream, ", at worst %.6g%s at t = %.6g\n", c->worst, crossing_unit(c, unit),
+                c->worst_time);
+    }
+    if (crossings->incomplete) fprintf(stream, "    and more: memory is out\n");
+}
+
+static void print_end(FILE *stream, const run_report *report, const unit_words *unit) {
+    const gough_end *end = &report->end;
+    fprintf(stream, "  end         ");
+    if (end->cause == GOUGH_END_DONE)
+        fprintf(stream, "the whole duration, t = %.6g%s\n", end->time, unit->time);
+    else if (!report->simulated && report->crossings.count)
+        fprintf(stream, "t = %.6g%s, limits left on the way (first at t = %.6g%s)\n",
+                report->summary.last_time, unit->time, end->time, unit->time);
+    else
+        fprintf(stream, "at t = %.6g%s: %s\n", end->time, unit->time, gough_cause_name(end->cause));
+}
+
+void run_report_print(FILE *stream, const run_report *report) {
+    const gough_summary *s = &report->summary;
+    const unit_words *unit = unit_words_of(&report->units);
+    if (*report->study->title) fprintf(stream, "%s\n", report->study->title);
+    fprintf(stream, "%s, %zu rows from t = %.6g to %.6g%s; %s\n\n",
+            report->simulated ? "motion under control and disturbance" : "forces along the program",
+            s->rows, s->first_time, s->last_time, unit->time,
+            units_sentence(report->study, &report->units));
+    if (s->rows > 0) {
+        print_strokes(stream, report, unit);
+        fputc('\n', stream);
+        print_loads(stream, report, unit);
+        fputc('\n', stream);
+        fprintf(stream, "  condition   %.4g at worst, at t = %.6g (singular from 1e8)\n",
+                s->condition, s->condition_time);
+    }
+    if (report->simulated && s->rows > 0) {
+        fprintf(stream, "  deviation   %.4g%s and %.4g deg from the program at most\n",
+                s->position_deviation, unit->length, s->angle_deviation);
+        fprintf(stream,
+                "  drift       %.2g, largest violation of the constraints before projection\n",
+                s->drift);
+    }
+    fprintf(stream, "  legs        massless here: their own weight and inertia come on top\n");
+    print_end(stream, report, unit);
+    run_report_print_crossings(stream, report);
+    if (report->output) fprintf(stream, "  table       %s\n", report->output);
+}

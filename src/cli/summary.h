@@ -1,0 +1,67 @@
+/* What a run leaves in a few numbers, for reading and as JSON, in the units of the output. */
+#ifndef GOUGH_CLI_SUMMARY_H
+#define GOUGH_CLI_SUMMARY_H
+
+#include <stdio.h>
+
+#include "gough/gough.h"
+
+/* A limit of a leg that the program leaves, and all of them. */
+typedef struct crossing_list {
+    gough_crossing *list;
+    size_t count, room;
+    bool incomplete; /* memory was out */
+} crossing_list;
+
+typedef struct run_report {
+    const char *verb;
+    bool simulated;
+    const gough_study *study;
+    gough_units units;
+    gough_summary summary;   /* scaled to the output's units, angles in degrees */
+    gough_end end;           /* time scaled; its message is in the study's units */
+    crossing_list crossings; /* scaled; forces only */
+    double stroke[2];        /* least and greatest leg length, scaled; 0 and INFINITY: none */
+    const char *output;      /* NULL: no table was written */
+} run_report;
+
+/* Turns the numbers of a run into the output's units. */
+void run_report_scale(run_report *report);
+
+/* The limits that the program leaves; nothing if none. */
+void run_report_print_crossings(FILE *stream, const run_report *report);
+void run_report_print(FILE *stream, const run_report *report);
+
+/* One JSON object on standard output. Returns 0, or -1 when memory is out or the output cannot be written. */
+int run_report_print_json(const run_report *report);
+
+/* ---- table.c: columns of numbers, one row a leg ---- */
+
+/* Ends a list of columns: a column without a head. Neighbours with the same group share one heading. */
+typedef struct table_column {
+    const char *group, *head;
+    double value[GOUGH_LEGS + 1]; /* legs 1 … 6 and all of them together; NaN: no entry */
+    int digits;                   /* significant, of the largest of the group */
+} table_column;
+
+void table_print(FILE *stream, const table_column *column, bool with_all);
+
+/* ---- units as words: " m" in SI, "" where numbers have no unit; they follow a number ---- */
+
+typedef struct unit_words {
+    const char *length, *speed, *force, *power, *energy, *time;
+    const char *mass, *inertia, *stiffness, *damping;
+} unit_words;
+
+const unit_words *unit_words_of(const gough_units *units);
+
+/* "length [m]", or "length" without a unit */
+typedef struct table_heading {
+    char text[32];
+} table_heading;
+table_heading heading_of(const char *what, const char *unit);
+
+/* What the numbers mean, for the head of a summary: "SI units", "lengths in R_b …". */
+const char *units_sentence(const gough_study *study, const gough_units *units);
+
+#endif
