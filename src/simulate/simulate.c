@@ -26,12 +26,6 @@ gough_simulation gough_simulation_default(void) {
                               .constraints = GOUGH_PROJECTION};
 }
 
-bool gough_column_filled(int column, bool simulated, bool reactions) {
-    if (column < 0 || column >= GOUGH_COLUMNS) return false;
-    if (column >= GOUGH_RXX) return reactions;
-    return column <= GOUGH_CONDITION || simulated;
-}
-
 static bool positive(double x) { return x > 0 && isfinite(x); }
 
 static gough_status check_times(const gough_simulation *s, gough_error *error) {
