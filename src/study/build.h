@@ -1,0 +1,21 @@
+/* From a checked tree to the model. */
+#ifndef STUDY_BUILD_H
+#define STUDY_BUILD_H
+
+#include "gough/study.h"
+#include "study/tree.h"
+
+typedef struct study_build {
+    study_messages *messages;
+    const study_node *root;
+    const char *folder; /* of the study, ending in / or empty: relative samples start there */
+    gough_study *study;
+    gough_move *moves; /* memory of the model, the caller's to free */
+    void *samples;
+} study_build;
+
+/* Fills the model and the simulation from the tree's parts that have no errors, and says what only then can be found:
+ * impossible geometry or inertia, keys that do not go together, recorded motion that is wrong. */
+void study_model_build(study_build *build);
+
+#endif

@@ -1,0 +1,258 @@
+/* Walks a study's tree against the table of keys: unknown, duplicate and missing keys, shapes, counts and ranges. */
+#include "study/check.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "study/value.h"
+
+enum { MOST_KEYS = 128 };
+
+static void check_mapping(study_messages *messages, study_node *node, const char *parent);
+
+/* The names known in a mapping. */
+static size_t names_in(const char *parent, const char *names[MOST_KEYS]) {
+    size_t rules, count = 0;
+    const study_rule *rule = study_rules(&rules);
+    for (size_t i = 0; i < rules && count < MOST_KEYS; i++)
+        if (study_rule_in(&rule[i], parent, &names[count])) count++;
+    return count;
+}
+
+static const char *join(study_arena *arena, const char *const *names, size_t count) {
+    size_t length = 1;
+    for (size_t i = 0; i < count; i++) length += strlen(names[i]) + 2;
+    char *list = study_arena_take(arena, length);
+    if (!list) return "";
+    for (size_t i = 0; i < count; i++) {
+        if (i) strcat(list, ", ");
+        strcat(list, names[i]);
+    }
+    return list;
+}
+
+/* The mapping in which a key of that name is known, for one that stands in the wrong place. */
+static const char *home_of(study_arena *arena, const char *name) {
+    size_t rules;
+    const study_rule *rule = study_rules(&rules);
+    for (size_t i = 0; i < rules; i++) {
+        const char *dot = strrchr(rule[i].path, '.');
+        if (dot && strcmp(dot + 1, name) == 0 && !strstr(rule[i].path, ".N."))
+            return study_arena_copy(arena, rule[i].path, (size_t)(dot - rule[i].path));
+    }
+    return NULL;
+}
+
+/* Whether the node is the part after the comma of a formula cut in a flow mapping. */
+static bool follows_cut(const study_node *parent, const study_node *node) {
+    const study_node *before = NULL;
+    for (const study_node *each = parent->first; each != node; each = each->next) before = each;
+    return before && before->wrong && before->in_flow && before->kind == STUDY_SCALAR &&
+           node->empty && strchr(before->text, '(') && strchr(node->key->text, ')');
+}
+
+static void say_unknown(study_messages *messages, study_node *parent, study_node *node,
+                        const char *path) {
+    const char *names[MOST_KEYS];
+    const size_t count = names_in(path, names);
+    const char *key = study_quote(messages->arena, node->key->text, node->key->length);
+    const char *nearest = study_nearest(node->key->text, names, count);
+    const char *home = nearest ? NULL : home_of(messages->arena, node->key->text);
+    const study_place place = study_node_place(node, true);
+    if (follows_cut(parent, node)) {
+        study_node_mark(node);
+    } else if (nearest) {
+        node->meant = nearest;
+        study_node_say(messages, node, place, "unknown key `%s`; did you mean `%s`?", key, nearest);
+    } else if (home) {
+        study_node_say(messages, node, place, "unknown key `%s` here; it belongs under `%s`", key,
+                       home);
+    } else {
+        study_node_say(messages, node, place, "unknown key `%s`; known here: %s", key,
+                       join(messages->arena, names, count));
+    }
+}
+
+/* Checks the items of a list of `count` of them one by one. */
+static bool check_count(study_messages *messages, study_node *node, size_t count,
+                        const char *phrase) {
+    if (node->kind != STUDY_LIST) {
+        study_say_shape(messages, node, phrase);
+        return false;
+    }
+    if (node->count == count) return true;
+    study_node_say(messages, node, study_node_place(node, false),
+                   "`%s` must be %s, found a list of %zu", study_node_path(messages->arena, node),
+                   phrase, node->count);
+    return false;
+}
+
+static bool check_numbers(study_messages *messages, study_node *node, size_t count,
+                          const study_bound *bound, const char *phrase) {
+    if (!check_count(messages, node, count, phrase)) return false;
+    bool good = true;
+    for (study_node *item = node->first; item; item = item->next)
+        if (!study_check_number(messages, item, bound)) good = false;
+    return good;
+}
+
+static void check_rows(study_messages *messages, study_node *node, size_t count,
+                       const char *phrase) {
+    static const study_bound any = {"", "", -INFINITY, INFINITY, false};
+    if (!check_count(messages, node, count, phrase)) return;
+    for (study_node *row = node->first; row; row = row->next)
+        check_numbers(messages, row, 3, &any, "a list of three numbers");
+}
+
+static void check_formulas(study_messages *messages, study_node *node, size_t count,
+                           const char *phrase) {
+    bool good = true;
+    /* a formula cut at its comma explains why the list is too long */
+    for (study_node *item = node->kind == STUDY_LIST ? node->first : NULL; item && good;
+         item = item->next)
+        if (node->count != count && item->kind == STUDY_SCALAR && item->in_flow &&
+            strchr(item->text, '('))
+            good = study_check_formula(messages, item);
+    if (!good || !check_count(messages, node, count, phrase)) return;
+    for (study_node *item = node->first; item; item = item->next)
+        study_check_formula(messages, item);
+}
+
+static void check_moves(study_messages *messages, study_node *node) {
+    if (node->kind != STUDY_LIST || node->count == 0) {
+        study_say_shape(messages, node, study_shape_phrase(SHAPE_MOVES));
+        return;
+    }
+    for (study_node *move = node->first; move; move = move->next)
+        if (move->kind == STUDY_MAPPING)
+            check_mapping(messages, move, "motion.moves.N");
+        else
+            study_say_shape(messages, move,
+                            "a mapping such as {start: 1, duration: 2, heave: 0.1}");
+}
+
+static void check_value(study_messages *messages, study_node *node, const study_rule *rule) {
+    static const study_bound any = {"", "", -INFINITY, INFINITY, false};
+    const char *phrase = study_shape_phrase(rule->shape);
+    const bool single = node->kind == STUDY_SCALAR && node->length > 0;
+    switch (rule->shape) {
+    case SHAPE_MAPPING:
+        if (node->kind == STUDY_MAPPING)
+            check_mapping(messages, node, rule->path);
+        else
+            study_say_shape(messages, node, phrase);
+        break;
+    case SHAPE_CONSTRAINTS:
+        if (node->kind == STUDY_MAPPING)
+            check_mapping(messages, node, rule->path);
+        else if (single)
+            study_check_choice(messages, node, &rule->bound);
+        else
+            study_say_shape(messages, node, phrase);
+        break;
+    case SHAPE_MOVES:
+        check_moves(messages, node);
+        break;
+    case SHAPE_TEXT:
+    case SHAPE_FILE:
+        study_check_text(messages, node, rule->shape);
+        break;
+    case SHAPE_CHOICE:
+        study_check_choice(messages, node, &rule->bound);
+        break;
+    case SHAPE_NUMBER:
+        study_check_number(messages, node, &rule->bound);
+        break;
+    case SHAPE_PAIR:
+        check_numbers(messages, node, 2, &rule->bound, phrase);
+        break;
+    case SHAPE_VECTOR:
+        check_numbers(messages, node, 3, &rule->bound, phrase);
+        break;
+    case SHAPE_GRAVITY:
+        if (single)
+            study_check_number(messages, node, &rule->bound);
+        else
+            check_numbers(messages, node, 3, &any, phrase);
+        break;
+    case SHAPE_NUMBER_OR_SIX:
+        if (single)
+            study_check_number(messages, node, &rule->bound);
+        else
+            check_numbers(messages, node, GOUGH_LEGS, &rule->bound, phrase);
+        break;
+    case SHAPE_POINTS:
+        check_rows(messages, node, GOUGH_LEGS, phrase);
+        break;
+    case SHAPE_INERTIA:
+        if (node->first && node->first->kind == STUDY_LIST)
+            check_rows(messages, node, 3, phrase);
+        else
+            check_numbers(messages, node, 3, &any, phrase);
+        break;
+    case SHAPE_FORMULA:
+        study_check_formula(messages, node);
+        break;
+    case SHAPE_FORMULA_OR_SIX:
+        if (single)
+            study_check_formula(messages, node);
+        else
+            check_formulas(messages, node, GOUGH_LEGS, phrase);
+        break;
+    case SHAPE_FORMULA_VECTOR:
+        check_formulas(messages, node, 3, phrase);
+        break;
+    }
+}
+
+/* Says which required keys a mapping lacks. */
+static void check_missing(study_messages *messages, study_node *node, const char *parent) {
+    size_t rules;
+    const study_rule *rule = study_rules(&rules);
+    for (size_t i = 0; i < rules; i++) {
+        const char *name;
+        if (!study_rule_required(&rule[i]) || !study_rule_in(&rule[i], parent, &name)) continue;
+        if (study_node_child(node, name) || study_node_meant(node, name)) continue;
+        const bool top = !node->parent;
+        study_node_say(messages, node, study_node_place(node, true), "`%s%s%s` is missing: %s",
+                       top ? "" : study_node_path(messages->arena, node), top ? "" : ".", name,
+                       study_rule_key(&rule[i])->sentence);
+    }
+}
+
+static void say_duplicate(study_messages *messages, study_node *node, const study_node *first) {
+    size_t line, column;
+    const study_node *name = first->key;
+    study_place_find(name->place, &line, &column);
+    study_node_say(messages, node, study_node_place(node, true),
+                   "duplicate key `%s`: line %zu has it already", name->text, line);
+}
+
+static void check_mapping(study_messages *messages, study_node *node, const char *parent) {
+    size_t rules;
+    const study_rule *rules_begin = study_rules(&rules);
+    const study_node *seen[MOST_KEYS] = {NULL};
+    for (study_node *child = node->first; child; child = child->next) {
+        const study_rule *rule = study_rule_find(parent, child->key->text);
+        if (!rule) {
+            say_unknown(messages, node, child, parent);
+            continue;
+        }
+        const study_node **before = &seen[rule - rules_begin];
+        if (*before)
+            say_duplicate(messages, child, *before);
+        else
+            check_value(messages, child, rule);
+        *before = child;
+    }
+    check_missing(messages, node, parent);
+}
+
+void study_check(study_messages *messages, study_node *root) {
+    if (root->kind == STUDY_MAPPING)
+        check_mapping(messages, root, "");
+    else
+        study_node_say(
+            messages, root, study_node_place(root, false),
+            "a study is a mapping that begins with keys such as `title:` and `platform:`");
+}

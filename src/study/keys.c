@@ -1,0 +1,164 @@
+/* The table of keys, spelled out for people and for the checks from the one list in keys.def. */
+#include "study/keys.h"
+
+#include <math.h>
+#include <string.h>
+
+#define NAME_MAPPING "mapping"
+#define NAME_MOVES "list of mappings"
+#define NAME_TEXT "text"
+#define NAME_FILE "file"
+#define NAME_CHOICE "choice"
+#define NAME_NUMBER "number"
+#define NAME_PAIR "two numbers"
+#define NAME_VECTOR "three numbers"
+#define NAME_GRAVITY "number or three numbers"
+#define NAME_NUMBER_OR_SIX "number or six numbers"
+#define NAME_POINTS "six points"
+#define NAME_INERTIA "three numbers or 3×3 matrix"
+#define NAME_FORMULA "formula"
+#define NAME_FORMULA_OR_SIX "formula or six formulas"
+#define NAME_FORMULA_VECTOR "three formulas"
+#define NAME_CONSTRAINTS "choice or mapping"
+
+#define TEXT_ANY ""
+#define TEXT_ABOVE_ZERO "> 0"
+#define TEXT_NOT_NEGATIVE ">= 0"
+#define TEXT_HALF_ANGLE "0 to 60"
+#define TEXT_TOLERANCE "1e-30 to 0.1"
+#define TEXT_GRAVITY ">= 0 as a number"
+#define TEXT_UNITS "si, dimensionless"
+#define TEXT_FEEDFORWARD "program, none"
+#define TEXT_METHOD "dop853, rk4, rattle2, rattle4, rattle6, rattle8"
+#define TEXT_CONSTRAINTS "projection, none"
+
+#define BOUND_ANY                                                                                  \
+    { TEXT_ANY, "", -INFINITY, INFINITY, false }
+#define BOUND_ABOVE_ZERO                                                                           \
+    { TEXT_ABOVE_ZERO, "greater than 0", 0, INFINITY, true }
+#define BOUND_NOT_NEGATIVE                                                                         \
+    { TEXT_NOT_NEGATIVE, "0 or greater", 0, INFINITY, false }
+#define BOUND_HALF_ANGLE                                                                           \
+    { TEXT_HALF_ANGLE, "from 0 to 60 degrees", 0, 60, false }
+#define BOUND_TOLERANCE                                                                            \
+    { TEXT_TOLERANCE, "from 1e-30 to 0.1", 1e-30, 0.1, false }
+#define BOUND_GRAVITY                                                                              \
+    { TEXT_GRAVITY, "0 or greater, downwards (or a vector [x, y, z])", 0, INFINITY, false }
+#define BOUND_UNITS                                                                                \
+    { TEXT_UNITS, "", -INFINITY, INFINITY, false }
+#define BOUND_FEEDFORWARD                                                                          \
+    { TEXT_FEEDFORWARD, "", -INFINITY, INFINITY, false }
+#define BOUND_METHOD                                                                               \
+    { TEXT_METHOD, "", -INFINITY, INFINITY, false }
+#define BOUND_CONSTRAINTS                                                                          \
+    { TEXT_CONSTRAINTS, "", -INFINITY, INFINITY, false }
+
+#define KEY(path, shape, unit, bound, fallback, sentence)                                          \
+    {path, NAME_##shape, unit, TEXT_##bound, fallback, sentence},
+static const gough_key public_keys[] = {
+#include "study/keys.def"
+};
+#undef KEY
+
+#define KEY(path, shape, unit, bound, fallback, sentence) {path, SHAPE_##shape, BOUND_##bound},
+static const study_rule rules[] = {
+#include "study/keys.def"
+};
+#undef KEY
+
+enum { RULES = sizeof rules / sizeof rules[0], LONGEST_WORD = 40 };
+
+const gough_key *gough_study_keys(size_t *count) {
+    if (count) *count = RULES;
+    return public_keys;
+}
+
+const study_rule *study_rules(size_t *count) {
+    *count = RULES;
+    return rules;
+}
+
+const gough_key *study_rule_key(const study_rule *rule) { return &public_keys[rule - rules]; }
+
+bool study_rule_required(const study_rule *rule) {
+    return strcmp(study_rule_key(rule)->fallback, "required") == 0;
+}
+
+const char *study_shape_phrase(study_shape shape) {
+    static const char *const phrases[] = {
+        [SHAPE_MAPPING] = "a mapping of keys to values",
+        [SHAPE_MOVES] = "a list of moves such as {start: 1, duration: 2, heave: 0.1}",
+        [SHAPE_TEXT] = "text",
+        [SHAPE_FILE] = "the name of a file",
+        [SHAPE_CHOICE] = "a word",
+        [SHAPE_NUMBER] = "a number",
+        [SHAPE_PAIR] = "a list of two numbers",
+        [SHAPE_VECTOR] = "a list of three numbers",
+        [SHAPE_GRAVITY] = "a number or a list of three numbers",
+        [SHAPE_NUMBER_OR_SIX] = "a number or a list of six numbers",
+        [SHAPE_POINTS] = "a list of six points [x, y, z]",
+        [SHAPE_INERTIA] = "a list of three numbers or a 3×3 matrix [[…], […], […]]",
+        [SHAPE_FORMULA] = "a formula",
+        [SHAPE_FORMULA_OR_SIX] = "a formula or a list of six formulas",
+        [SHAPE_FORMULA_VECTOR] = "a list of three formulas",
+        [SHAPE_CONSTRAINTS] = "a word or {baumgarte: [alpha, beta]}",
+    };
+    return phrases[shape];
+}
+
+bool study_rule_in(const study_rule *rule, const char *parent, const char **name) {
+    const size_t length = strlen(parent);
+    const char *rest = rule->path;
+    if (length) {
+        if (strncmp(rest, parent, length) != 0 || rest[length] != '.') return false;
+        rest += length + 1;
+    }
+    *name = rest;
+    return !strchr(rest, '.');
+}
+
+const study_rule *study_rule_find(const char *parent, const char *name) {
+    for (size_t i = 0; i < RULES; i++) {
+        const char *known;
+        if (study_rule_in(&rules[i], parent, &known) && strcmp(known, name) == 0) return &rules[i];
+    }
+    return NULL;
+}
+
+static size_t least_of(size_t a, size_t b, size_t c) {
+    const size_t ab = a < b ? a : b;
+    return ab < c ? ab : c;
+}
+
+/* Letters to insert, delete, replace or swap with their neighbour to make one word of the other. */
+static size_t distance(const char *a, const char *b) {
+    const size_t m = strlen(a), n = strlen(b);
+    size_t before[LONGEST_WORD + 1], above[LONGEST_WORD + 1], row[LONGEST_WORD + 1];
+    if (m > LONGEST_WORD || n > LONGEST_WORD) return LONGEST_WORD;
+    for (size_t j = 0; j <= n; j++) above[j] = before[j] = j;
+    for (size_t i = 1; i <= m; i++) {
+        row[0] = i;
+        for (size_t j = 1; j <= n; j++) {
+            row[j] = least_of(above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] != b[j - 1]));
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = least_of(row[j], row[j], before[j - 2] + 1);
+        }
+        memcpy(before, above, sizeof above);
+        memcpy(above, row, sizeof row);
+    }
+    return above[n];
+}
+
+const char *study_nearest(const char *word, const char *const *names, size_t count) {
+    const size_t length = strlen(word);
+    size_t nearest = length / 3 > 1 ? length / 3 + 1 : 2; /* farther is no misspelling */
+    const char *found = NULL;
+    for (size_t i = 0; i < count; i++) {
+        const size_t d = distance(word, names[i]);
+        if (d < nearest || (d == nearest && d < length && !found && length > 3)) {
+            nearest = d;
+            found = names[i];
+        }
+    }
+    return found;
+}

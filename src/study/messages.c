@@ -1,0 +1,217 @@
+/* Errors of a study with their places: collected, sorted, and written with the line and a caret. */
+#define _POSIX_C_SOURCE 200809L
+#include "study/messages.h"
+
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct study_message {
+    study_message *next;
+    study_place place;
+    const char *sentence;
+    size_t order; /* of saying */
+};
+
+enum {
+    MOST_MESSAGES = 100,
+    WIDEST_LINE =
+        120, /* characters of a source line that are shown; longer ones are cut around the caret */
+    LONGEST_QUOTE = 40
+};
+
+size_t study_character(const char *text, size_t length, unsigned *code) {
+    const unsigned char *byte = (const unsigned char *)text;
+    static const unsigned least[] = {0, 0, 0x80, 0x800, 0x10000};
+    if (length == 0) return 0;
+    const unsigned lead = byte[0];
+    const size_t size = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+    if (size == 0 || lead > 0xF4 || size > length) return 0;
+    unsigned value = size == 1 ? lead : lead & (0x7FU >> size);
+    for (size_t i = 1; i < size; i++) {
+        if ((byte[i] & 0xC0U) != 0x80U) return 0;
+        value = value << 6 | (byte[i] & 0x3FU);
+    }
+    if (value < least[size] || value > 0x10FFFF || (value >= 0xD800 && value <= 0xDFFF)) return 0;
+    if (code) *code = value;
+    return size;
+}
+
+/* One printable character, or ? for anything else; bytes of text taken, at least 1. */
+static size_t printable(const char *text, size_t length, const char **shown, size_t *size) {
+    unsigned code = 0;
+    const size_t taken = study_character(text, length, &code);
+    const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x2028 ||
+                         code == 0x2029 || (code >= 0x202A && code <= 0x202E) ||
+                         (code >= 0x2066 && code <= 0x2069) || code == 0xFEFF;
+    if (taken == 0 || control) {
+        *shown = "?";
+        *size = 1;
+        return taken ? taken : 1;
+    }
+    *shown = text;
+    *size = taken;
+    return taken;
+}
+
+static const char *shown_text(study_arena *arena, const char *text, size_t length, size_t most) {
+    char *copy = study_arena_take(arena, 4 * most + sizeof "…");
+    if (!copy) return "";
+    size_t used = 0, at = 0;
+    for (size_t n = 0; at < length && n < most; n++) {
+        const char *shown;
+        size_t size;
+        at += printable(text + at, length - at, &shown, &size);
+        memcpy(copy + used, shown, size);
+        used += size;
+    }
+    if (at < length) memcpy(copy + used, "…", sizeof "…");
+    return copy;
+}
+
+const char *study_quote(study_arena *arena, const char *text, size_t length) {
+    return shown_text(arena, text, length, LONGEST_QUOTE);
+}
+
+const char *study_printable(study_arena *arena, const char *sentence) {
+    const size_t length = strlen(sentence);
+    return shown_text(arena, sentence, length, length);
+}
+
+void study_say(study_messages *messages, gough_status status, study_place place, const char *format,
+               ...) {
+    if (messages->status != GOUGH_ERROR_INPUT) messages->status = status;
+    if (messages->count >= MOST_MESSAGES) {
+        messages->left_out++;
+        return;
+    }
+    char sentence[1200];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(sentence, sizeof sentence, format, arguments);
+    va_end(arguments);
+    study_message *message = study_arena_take(messages->arena, sizeof *message);
+    if (!message) return;
+    message->sentence = study_arena_copy(messages->arena, sentence, strlen(sentence));
+    if (!message->sentence) return;
+    message->place = place;
+    message->order = messages->count++;
+    if (messages->last)
+        messages->last->next = message;
+    else
+        messages->first = message;
+    messages->last = message;
+}
+
+static bool line_ends_before(const study_source *source, size_t offset) {
+    const char *text = source->text;
+    if (text[offset - 1] == '\n') return true;
+    return text[offset - 1] == '\r' && !(offset < source->length && text[offset] == '\n');
+}
+
+static size_t line_begin(study_place place) {
+    size_t begin = place.offset;
+    while (begin > 0 && !line_ends_before(place.source, begin)) begin--;
+    return begin;
+}
+
+/* Bytes of a byte-order mark at the start of a text: they take no column. */
+static size_t mark_length(const study_source *source) {
+    return source->length >= 3 && memcmp(source->text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+}
+
+static size_t count_characters(const char *text, size_t length) {
+    size_t count = 0;
+    for (size_t at = 0; at < length; count++) {
+        const size_t size = study_character(text + at, length - at, NULL);
+        at += size ? size : 1;
+    }
+    return count;
+}
+
+void study_place_find(study_place place, size_t *line, size_t *column) {
+    size_t begin = line_begin(place);
+    *line = 1;
+    for (size_t i = 1; i <= begin; i++)
+        if (line_ends_before(place.source, i)) ++*line;
+    if (begin == 0 && mark_length(place.source) <= place.offset) begin = mark_length(place.source);
+    *column = 1 + count_characters(place.source->text + begin, place.offset - begin);
+}
+
+/* The line of the place and a caret below, cut to a window where it is long; tabs stay so that the caret stands right. */
+static void write_line(FILE *out, study_place place, size_t column) {
+    const study_source *source = place.source;
+    size_t begin = line_begin(place);
+    if (begin == 0) begin = mark_length(source);
+    size_t end = place.offset > begin ? place.offset : begin;
+    while (end < source->length && source->text[end] != '\n' && source->text[end] != '\r') end++;
+    const size_t count = count_characters(source->text + begin, end - begin);
+    const size_t skip =
+        count > WIDEST_LINE && column > WIDEST_LINE / 2 ? column - WIDEST_LINE / 2 : 0;
+    if (skip) fputs("…", out);
+    size_t at = begin, n = 0;
+    char pad[WIDEST_LINE + 1];
+    size_t pads = 0;
+    for (; at < end && n < skip + WIDEST_LINE; n++) {
+        const bool tab = source->text[at] == '\t';
+        const char *shown;
+        size_t size;
+        at += printable(source->text + at, end - at, &shown, &size);
+        if (n < skip) continue;
+        fwrite(tab ? "\t" : shown, 1, tab ? 1 : size, out);
+        if (n + 1 < column) pad[pads++] = tab ? '\t' : ' ';
+    }
+    fprintf(out, "%s\n%s%.*s%*s\n", at < end ? "…" : "", skip ? " " : "", (int)pads, pad,
+            (int)(column - skip - pads), "^");
+}
+
+static void write_message(FILE *out, const study_message *message) {
+    const study_place place = message->place;
+    if (!place.source) {
+        fprintf(out, "error: %s\n", message->sentence);
+        return;
+    }
+    if (!place.source->text) {
+        fprintf(out, "%s: error: %s\n", place.source->name, message->sentence);
+        return;
+    }
+    size_t line, column;
+    study_place_find(place, &line, &column);
+    if (place.source->setting)
+        fprintf(out, "%s: error: %s\n", place.source->name, message->sentence);
+    else
+        fprintf(out, "%s:%zu:%zu: error: %s\n", place.source->name, line, column,
+                message->sentence);
+    write_line(out, place, column);
+}
+
+static int compare(const void *left, const void *right) {
+    const study_message *a = *(study_message *const *)left, *b = *(study_message *const *)right;
+    const int rank_a = a->place.source ? a->place.source->rank : -1;
+    const int rank_b = b->place.source ? b->place.source->rank : -1;
+    if (rank_a != rank_b) return rank_a < rank_b ? -1 : 1;
+    if (a->place.offset != b->place.offset) return a->place.offset < b->place.offset ? -1 : 1;
+    return a->order < b->order ? -1 : a->order > b->order;
+}
+
+char *study_messages_write(const study_messages *messages) {
+    char *text = NULL;
+    size_t length = 0, count = 0;
+    study_message *sorted[MOST_MESSAGES];
+    for (study_message *message = messages->first; message; message = message->next)
+        sorted[count++] = message;
+    qsort(sorted, count, sizeof sorted[0], compare);
+    FILE *out = open_memstream(&text, &length);
+    if (!out) return NULL;
+    for (size_t i = 0; i < count; i++) write_message(out, sorted[i]);
+    if (messages->left_out)
+        fprintf(out, "… and %zu more errors, left out here\n", messages->left_out);
+    if (messages->arena->exhausted) fputs("error: out of memory\n", out);
+    if (fclose(out) != 0) {
+        free(text);
+        return NULL;
+    }
+    return text;
+}

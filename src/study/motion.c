@@ -1,0 +1,111 @@
+/* The program of a study: formulas, point-to-point moves, or samples from a file; one of the three. */
+#include "study/motion.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/samples.h"
+#include "study/value.h"
+
+static const double RADIANS = 3.14159265358979323846 / 180;
+
+/* Which of the three the motion is; where it is more than one, an error at the second. */
+static bool find_kind(study_build *build, study_node *node, gough_motion_kind *kind) {
+    const study_node *first = NULL;
+    *kind = GOUGH_MOTION_FORMULAS;
+    for (study_node *child = node->first; child; child = child->next) {
+        bool formula = false;
+        for (int c = 0; c < GOUGH_COMPONENTS; c++)
+            formula |= strcmp(child->key->text, gough_component_name(c)) == 0;
+        const bool moves = strcmp(child->key->text, "moves") == 0;
+        const bool samples = strcmp(child->key->text, "samples") == 0;
+        if (!formula && !moves && !samples) continue;
+        const gough_motion_kind this = formula ? GOUGH_MOTION_FORMULAS
+                                       : moves ? GOUGH_MOTION_MOVES
+                                               : GOUGH_MOTION_SAMPLES;
+        if (first && this != *kind) {
+            study_node_say(build->messages, child, study_node_place(child, true),
+                           "`motion` has `%s` beside `%s`; give formulas, moves or samples",
+                           child->key->text, first->key->text);
+            return false;
+        }
+        if (!first) first = child;
+        *kind = this;
+    }
+    return true;
+}
+
+/* One move; it must begin when the one before has ended, up to rounding. */
+static void read_move(study_build *build, study_node *node, gough_move *move, double before) {
+    study_node *start = study_node_child(node, "start");
+    move->start = study_number(start);
+    move->duration = study_number(study_node_child(node, "duration"));
+    bool any = false;
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        const study_node *target = study_node_child(node, gough_component_name(c));
+        if (!target) continue;
+        move->given[c] = any = true;
+        move->target[c] = study_number(target) * (c >= GOUGH_ROLL ? RADIANS : 1);
+    }
+    const char *path = study_node_path(build->messages->arena, node);
+    if (!any)
+        study_node_say(build->messages, node, study_node_place(node, false),
+                       "`%s` goes nowhere; give it a target such as heave: 0.1", path);
+    if (!(move->start >= before - 1e-12 * fabs(before)))
+        study_node_say(build->messages, start, study_node_place(start, false),
+                       "`%s.start` lies before the end of the move before it; moves follow one "
+                       "another in time",
+                       path);
+    else if (move->start < before)
+        move->start = before;
+}
+
+static void build_moves(study_build *build, study_node *list) {
+    gough_move *move = calloc(list->count, sizeof *move);
+    if (!move) {
+        build->messages->arena->exhausted = true;
+        return;
+    }
+    build->moves = move;
+    double before = 0;
+    size_t count = 0;
+    for (study_node *item = list->first; item; item = item->next, count++) {
+        read_move(build, item, &move[count], before);
+        before = move[count].start + move[count].duration;
+    }
+    build->study->model->motion.move = move;
+    build->study->model->motion.moves = count;
+}
+
+static void build_samples(study_build *build, study_node *file) {
+    study_messages *messages = build->messages;
+    const char *folder = file->text[0] == '/' ? "" : build->folder;
+    const size_t length = strlen(folder);
+    char *path = study_arena_take(messages->arena, length + file->length + 1);
+    if (!path) return;
+    memcpy(path, folder, length);
+    memcpy(path + length, file->text, file->length);
+    study_samples_read(messages, study_node_place(file, false), path,
+                       &build->study->model->motion.samples, &build->samples);
+    if (!build->samples) study_node_mark(file);
+}
+
+bool study_motion_build(study_build *build) {
+    study_node *node = study_node_child(build->root, "motion");
+    gough_motion *motion = &build->study->model->motion;
+    motion->angle_unit = RADIANS;
+    if (!node) return true;
+    if (node->kind != STUDY_MAPPING || !find_kind(build, node, &motion->kind)) return false;
+    study_node *samples = study_node_child(node, "samples");
+    study_node *moves = study_node_child(node, "moves");
+    if (samples && !samples->wrong) build_samples(build, samples);
+    if (moves && !moves->wrong) build_moves(build, moves);
+    if (node->wrong) return false;
+    for (int c = 0; c < GOUGH_COMPONENTS; c++)
+        motion->formula[c] = study_formula(study_node_child(node, gough_component_name(c)));
+    const study_node *period = study_node_child(node, "period");
+    study_numbers(study_node_child(node, "about"), motion->about);
+    if (period) motion->period = study_number(period);
+    return true;
+}

@@ -1,0 +1,279 @@
+/* Recorded motion from a CSV file: a header with t and any of surge, sway, heave, roll, pitch, yaw, then rows of numbers in
+ * increasing time. Comma-separated, lines ending in LF or CR LF, a UTF-8 byte-order mark accepted; angles in degrees. */
+#include "study/samples.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/source.h"
+#include "study/value.h"
+
+enum {
+    MOST_BYTES = 64 * 1024 * 1024,
+    MOST_ROWS = 2000000,
+    MOST_ERRORS = 20, /* of one file: a wrong column is wrong in every row */
+    COLUMNS = GOUGH_COMPONENTS + 1,
+    TIME = GOUGH_COMPONENTS /* the column t, after the components */
+};
+
+static const double PI = 3.14159265358979323846;
+
+typedef struct table {
+    study_messages *messages;
+    const study_source *source;
+    size_t at;           /* offset of the next line */
+    int column[COLUMNS]; /* what the cells of a row are, in order */
+    size_t columns;
+    size_t rows;
+    double *time, *value;
+    size_t errors;
+} table;
+
+typedef struct cell {
+    size_t begin, end; /* without blanks around */
+    bool last;
+} cell;
+
+static void say(table *csv, size_t offset, const char *sentence) {
+    study_say(csv->messages, GOUGH_ERROR_INPUT, (study_place){csv->source, offset}, "%s", sentence);
+    csv->errors++;
+}
+
+/* End of the line that begins there, without its CR. */
+static size_t line_end(const table *csv, size_t begin) {
+    const char *text = csv->source->text;
+    const char *end = memchr(text + begin, '\n', csv->source->length - begin);
+    const size_t at = end ? (size_t)(end - text) : csv->source->length;
+    return at > begin && text[at - 1] == '\r' ? at - 1 : at;
+}
+
+static size_t next_line(const table *csv, size_t end) {
+    const char *text = csv->source->text;
+    if (end < csv->source->length && text[end] == '\r') end++;
+    return end < csv->source->length ? end + 1 : end;
+}
+
+static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+static cell next_cell(const table *csv, size_t begin, size_t end, size_t *next) {
+    const char *text = csv->source->text;
+    const char *comma = memchr(text + begin, ',', end - begin);
+    cell found = {begin, comma ? (size_t)(comma - text) : end, !comma};
+    *next = found.end + 1;
+    while (found.begin < found.end && is_blank(text[found.begin])) found.begin++;
+    while (found.end > found.begin && is_blank(text[found.end - 1])) found.end--;
+    return found;
+}
+
+static int column_of(const char *name) {
+    if (strcmp(name, "t") == 0) return TIME;
+    for (int c = 0; c < GOUGH_COMPONENTS; c++)
+        if (strcmp(name, gough_component_name(c)) == 0) return c;
+    return -1;
+}
+
+/* What the cell of the header names; what is wrong with it is said. */
+static int header_cell(table *csv, cell head) {
+    study_arena *arena = csv->messages->arena;
+    const char *text = csv->source->text + head.begin;
+    const size_t length = head.end - head.begin;
+    const char *names[COLUMNS] = {[TIME] = "t"};
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) names[c] = gough_component_name(c);
+    const char *name = study_quote(arena, text, length);
+    const int column = column_of(name);
+    const char *nearest = study_nearest(name, names, COLUMNS);
+    const study_place place = {csv->source, head.begin};
+    double value;
+    size_t rest;
+    if (column >= 0) {
+        for (size_t i = 0; i < csv->columns; i++)
+            if (csv->column[i] == column) say(csv, head.begin, "this column is there twice");
+        return column;
+    }
+    csv->errors++;
+    if (study_decimal_read(text, length, &value, &rest) == STUDY_DECIMAL)
+        study_say(csv->messages, GOUGH_ERROR_INPUT, place,
+                  "the first row must name the columns, as in t,heave; found the number %s", name);
+    else if (length == 0)
+        study_say(csv->messages, GOUGH_ERROR_INPUT, place, "a column without a name");
+    else if (memchr(text, ';', length))
+        study_say(csv->messages, GOUGH_ERROR_INPUT, place,
+                  "columns are separated by commas, not by semicolons");
+    else
+        study_say(csv->messages, GOUGH_ERROR_INPUT, place, "unknown column `%s`; %s%s%s", name,
+                  nearest ? "did you mean `" : "known are t, surge, sway, heave, roll, pitch, yaw",
+                  nearest ? nearest : "", nearest ? "`?" : "");
+    return -1;
+}
+
+static bool read_header(table *csv) {
+    const size_t begin = csv->at, end = line_end(csv, begin);
+    bool has_time = false;
+    if (begin == end) {
+        say(csv, begin, "the first row must name the columns, as in t,heave");
+        return false;
+    }
+    cell head;
+    size_t next = begin;
+    do {
+        head = next_cell(csv, next, end, &next);
+        if (csv->columns == COLUMNS) {
+            say(csv, head.begin, "more columns than t, surge, sway, heave, roll, pitch and yaw");
+            break;
+        }
+        const int column = header_cell(csv, head);
+        if (csv->errors) break;
+        has_time |= column == TIME;
+        csv->column[csv->columns++] = column;
+    } while (!head.last);
+    if (!csv->errors && !has_time) say(csv, begin, "a column t, the time, is missing");
+    if (!csv->errors && csv->columns < 2)
+        say(csv, begin, "no motion here: beside t a column such as heave is needed");
+    csv->at = next_line(csv, end);
+    return csv->errors == 0;
+}
+
+static void say_cell(table *csv, cell there, study_decimal kind) {
+    const char *text = csv->source->text + there.begin;
+    const char *quote = study_quote(csv->messages->arena, text, there.end - there.begin);
+    const study_place place = {csv->source, there.begin};
+    csv->errors++;
+    if (there.begin == there.end)
+        study_say(csv->messages, GOUGH_ERROR_INPUT, place, "an empty cell; a number was expected");
+    else if (kind == STUDY_NOT_FINITE)
+        study_say(csv->messages, GOUGH_ERROR_INPUT, place, "`%s` is not finite", quote);
+    else
+        study_say(csv->messages, GOUGH_ERROR_INPUT, place, "`%s` is not a number", quote);
+}
+
+/* Reads one row into its place; one with a wrong cell does not count. */
+static void read_row(table *csv, size_t begin, size_t end) {
+    double *value = csv->value + csv->rows * GOUGH_COMPONENTS;
+    const size_t before = csv->errors;
+    size_t time_at = begin, count = 0, next = begin;
+    cell there;
+    do {
+        there = next_cell(csv, next, end, &next);
+        if (count == csv->columns) {
+            study_say(csv->messages, GOUGH_ERROR_INPUT, (study_place){csv->source, there.begin},
+                      "this row has more cells than the %zu columns of the first row",
+                      csv->columns);
+            csv->errors++;
+            return;
+        }
+        double number;
+        size_t rest;
+        const study_decimal kind = study_decimal_read(csv->source->text + there.begin,
+                                                      there.end - there.begin, &number, &rest);
+        const int column = csv->column[count++];
+        if (kind != STUDY_DECIMAL)
+            say_cell(csv, there, kind);
+        else if (column == TIME)
+            csv->time[csv->rows] = number, time_at = there.begin;
+        else
+            value[column] = column >= GOUGH_ROLL ? number * (PI / 180) : number;
+    } while (!there.last && csv->errors < MOST_ERRORS);
+    if (csv->errors > before) return;
+    if (count < csv->columns) {
+        study_say(csv->messages, GOUGH_ERROR_INPUT, (study_place){csv->source, end},
+                  "this row ends after %zu of %zu cells", count, csv->columns);
+        csv->errors++;
+    } else if (csv->rows > 0 && !(csv->time[csv->rows] > csv->time[csv->rows - 1])) {
+        say(csv, time_at, "time must increase from row to row");
+    } else if (csv->rows == 0 && csv->time[0] > 0) {
+        say(csv, time_at, "the record must begin at time 0 or before, where a run begins");
+    }
+    csv->rows++;
+}
+
+static void read_rows(table *csv) {
+    const size_t length = csv->source->length;
+    while (csv->at < length && csv->errors < MOST_ERRORS) {
+        const size_t begin = csv->at, end = line_end(csv, begin);
+        csv->at = next_line(csv, end);
+        if (begin == end && csv->at < length)
+            say(csv, begin, "an empty line between the rows");
+        else if (begin < end)
+            read_row(csv, begin, end);
+    }
+    if (csv->errors >= MOST_ERRORS)
+        say(csv, csv->at, "too many errors; the rest of the file was not read");
+    else if (!csv->errors && csv->rows < 2)
+        say(csv, length, "at least two rows of numbers are needed");
+}
+
+static size_t count_lines(const study_source *source) {
+    size_t count = 1;
+    const char *at = source->text, *end = source->text + source->length;
+    while ((at = memchr(at, '\n', (size_t)(end - at)))) {
+        count++;
+        at++;
+    }
+    return count;
+}
+
+/* Time, values and curvature in one piece, so that the caller frees one pointer. */
+static double *lay_out(table *csv, size_t rows) {
+    double *all = calloc(rows * (1 + 2 * GOUGH_COMPONENTS), sizeof *all);
+    if (!all) {
+        csv->messages->arena->exhausted = true;
+        return NULL;
+    }
+    csv->time = all;
+    csv->value = all + rows;
+    return all;
+}
+
+static bool prepare(table *csv, gough_samples *samples) {
+    gough_error error = {.message = ""};
+    double *scratch = malloc((gough_samples_scratch(csv->rows) + 1) * sizeof *scratch);
+    if (!scratch) {
+        csv->messages->arena->exhausted = true;
+        return false;
+    }
+    const gough_status status = gough_samples_prepare(samples, scratch, &error);
+    free(scratch);
+    if (status != GOUGH_OK) say(csv, 0, study_printable(csv->messages->arena, error.message));
+    return status == GOUGH_OK;
+}
+
+void study_samples_parse(study_messages *messages, const study_source *source,
+                         gough_samples *samples, void **memory) {
+    table csv = {.messages = messages, .source = source};
+    *memory = NULL;
+    if (source->length >= 3 && memcmp(source->text, "\xEF\xBB\xBF", 3) == 0) csv.at = 3;
+    if (!read_header(&csv)) return;
+    const size_t lines = count_lines(source);
+    if (lines > MOST_ROWS + 2) {
+        say(&csv, 0, "more than 2 000 000 rows");
+        return;
+    }
+    double *all = lay_out(&csv, lines);
+    if (!all) return;
+    read_rows(&csv);
+    *samples = (gough_samples){.count = csv.rows,
+                               .time = csv.time,
+                               .value = csv.value,
+                               .curvature = csv.value + lines * GOUGH_COMPONENTS};
+    if (csv.errors == 0 && prepare(&csv, samples)) {
+        *memory = all;
+        return;
+    }
+    free(all);
+    *samples = (gough_samples){.count = 0};
+}
+
+void study_samples_read(study_messages *messages, study_place place, const char *path,
+                        gough_samples *samples, void **memory) {
+    size_t length = 0;
+    char *text = study_source_read(messages, place, path, MOST_BYTES, true, &length);
+    study_source *source = study_arena_take(messages->arena, sizeof *source);
+    *memory = NULL;
+    /* messages point into the text until they are written, so it lives as long as they do */
+    char *kept = text && source ? study_arena_copy(messages->arena, text, length) : NULL;
+    free(text);
+    if (!kept) return;
+    *source = (study_source){study_printable(messages->arena, path), kept, length, 1, false};
+    study_samples_parse(messages, source, samples, memory);
+}

@@ -1,0 +1,126 @@
+/* Bytes of a file, and the guard that stands before the YAML parser: what passes it is short, valid UTF-8 text. */
+#define _POSIX_C_SOURCE 200809L
+#include "study/source.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* Reads until the end or one byte over the limit. */
+static char *read_all(int file, size_t most, size_t *length) {
+    size_t capacity = 65536, used = 0;
+    char *text = malloc(capacity + 1);
+    while (text && used <= most) {
+        if (used == capacity) {
+            char *larger = realloc(text, 2 * capacity + 1);
+            if (!larger) break;
+            text = larger;
+            capacity *= 2;
+        }
+        const ssize_t got = read(file, text + used, capacity - used);
+        if (got < 0 && errno == EINTR) continue;
+        if (got == 0) {
+            text[used] = '\0';
+            *length = used;
+            return text;
+        }
+        if (got < 0) break;
+        used += (size_t)got;
+    }
+    const int cause = text && used > most ? EFBIG : text ? errno : ENOMEM;
+    free(text);
+    errno = cause;
+    return NULL;
+}
+
+static const char *cause_text(study_arena *arena, int cause) {
+    char text[128];
+    if (strerror_r(cause, text, sizeof text) != 0) return "it cannot be read";
+    return study_printable(arena, text);
+}
+
+char *study_source_read(study_messages *messages, study_place place, const char *path, size_t most,
+                        bool regular, size_t *length) {
+    const char *name = study_printable(messages->arena, path);
+    const bool standard = !regular && strcmp(path, "-") == 0;
+    /* without O_NONBLOCK a pipe without a writer would keep open() waiting */
+    const int file =
+        standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC | (regular ? O_NONBLOCK : 0));
+    if (file < 0) {
+        study_say(messages, GOUGH_ERROR_FILE, place, "cannot open `%s`: %s", name,
+                  cause_text(messages->arena, errno));
+        return NULL;
+    }
+    struct stat about;
+    char *text = NULL;
+    if (regular && fstat(file, &about) == 0 && !S_ISREG(about.st_mode)) {
+        study_say(messages, GOUGH_ERROR_FILE, place, "`%s` is not a file with text", name);
+    } else {
+        text = read_all(file, most, length);
+        if (!text && errno == EFBIG)
+            study_say(messages, GOUGH_ERROR_INPUT, place,
+                      "`%s` is larger than the %zu KiB that such a file may have", name,
+                      most / 1024);
+        else if (!text)
+            study_say(messages, GOUGH_ERROR_FILE, place, "cannot read `%s`: %s", name,
+                      cause_text(messages->arena, errno));
+    }
+    if (!standard) close(file);
+    return text;
+}
+
+static bool is_control(unsigned code) {
+    if (code == '\t' || code == '\n' || code == '\r') return false;
+    return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0xFEFF || code == 0xFFFE ||
+           code == 0xFFFF;
+}
+
+static bool refuse(study_messages *messages, study_place place, const char *sentence) {
+    study_say(messages, GOUGH_ERROR_INPUT, place, "%s", sentence);
+    return false;
+}
+
+static bool guard_character(study_messages *messages, study_place place, size_t size,
+                            unsigned code) {
+    const unsigned char byte = (unsigned char)place.source->text[place.offset];
+    if (size == 0 && place.offset == 0 && (byte == 0xFE || byte == 0xFF))
+        return refuse(messages, place, "this looks like UTF-16; save the file as UTF-8");
+    if (size == 0) {
+        study_say(messages, GOUGH_ERROR_INPUT, place,
+                  "byte 0x%02X is not UTF-8 here; save the file as UTF-8", byte);
+        return false;
+    }
+    if (code == 0)
+        return refuse(messages, place, "a NUL byte: text was expected up to the end of the file");
+    if (is_control(code)) {
+        study_say(messages, GOUGH_ERROR_INPUT, place,
+                  "control character U+%04X: only tab and line ends may stand in this text", code);
+        return false;
+    }
+    return true;
+}
+
+bool study_source_guard(study_messages *messages, const study_source *source, size_t begin) {
+    if (source->length - begin > STUDY_MOST_BYTES) {
+        study_say(messages, GOUGH_ERROR_INPUT, (study_place){source, begin},
+                  "the text has %zu bytes; at most %d are read", source->length - begin,
+                  STUDY_MOST_BYTES);
+        return false;
+    }
+    bool line_start = true;
+    for (size_t at = begin; at < source->length;) {
+        unsigned code = 0;
+        const study_place place = {source, at};
+        const size_t size = study_character(source->text + at, source->length - at, &code);
+        if (!guard_character(messages, place, size, code)) return false;
+        if (line_start && code == '%')
+            return refuse(messages, place,
+                          "a line may not begin with %: a study has no directives");
+        line_start = code == '\n' || code == '\r';
+        at += size;
+    }
+    return true;
+}

@@ -1,0 +1,21 @@
+/* Bytes of a file, and the guard that stands before the YAML parser. */
+#ifndef STUDY_SOURCE_H
+#define STUDY_SOURCE_H
+
+#include <stdbool.h>
+
+#include "study/messages.h"
+
+enum { STUDY_MOST_BYTES = 64 * 1024 };
+
+/* Reads a whole file ("-" is standard input) of at most `most` bytes.
+ * regular: refuse what is not a regular file, so that no pipe or device can keep us waiting.
+ * Returns allocated, terminated text; else NULL and one error about the file at `place`. */
+char *study_source_read(study_messages *messages, study_place place, const char *path, size_t most,
+                        bool regular, size_t *length);
+
+/* Whether the text from `begin` may be handed to the YAML parser: at most 64 KiB of UTF-8 without control characters other
+ * than tab and line ends, without directives. Says what is wrong if not. */
+bool study_source_guard(study_messages *messages, const study_source *source, size_t begin);
+
+#endif

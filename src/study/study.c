@@ -1,0 +1,142 @@
+/* Study files: bytes in, validated model out. Guard, parse, override, check against the table of keys, build. */
+#include "gough/study.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/build.h"
+#include "study/check.h"
+#include "study/settings.h"
+#include "study/source.h"
+
+struct memory {
+    gough_move *moves;
+    void *samples;
+};
+
+static char *duplicate(const char *text, size_t length) {
+    char *copy = malloc(length + 1);
+    if (!copy) return NULL;
+    if (length) memcpy(copy, text, length);
+    copy[length] = '\0';
+    return copy;
+}
+
+void gough_study_free(gough_study *study) {
+    if (!study) return;
+    struct memory *memory = study->memory_;
+    if (memory) {
+        free(memory->moves);
+        free(memory->samples);
+    }
+    free(memory);
+    free(study->model);
+    free(study->title);
+    free(study->text);
+    free(study->name);
+    free(study);
+}
+
+void gough_study_free_messages(char *messages) { free(messages); }
+
+/* An empty study with all its memory; NULL where there is none. */
+static gough_study *new_study(const study_source *source) {
+    gough_study *study = calloc(1, sizeof *study);
+    if (!study) return NULL;
+    study->memory_ = calloc(1, sizeof(struct memory));
+    study->model = calloc(1, sizeof *study->model);
+    study->name = duplicate(source->name, strlen(source->name));
+    study->text = duplicate(source->text, source->length);
+    if (study->memory_ && study->model && study->name && study->text) return study;
+    gough_study_free(study);
+    return NULL;
+}
+
+/* The guarded and parsed text; NULL with what is wrong said. */
+static study_node *read_tree(study_messages *messages, const study_source *source) {
+    const size_t mark = source->length >= 3 && memcmp(source->text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+    if (!study_source_guard(messages, source, mark)) return NULL;
+    study_node *root = study_tree_parse(messages, source, mark);
+    if (!root && messages->count == 0)
+        study_say(messages, GOUGH_ERROR_INPUT, (study_place){source, source->length},
+                  "the study is empty; `gough example` prints one to start from");
+    return root;
+}
+
+/* The folder of a file, with its slash: relative samples start there. */
+static const char *folder_of(study_arena *arena, const char *name) {
+    const char *slash = strrchr(name, '/');
+    return slash ? study_arena_copy(arena, name, (size_t)(slash + 1 - name)) : "";
+}
+
+static void build_study(study_messages *messages, const study_node *root, gough_study *study) {
+    const study_node *title = study_node_child(root, "title");
+    const bool given = title && title->kind == STUDY_SCALAR;
+    const char *folder = folder_of(messages->arena, study->name);
+    study_build build = {
+        .messages = messages, .root = root, .folder = folder ? folder : "", .study = study};
+    struct memory *memory = study->memory_;
+    study_model_build(&build);
+    memory->moves = build.moves;
+    memory->samples = build.samples;
+    study->title = duplicate(given ? title->text : "", given ? title->length : 0);
+    if (!study->title) messages->arena->exhausted = true;
+}
+
+/* All steps on a text that outlives the messages. */
+static gough_study *read_study(study_messages *messages, const study_source *source,
+                               const gough_setting *settings, size_t setting_count) {
+    study_node *root = read_tree(messages, source);
+    if (!root) return NULL;
+    for (size_t i = 0; i < setting_count; i++)
+        study_setting_apply(messages, root, &settings[i], 2 + (int)i);
+    study_check(messages, root);
+    gough_study *study = new_study(source);
+    if (study)
+        build_study(messages, root, study);
+    else
+        messages->arena->exhausted = true;
+    return study;
+}
+
+/* Writes what was said, and gives the study away where nothing was. */
+static gough_status finish(study_messages *said, gough_study *made, gough_study **study,
+                           char **messages) {
+    gough_status status = said->count || said->left_out ? said->status : GOUGH_OK;
+    if (said->arena->exhausted) status = GOUGH_ERROR_FILE;
+    if (messages) *messages = status == GOUGH_OK ? NULL : study_messages_write(said);
+    if (status == GOUGH_OK)
+        *study = made;
+    else
+        gough_study_free(made);
+    study_arena_free(said->arena);
+    return status;
+}
+
+gough_status gough_study_parse(const char *name, const char *text, size_t length,
+                               const gough_setting *settings, size_t setting_count,
+                               gough_study **study, char **messages) {
+    study_arena arena = {NULL, false};
+    study_messages said = {.arena = &arena};
+    gough_study *made = NULL;
+    const char *copy = study_arena_copy(&arena, text, length);
+    const study_source source = {name, copy, length, 0, false};
+    if (copy) made = read_study(&said, &source, settings, setting_count);
+    return finish(&said, made, study, messages);
+}
+
+gough_status gough_study_read(const char *path, const gough_setting *settings, size_t setting_count,
+                              gough_study **study, char **messages) {
+    study_arena arena = {NULL, false};
+    study_messages said = {.arena = &arena};
+    const study_source file = {.name = strcmp(path, "-") == 0 ? "standard input" : path};
+    size_t length = 0;
+    char *text = study_source_read(&said, (study_place){&file, 0}, path, STUDY_MOST_BYTES + 3,
+                                   false, &length);
+    if (!text) return finish(&said, NULL, study, messages);
+    const gough_status status =
+        gough_study_parse(file.name, text, length, settings, setting_count, study, messages);
+    free(text);
+    study_arena_free(&arena);
+    return status;
+}

@@ -1,0 +1,303 @@
+/* The YAML of a study as a tree with places, built from the events of libfyaml.
+ *
+ * Events, not libfyaml's documents: those compare every key of a mapping with every other and expand aliases. Anchors, aliases,
+ * tags, further documents, deep nesting and keys that are not text end the reading here. */
+#include "study/tree.h"
+
+#include <libfyaml.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { DEEPEST = 12 };
+
+typedef struct builder {
+    study_messages *messages;
+    study_arena *arena;
+    const study_source *source;
+    size_t begin;     /* offset of the parsed text in the source */
+    size_t last;      /* offset after the last thing met */
+    study_node *root; /* of the first document */
+    study_node *open; /* innermost list or mapping not yet closed */
+    study_node *key;  /* name waiting for its value */
+    int depth, documents;
+    bool failed;
+} builder;
+
+study_node *study_node_new(study_arena *arena, study_kind kind, study_place place) {
+    study_node *node = study_arena_take(arena, sizeof *node);
+    if (!node) return NULL;
+    node->kind = kind;
+    node->place = place;
+    node->end = place.offset;
+    node->text = "";
+    return node;
+}
+
+void study_node_append(study_node *parent, study_node *child) {
+    child->parent = parent;
+    child->next = NULL;
+    if (parent->last)
+        parent->last->next = child;
+    else
+        parent->first = child;
+    parent->last = child;
+    parent->count++;
+}
+
+void study_node_remove(study_node *parent, study_node *child) {
+    study_node *before = NULL;
+    for (study_node *node = parent->first; node != child; node = node->next) before = node;
+    if (before)
+        before->next = child->next;
+    else
+        parent->first = child->next;
+    if (parent->last == child) parent->last = before;
+    parent->count--;
+}
+
+study_node *study_node_child(const study_node *parent, const char *name) {
+    if (!parent || parent->kind != STUDY_MAPPING) return NULL;
+    for (study_node *node = parent->first; node; node = node->next)
+        if (strcmp(node->key->text, name) == 0) return node;
+    return NULL;
+}
+
+bool study_node_meant(const study_node *parent, const char *name) {
+    for (const study_node *node = parent->first; node; node = node->next)
+        if (node->meant && strcmp(node->meant, name) == 0) return true;
+    return false;
+}
+
+study_node *study_node_item(const study_node *parent, size_t n) {
+    study_node *node = parent ? parent->first : NULL;
+    while (node && n-- > 0) node = node->next;
+    return node;
+}
+
+study_place study_node_place(const study_node *node, bool name) {
+    const study_node *about = name && node->key ? node->key : node;
+    study_place place = about->place;
+    const bool quoted = about->kind == STUDY_SCALAR && (about->quoting == STUDY_SINGLE_QUOTED ||
+                                                        about->quoting == STUDY_DOUBLE_QUOTED);
+    if (quoted && place.offset > 0) place.offset--;
+    return place;
+}
+
+void study_node_mark(study_node *node) {
+    for (; node; node = node->parent) node->wrong = true;
+}
+
+void study_node_say(study_messages *messages, study_node *node, study_place place,
+                    const char *format, ...) {
+    char sentence[1000];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(sentence, sizeof sentence, format, arguments);
+    va_end(arguments);
+    study_say(messages, GOUGH_ERROR_INPUT, place, "%s", sentence);
+    study_node_mark(node);
+}
+
+static void fail(builder *build, size_t offset, const char *sentence) {
+    if (!build->failed)
+        study_say(build->messages, GOUGH_ERROR_INPUT, (study_place){build->source, offset}, "%s",
+                  sentence);
+    build->failed = true;
+}
+
+static size_t offset_of(const builder *build, const struct fy_mark *mark) {
+    const size_t offset = mark ? build->begin + mark->input_pos : build->last;
+    return offset < build->source->length ? offset : build->source->length;
+}
+
+/* Refuses a node's anchor or tag. */
+static void refuse_properties(builder *build, struct fy_event *event) {
+    struct fy_token *anchor = fy_event_get_anchor_token(event);
+    struct fy_token *tag = fy_event_get_tag_token(event);
+    if (anchor) {
+        const size_t offset = offset_of(build, fy_token_start_mark(anchor));
+        fail(build, offset > 0 ? offset - 1 : 0, "anchors (&) have no place in a study");
+    } else if (tag) {
+        fail(build, offset_of(build, fy_token_start_mark(tag)),
+             "tags (!) have no place in a study");
+    }
+}
+
+/* Hangs a node where the parser stands: as the root, an item, a name or the value of a name. */
+static void place_node(builder *build, study_node *node) {
+    study_node *open = build->open;
+    if (!open) {
+        build->root = node;
+    } else if (open->kind == STUDY_LIST) {
+        study_node_append(open, node);
+    } else if (build->key) {
+        node->key = build->key;
+        build->key = NULL;
+        study_node_append(open, node);
+    } else if (node->kind == STUDY_SCALAR) {
+        build->key = node;
+    } else {
+        fail(build, node->place.offset, "a key must be a word, not a list or a mapping");
+    }
+}
+
+static study_quoting quoting_of(enum fy_scalar_style style) {
+    switch (style) {
+    case FYSS_SINGLE_QUOTED:
+        return STUDY_SINGLE_QUOTED;
+    case FYSS_DOUBLE_QUOTED:
+        return STUDY_DOUBLE_QUOTED;
+    case FYSS_LITERAL:
+    case FYSS_FOLDED:
+        return STUDY_BLOCK;
+    default:
+        return STUDY_PLAIN;
+    }
+}
+
+static void add_scalar(builder *build, struct fy_event *event) {
+    struct fy_token *token = event->scalar.value;
+    const struct fy_mark *start = token ? fy_token_start_mark(token) : NULL;
+    const study_place place = {build->source, offset_of(build, start)};
+    study_node *node = study_node_new(build->arena, STUDY_SCALAR, place);
+    if (!node) return;
+    size_t length = 0;
+    const char *text = token ? fy_token_get_text(token, &length) : NULL;
+    node->empty = !start;
+    node->end = start ? offset_of(build, fy_token_end_mark(token)) : place.offset;
+    if (node->end < place.offset) node->end = place.offset;
+    node->quoting = start ? quoting_of(fy_token_scalar_style(token)) : STUDY_PLAIN;
+    node->in_flow = build->open && build->open->in_flow;
+    if (text && length) {
+        node->text = study_arena_copy(build->arena, text, length);
+        node->length = length;
+        if (!node->text) return;
+        if (memchr(text, '\0', length)) fail(build, place.offset, "a NUL character in this text");
+    }
+    build->last =
+        node->end + (node->quoting == STUDY_SINGLE_QUOTED || node->quoting == STUDY_DOUBLE_QUOTED);
+    place_node(build, node);
+}
+
+static void open_node(builder *build, struct fy_event *event, study_kind kind) {
+    const study_place place = {build->source, offset_of(build, fy_event_start_mark(event))};
+    study_node *node = study_node_new(build->arena, kind, place);
+    if (!node) return;
+    node->in_flow = fy_event_get_node_style(event) == FYNS_FLOW;
+    if (++build->depth > DEEPEST) fail(build, place.offset, "nested deeper than any study is");
+    place_node(build, node);
+    node->parent = build->open;
+    build->open = node;
+}
+
+static void close_node(builder *build, struct fy_event *event) {
+    if (!build->open) return;
+    build->open->end = offset_of(build, fy_event_end_mark(event));
+    build->open = build->open->parent;
+    build->depth--;
+}
+
+static void take_event(builder *build, struct fy_event *event) {
+    switch (event->type) {
+    case FYET_DOCUMENT_START:
+        if (++build->documents > 1)
+            fail(build, offset_of(build, fy_event_start_mark(event)),
+                 "a second document begins here; a study is one document");
+        break;
+    case FYET_ALIAS:
+        fail(build, offset_of(build, fy_event_start_mark(event)) - 1,
+             "aliases (*) have no place in a study; in a formula write the factor first, or quote "
+             "it");
+        break;
+    case FYET_SCALAR:
+        refuse_properties(build, event);
+        if (!build->failed) add_scalar(build, event);
+        break;
+    case FYET_MAPPING_START:
+    case FYET_SEQUENCE_START:
+        refuse_properties(build, event);
+        if (!build->failed)
+            open_node(build, event, event->type == FYET_MAPPING_START ? STUDY_MAPPING : STUDY_LIST);
+        break;
+    case FYET_MAPPING_END:
+    case FYET_SEQUENCE_END:
+        close_node(build, event);
+        break;
+    default:
+        break;
+    }
+}
+
+/* Offset of a line and column as libfyaml counts them, from 1. */
+static size_t offset_of_line(const builder *build, int line, int column) {
+    const study_source *source = build->source;
+    size_t at = build->begin;
+    for (; line > 1 && at < source->length; at++)
+        if (source->text[at] == '\n' ||
+            (source->text[at] == '\r' &&
+             !(at + 1 < source->length && source->text[at + 1] == '\n')))
+            line--;
+    for (; column > 1 && at < source->length && source->text[at] != '\n'; column--) {
+        const size_t size = study_character(source->text + at, source->length - at, NULL);
+        at += size ? size : 1;
+    }
+    return at;
+}
+
+/* What libfyaml complains of; a bracket left open is shown where it was opened. */
+static void say_syntax_error(builder *build, struct fy_diag *diagnostics) {
+    void *iterator = NULL;
+    const struct fy_diag_error *error;
+    while ((error = fy_diag_errors_iterate(diagnostics, &iterator))) {
+        if (!error->msg || error->type < FYET_ERROR) continue;
+        const size_t at = offset_of_line(build, error->line, error->column);
+        if (build->open && build->open->in_flow && at + 1 >= build->source->length) {
+            fail(build, build->open->place.offset,
+                 build->open->kind == STUDY_LIST ? "this bracket is not closed"
+                                                 : "this brace is not closed");
+        } else if (!build->failed) {
+            study_say(build->messages, GOUGH_ERROR_INPUT, (study_place){build->source, at},
+                      "this is not YAML: %s", study_printable(build->arena, error->msg));
+        }
+        build->failed = true;
+    }
+    fail(build, build->last, "this is not YAML");
+}
+
+static void parse(builder *build, struct fy_parser *parser, struct fy_diag *diagnostics) {
+    bool ended = false;
+    while (!ended && !build->failed && !build->arena->exhausted) {
+        struct fy_event *event = fy_parser_parse(parser);
+        if (!event) break;
+        take_event(build, event);
+        ended = event->type == FYET_STREAM_END;
+        fy_parser_event_free(parser, event);
+    }
+    if (!build->failed && (!ended || fy_parser_get_stream_error(parser)))
+        say_syntax_error(build, diagnostics);
+}
+
+study_node *study_tree_parse(study_messages *messages, const study_source *source, size_t begin) {
+    builder build = {.messages = messages,
+                     .arena = messages->arena,
+                     .source = source,
+                     .begin = begin,
+                     .last = begin};
+    struct fy_diag_cfg collect;
+    fy_diag_cfg_default(&collect);
+    collect.fp = NULL;
+    struct fy_diag *diagnostics = fy_diag_create(&collect);
+    if (diagnostics) fy_diag_set_collect_errors(diagnostics, true);
+    const struct fy_parse_cfg options = {.flags = FYPCF_QUIET | FYPCF_COLLECT_DIAG |
+                                                  FYPCF_JSON_NONE | FYPCF_DEFAULT_VERSION_1_2,
+                                         .diag = diagnostics};
+    struct fy_parser *parser = diagnostics ? fy_parser_create(&options) : NULL;
+    if (parser && fy_parser_set_string(parser, source->text + begin, source->length - begin) == 0)
+        parse(&build, parser, diagnostics);
+    else
+        messages->arena->exhausted = true;
+    fy_parser_destroy(parser);
+    fy_diag_destroy(diagnostics);
+    return build.failed || messages->arena->exhausted ? NULL : build.root;
+}

@@ -1,0 +1,36 @@
+/* Scalars of a study as numbers, words and formulas, with what is wrong said at their place. */
+#ifndef STUDY_VALUE_H
+#define STUDY_VALUE_H
+
+#include "gough/model.h"
+#include "study/keys.h"
+#include "study/tree.h"
+
+typedef enum study_decimal {
+    STUDY_DECIMAL,
+    STUDY_NO_DECIMAL,
+    STUDY_DECIMAL_AND_MORE, /* a number, then something else */
+    STUDY_NOT_FINITE
+} study_decimal;
+
+/* Reads a decimal number, correctly rounded, whatever the locale: [+-]digits[.digits][e[+-]digits].
+ * The text must be followed by a byte that is no part of a number.
+ * rest: offset of what is left after the number (of STUDY_DECIMAL_AND_MORE). */
+study_decimal study_decimal_read(const char *text, size_t length, double *value, size_t *rest);
+
+/* The number of a scalar that was checked before; NaN where it is none. */
+double study_number(const study_node *node);
+
+/* "platform.height", "motion.moves.2.start": the path of a node in the study, as --set takes it. */
+const char *study_node_path(study_arena *arena, const study_node *node);
+
+/* Checks say what is wrong and mark the node. */
+bool study_check_number(study_messages *messages, study_node *node, const study_bound *bound);
+bool study_check_formula(study_messages *messages, study_node *node);
+bool study_check_choice(study_messages *messages, study_node *node, const study_bound *bound);
+bool study_check_text(study_messages *messages, study_node *node, study_shape shape);
+
+/* Says that a node is not of the shape that its key asks for. */
+void study_say_shape(study_messages *messages, study_node *node, const char *phrase);
+
+#endif
