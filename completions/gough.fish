@@ -1,0 +1,30 @@
+# fish completion for gough
+set -l verbs example check forces simulate plot
+complete -c gough -f
+complete -c gough -n "not __fish_seen_subcommand_from $verbs" -a example -d "print a ready study file to start from"
+complete -c gough -n "not __fish_seen_subcommand_from $verbs" -a check -d "validate a study and print its machine"
+complete -c gough -n "not __fish_seen_subcommand_from $verbs" -a forces -d "the leg forces that the program of motion needs"
+complete -c gough -n "not __fish_seen_subcommand_from $verbs" -a simulate -d "the motion under control and disturbance"
+complete -c gough -n "not __fish_seen_subcommand_from $verbs" -a plot -d "figures as PNG, SVG or PDF"
+
+complete -c gough -s q -l quiet -d "say nothing but what is wrong"
+complete -c gough -s '?' -l help -d "what the verb does"
+complete -c gough -l usage -d "the same in short"
+complete -c gough -s V -l version -d "the version"
+
+complete -c gough -n "__fish_seen_subcommand_from example check forces simulate" -l json -d "print as JSON"
+complete -c gough -n "__fish_seen_subcommand_from example forces simulate plot" -s o -l output -r -F -d "where the result goes"
+complete -c gough -n "__fish_seen_subcommand_from check forces simulate" -l set -x -d "override a key of the study"
+complete -c gough -n "__fish_seen_subcommand_from forces simulate" -l precision -x -a "double quad" -d digits
+complete -c gough -n "__fish_seen_subcommand_from forces simulate" -l reactions -d "add the constraint reactions to the table"
+complete -c gough -n "__fish_seen_subcommand_from forces simulate" -l dimensionless -d "in units of R_b, M and sqrt(R_b/g)"
+complete -c gough -n "__fish_seen_subcommand_from plot" -l figure -x -d "which figure"
+complete -c gough -n "__fish_seen_subcommand_from plot" -l columns -x -d "draw these columns"
+complete -c gough -n "__fish_seen_subcommand_from plot" -l from -x -d "from this time"
+complete -c gough -n "__fish_seen_subcommand_from plot" -l to -x -d "up to this time"
+complete -c gough -n "__fish_seen_subcommand_from plot" -l log -d "magnitudes on a logarithmic axis"
+complete -c gough -n "__fish_seen_subcommand_from plot" -l label -x -d "what a result is called in the key"
+
+complete -c gough -n "__fish_seen_subcommand_from example" -a "(gough example 2>/dev/null | string match -rg '^  (\S+)')"
+complete -c gough -n "__fish_seen_subcommand_from check forces simulate" -a "(__fish_complete_suffix .yaml)"
+complete -c gough -n "__fish_seen_subcommand_from plot" -a "(__fish_complete_suffix .h5)"

@@ -37,7 +37,7 @@ static const char text[] =
     "being complete; 2 a bad study or command line; 3 reading or writing failed.\n"
     "\n"
     "First steps:\n"
-    "  gough example heave > heave.yaml\n"
+    "  gough example paper-heave > heave.yaml\n"
     "  gough check heave.yaml\n"
     "  gough forces heave.yaml -o heave.h5\n"
     "  gough plot heave.h5";
