@@ -1,0 +1,39 @@
+/* Putting lines of tables into the panels of a sheet. */
+#ifndef GOUGH_REPORT_BUILDER_H
+#define GOUGH_REPORT_BUILDER_H
+
+#include "sheet.h"
+
+/* What a kind of figure works with. A call that fails leaves its sentence in `error` and its status in `status`; later calls
+ * then do nothing. */
+typedef struct builder {
+    sheet *sheet;
+    const gough_figure *figure;
+    const gough_table *const *tables;
+    const char *const *labels; /* may be NULL */
+    size_t table_count;
+    gough_error *error;
+    gough_status status;
+} builder;
+
+/* Several tables are compared: a colour then means a table. */
+bool builder_compares(const builder *b);
+const char *builder_label(const builder *b, size_t table);
+
+/* The column, or NULL with a sentence that names it. */
+const double *builder_column(builder *b, size_t table, const char *name);
+/* Unit of a column in the first table that has it. */
+const char *builder_unit(const builder *b, const char *name);
+
+panel *builder_panel(builder *b, const char *heading, const char *unit, bool logarithmic);
+
+/* Adds a line over the column `abscissa` within the figure's range. */
+series *builder_line(builder *b, panel *p, size_t table, const char *abscissa, const double *y,
+                     const char *label, int colour);
+
+/* An array of the sheet with one number for each row of a table. */
+double *builder_array(builder *b, size_t table);
+
+gough_status builder_fail(builder *b, gough_status status, const char *sentence);
+
+#endif

@@ -1,0 +1,106 @@
+/* A figure of tables: chosen kind, panels, gnuplot in a private folder, the picture written complete or not at all. */
+#define _XOPEN_SOURCE 700
+
+#include <dirent.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+#include "sheet.h"
+
+gough_figure gough_figure_default(void) {
+    return (gough_figure){.kind = NULL, .title = NULL, .columns = NULL, .from = NAN, .to = NAN};
+}
+
+static bool find_format(const char *path, sheet_format *format) {
+    static const char *const extensions[] = {
+        [SHEET_PNG] = ".png", [SHEET_SVG] = ".svg", [SHEET_PDF] = ".pdf"};
+    const size_t length = strlen(path);
+    for (int f = SHEET_PNG; f <= SHEET_PDF; f++) {
+        if (length > 4 && strcasecmp(path + length - 4, extensions[f]) == 0) {
+            *format = (sheet_format)f;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* A folder that only this user can look into. */
+static char *make_folder(gough_error *error) {
+    const char *parent = getenv("TMPDIR");
+    if (parent == NULL || parent[0] != '/' || strlen(parent) > 150) parent = "/tmp";
+    const size_t size = strlen(parent) + 32;
+    char *folder = malloc(size);
+    if (folder != NULL) snprintf(folder, size, "%s/gough-figure-XXXXXX", parent);
+    if (folder != NULL && mkdtemp(folder) != NULL) return folder;
+    gough_fail(error, GOUGH_ERROR_FILE, "no temporary folder in %s for drawing: %s", parent,
+               strerror(errno));
+    free(folder);
+    return NULL;
+}
+
+/* Removes the folder and the plain files in it. */
+static void remove_folder(char *folder) {
+    DIR *list = opendir(folder);
+    if (list != NULL) {
+        for (struct dirent *entry = readdir(list); entry != NULL; entry = readdir(list))
+            unlinkat(dirfd(list), entry->d_name, 0);
+        closedir(list);
+    }
+    rmdir(folder);
+    free(folder);
+}
+
+/* Copies the picture that gnuplot left to where it is wanted. */
+static gough_status take_picture(const char *folder, const char *path, gough_error *error) {
+    char from[256];
+    snprintf(from, sizeof from, "%s/figure", folder);
+    FILE *file = fopen(from, "rb");
+    if (file == NULL)
+        return gough_fail(error, GOUGH_ERROR_FILE, "%s: gnuplot left no figure", path);
+    gough_status status = GOUGH_ERROR_FILE;
+    long length = -1;
+    if (fseek(file, 0, SEEK_END) == 0) length = ftell(file);
+    rewind(file);
+    char *bytes = length > 0 ? malloc((size_t)length) : NULL;
+    if (bytes != NULL && fread(bytes, 1, (size_t)length, file) == (size_t)length)
+        status = gough_write_file(path, bytes, (size_t)length, error);
+    else
+        status = gough_fail(error, status, "%s: gnuplot left no figure", path);
+    free(bytes);
+    fclose(file);
+    return status;
+}
+
+static gough_status draw(const sheet *s, sheet_format format, const char *path,
+                         gough_error *error) {
+    char *folder = make_folder(error);
+    if (folder == NULL) return GOUGH_ERROR_FILE;
+    gough_status status = sheet_write_script(s, format, folder, error);
+    if (status == GOUGH_OK) status = sheet_run_gnuplot(folder, error);
+    if (status == GOUGH_OK) status = take_picture(folder, path, error);
+    remove_folder(folder);
+    return status;
+}
+
+gough_status gough_figure_draw(const gough_figure *figure, const gough_table *const *tables,
+                               const char *const *labels, size_t table_count, const char *path,
+                               gough_error *error) {
+    sheet_format format;
+    if (!find_format(path, &format))
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%s: the name of a figure must end in .png, .svg or .pdf", path);
+    if (table_count == 0) return gough_fail(error, GOUGH_ERROR_INPUT, "no table to draw");
+
+    sheet *s = calloc(1, sizeof *s);
+    if (s == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
+    gough_status status = sheet_fill(s, figure, tables, labels, table_count, error);
+    if (status == GOUGH_OK) status = draw(s, format, path, error);
+    sheet_free_arrays(s);
+    free(s);
+    return status;
+}

@@ -1,0 +1,81 @@
+/* A sheet of panels: what is drawn, before it is told to gnuplot. */
+#ifndef GOUGH_REPORT_SHEET_H
+#define GOUGH_REPORT_SHEET_H
+
+#include "gough/report.h"
+
+enum {
+    SHEET_PANELS = 24,
+    SHEET_SERIES = 64, /* in one panel */
+    SHEET_TEXT = 160,
+    SHEET_ARRAYS = 512
+};
+
+/* One line (or points on a line). The numbers belong to a table or to the sheet. */
+typedef struct series {
+    size_t count;
+    const double *x, *y;
+    char label[SHEET_TEXT]; /* "" : not in the key */
+    int colour;             /* index into the palette; -1: grey, for the program */
+    int dash;               /* 0: solid */
+    const double
+        *ended; /* NULL, or 1 where a point is marked as ended early: points are drawn then */
+    bool points;
+} series;
+
+typedef struct panel {
+    char heading[SHEET_TEXT]; /* what is drawn, above the panel */
+    char unit[32];            /* as in the table: "m/s2"; "" or "1": none */
+    bool logarithmic;
+    int count;
+    series series[SHEET_SERIES];
+} panel;
+
+typedef struct sheet {
+    char title[SHEET_TEXT];
+    char abscissa[SHEET_TEXT]; /* name and unit of the abscissa */
+    bool logarithmic_abscissa;
+    bool common_key; /* one key for all panels, above them */
+    int columns;     /* panels beside each other */
+    double from, to; /* range of the abscissa; NaN: of the data */
+    int count;
+    panel panel[SHEET_PANELS];
+    int arrays;
+    double *array[SHEET_ARRAYS]; /* numbers that no table has, freed with the sheet */
+} sheet;
+
+/* Fills a sheet for a kind of figure (kinds.c). */
+gough_status sheet_fill(sheet *sheet, const gough_figure *figure, const gough_table *const *tables,
+                        const char *const *labels, size_t table_count, gough_error *error);
+
+/* A sheet's own array of @p count numbers; NULL when memory is out or there are too many. */
+double *sheet_array(sheet *sheet, size_t count);
+void sheet_free_arrays(sheet *sheet);
+
+/* Whether and how the table chooses its kind: name of it. */
+const char *sheet_default_kind(const gough_table *table);
+
+/* ---- drawing --------------------------------------------------------------------------------------------------- */
+
+typedef enum sheet_format { SHEET_PNG, SHEET_SVG, SHEET_PDF } sheet_format;
+
+/* Writes the script "script" and the data files it names into a folder (script.c). */
+gough_status sheet_write_script(const sheet *sheet, sheet_format format, const char *folder,
+                                gough_error *error);
+
+/* Thins a line for drawing: in each of @p buckets stretches of the abscissa the least and the greatest value stay, in
+ * order. Returns the count of points kept, whose indices go to @p index (room for 2·buckets + 2); a line with no more
+ * points than that is kept whole. Points that are not finite stand for gaps and are kept once per stretch. */
+size_t sheet_thin(const double *x, const double *y, size_t count, size_t buckets, size_t *index);
+
+/* Text as gnuplot may have it between single quotes: quotes doubled, control characters and broken UTF-8 replaced,
+ * cut to @p characters. */
+void sheet_quote(char *quoted, size_t size, const char *text, size_t characters);
+
+/* "m/s2" with a power of 1000 as a label: " (mm/s²)", " (10⁻⁶ °)"; power is the exponent of 1000. */
+void sheet_unit_label(char *label, size_t size, const char *unit, int power);
+
+/* Runs gnuplot on "script" in the folder (gnuplot.c). */
+gough_status sheet_run_gnuplot(const char *folder, gough_error *error);
+
+#endif
