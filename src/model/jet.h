@@ -74,8 +74,8 @@ static inline jet jet_atan(jet a) {
     return jet_chain(a, real_atan(a.v), f1, -2 * a.v * f1 * f1);
 }
 
-/* The angle of (x, y) with r its distance, c = x/r, s = y/r:  r θ' = c y' − s x',  r' = c x' + s y',
- * and from r² θ' = x y' − y x':  θ'' = (c y'' − s x'')/r − 2 θ' r'/r. */
+/* The angle of (x, y) with r its distance, c = x/r, s = y/r:  r θ' = c y' − s x',  r' = c x' + s
+ * y', and from r² θ' = x y' − y x':  θ'' = (c y'' − s x'')/r − 2 θ' r'/r. */
 static inline jet jet_atan2(jet y, jet x) {
     const real r = real_hypot(x.v, y.v), c = x.v / r, s = y.v / r;
     const real d = (c * y.d - s * x.d) / r, growth = (c * x.d + s * y.d) / r;

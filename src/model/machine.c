@@ -234,8 +234,8 @@ static gough_status set_home(gough_machine *m, gough_error *error) {
     if (singular_everywhere(&h, p->height, m->base_radius))
         return FAIL(error,
                     "the machine is singular in every pose, so its legs cannot hold the top: "
-                    "this is so where base and top are similar hexagons; change the "
-                    "spacing of the joints of one of them");
+                    "this is so where base and top are similar hexagons on circles; "
+                    "change the spacing of the joints of one of them");
     return GOUGH_OK;
 }
 

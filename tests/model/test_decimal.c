@@ -1,0 +1,175 @@
+/* Decimal numbers are read as the nearest double, whatever the locale: against strtod in the C
+ * locale, which glibc rounds correctly, bit for bit. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/decimal.h"
+#include "model/helpers.h"
+
+static void same_as_strtod(const char *text) {
+    double read = -1;
+    char *end = NULL;
+    const size_t bytes = gough_decimal_read_(text, strlen(text), &read);
+    const double right = strtod(text, &end);
+    ck_assert_msg(bytes == (size_t)(end - text), "%s: %zu bytes read", text, bytes);
+    ck_assert_msg(memcmp(&read, &right, sizeof read) == 0, "%s: %a, not %a", text, read, right);
+}
+
+START_TEST(reads_known_hard_cases) {
+    static const char *const TEXTS[] = {
+        "0",
+        "0.1",
+        "1e-4",
+        "0.2",
+        "6.4688478326275441",
+        "1e308",
+        "5e-324",
+        "123456789.123456789",
+        "9007199254740993",
+        "9007199254740992.99999999999999999999999",
+        "9007199254740993.00000000000000000000001",
+        "2.4703282292062327e-324",
+        "2.4703282292062328e-324",
+        "2.2250738585072011e-308",
+        "2.2250738585072014e-308",
+        "4.9406564584124654e-324",
+        "1.7976931348623157e308",
+        "1.7976931348623158e308",
+        "1.7976931348623159e308",
+        "1e309",
+        "1e-400",
+        "1e99999999999",
+        "1e-99999999999",
+        "0e99999999999",
+        "1.",
+        ".5",
+        "1e",
+        "1e+",
+        "1E5",
+        "7.8459735791271921e65",
+        "3.5844466002796428e298",
+        "00000000000000000000000000000000000000000000000000000000000000000000000000000000001.5",
+        "0.000000000000000000000000000000000000000000000000000000000000000000000000000000000015",
+    };
+    for (size_t i = 0; i < sizeof TEXTS / sizeof TEXTS[0]; i++) same_as_strtod(TEXTS[i]);
+}
+END_TEST
+
+START_TEST(rounds_random_decimals_correctly) {
+    random_source random = random_seeded(1);
+    for (int i = 0; i < 100000; i++) {
+        char text[64];
+        size_t n = 0;
+        const int digits = 1 + (int)(random_bits(&random) % 25);
+        const int point = (int)(random_bits(&random) % 26);
+        for (int d = 0; d < digits; d++) {
+            if (d == point) text[n++] = '.';
+            text[n++] = (char)('0' + random_bits(&random) % 10);
+        }
+        text[n] = '\0';
+        const int kind = (int)(random_bits(&random) % 3);
+        if (kind == 1) sprintf(text + n, "e%d", (int)(random_bits(&random) % 45) - 22);
+        if (kind == 2) sprintf(text + n, "e%d", (int)(random_bits(&random) % 680) - 350);
+        same_as_strtod(text);
+    }
+}
+END_TEST
+
+START_TEST(reads_printed_doubles_back) {
+    random_source random = random_seeded(2);
+    for (int i = 0; i < 50000; i++) {
+        char text[64];
+        double x, back = 0;
+        const uint64_t bits = random_bits(&random) & 0x7fffffffffffffffu;
+        memcpy(&x, &bits, sizeof x);
+        if (!isfinite(x)) continue;
+        sprintf(text, "%.17g", x);
+        ck_assert_uint_eq(gough_decimal_read_(text, strlen(text), &back), strlen(text));
+        ck_assert_msg(memcmp(&x, &back, sizeof x) == 0, "%s: %a, not %a", text, back, x);
+    }
+}
+END_TEST
+
+/* 2^e + 2^(e−53) lies half way between two doubles and has all its digits printed exactly: as it
+ * is, and with something added or taken away a thousand digits later. */
+START_TEST(decides_ties_by_the_last_of_a_thousand_digits) {
+    static char text[2200];
+    random_source random = random_seeded(3);
+    for (int i = 0; i < 400; i++) {
+        const int e = (int)(random_bits(&random) % 600) - 300;
+        const double low = ldexp(1 + random_between(&random, 0, 1), e);
+        /* low ± half a unit in the last place, as a sum of two doubles printed in two parts is
+         * not a decimal: so the mantissa is written as a whole number times a power of two, e ≥
+         * 0, or through exact division by 2 */
+        const double unit = nextafter(low, INFINITY) - low;
+        if (e < 60) continue;
+        sprintf(text, "%.0f", low);
+        /* low is a multiple of 2·(unit/2): add unit/2, a whole number, digit by digit */
+        char half[400];
+        sprintf(half, "%.0f", unit / 2);
+        int carry = 0;
+        size_t n = strlen(text), m = strlen(half);
+        for (size_t k = 0; k < n; k++) {
+            const int sum = text[n - 1 - k] - '0' + (k < m ? half[m - 1 - k] - '0' : 0) + carry;
+            text[n - 1 - k] = (char)('0' + sum % 10);
+            carry = sum / 10;
+        }
+        if (carry > 0) continue;
+        same_as_strtod(text);
+        text[n++] = '.';
+        memset(text + n, '0', 1000);
+        strcpy(text + n + 1000, "1");
+        same_as_strtod(text);
+    }
+}
+END_TEST
+
+START_TEST(takes_nothing_that_is_no_number) {
+    static const char *const TEXTS[] = {"", ".", "e5", "-1", "+1", " 1", "x", ",5", "inf", "nan"};
+    for (size_t i = 0; i < sizeof TEXTS / sizeof TEXTS[0]; i++) {
+        double value = 7;
+        ck_assert_uint_eq(gough_decimal_read_(TEXTS[i], strlen(TEXTS[i]), &value), 0);
+    }
+}
+END_TEST
+
+START_TEST(stops_at_the_given_length) {
+    double value = 0;
+    ck_assert_uint_eq(gough_decimal_read_("1234e5", 3, &value), 3);
+    ck_assert(value >= 123 && value <= 123);
+    ck_assert_uint_eq(gough_decimal_read_("12e5", 3, &value), 2);
+    ck_assert(value >= 12 && value <= 12);
+}
+END_TEST
+
+START_TEST(reads_points_in_a_comma_locale) {
+    double value = 0;
+    if (!locale_with_comma()) return;
+    const size_t bytes = gough_decimal_read_("1.5", 3, &value);
+    locale_reset();
+    ck_assert_uint_eq(bytes, 3);
+    ck_assert(value >= 1.5 && value <= 1.5);
+}
+END_TEST
+
+int main(void) {
+    Suite *suite = suite_create("decimal");
+    TCase *tests = tcase_create("decimal");
+    tcase_set_timeout(tests, 60);
+    tcase_add_test(tests, reads_known_hard_cases);
+    tcase_add_test(tests, rounds_random_decimals_correctly);
+    tcase_add_test(tests, reads_printed_doubles_back);
+    tcase_add_test(tests, decides_ties_by_the_last_of_a_thousand_digits);
+    tcase_add_test(tests, takes_nothing_that_is_no_number);
+    tcase_add_test(tests, stops_at_the_given_length);
+    tcase_add_test(tests, reads_points_in_a_comma_locale);
+    suite_add_tcase(suite, tests);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    const int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed == 0 ? 0 : 1;
+}

@@ -1,0 +1,92 @@
+/* Sentences for errors: complete, bounded, the same in every locale. */
+#include <check.h>
+#include <math.h>
+#include <string.h>
+
+#include "model/helpers.h"
+
+START_TEST(sentences_are_formatted_like_printf) {
+    gough_error e = {GOUGH_OK, ""};
+    ck_assert_int_eq(gough_fail(&e, GOUGH_ERROR_INPUT, "leg %d of %s: %.3g %% of %-6.2f|%5d|%c", 3,
+                                "six", 1.25, 0.5, -7, 'x'),
+                     GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(e.status, GOUGH_ERROR_INPUT);
+    ck_assert_str_eq(e.message, "leg 3 of six: 1.25 % of 0.50  |   -7|x");
+    gough_fail(&e, GOUGH_ERROR_FILE, "%zu rows, %ld, %u, %02x, %.*s, %*d, %e", (size_t)12, -5L, 7u,
+               255u, 2, "abc", 4, 9, 1.5);
+    ck_assert_str_eq(e.message, "12 rows, -5, 7, ff, ab,    9, 1.500000e+00");
+    gough_fail(&e, GOUGH_ERROR_FILE, "%g %g %g", INFINITY, -INFINITY, 1e-300);
+    ck_assert_str_eq(e.message, "inf -inf 1e-300");
+    gough_fail(&e, GOUGH_ERROR_FILE, "%lu %zd", 5ul, (ptrdiff_t)-3);
+    ck_assert_str_eq(e.message, "5 -3");
+}
+END_TEST
+
+START_TEST(no_error_struct_is_no_error) {
+    ck_assert_int_eq(gough_fail(NULL, GOUGH_ERROR_NUMERICAL, "%d", 1), GOUGH_ERROR_NUMERICAL);
+}
+END_TEST
+
+START_TEST(long_sentences_are_cut) {
+    gough_error e;
+    char text[2000];
+    memset(text, 'a', sizeof text - 1);
+    text[sizeof text - 1] = '\0';
+    gough_fail(&e, GOUGH_ERROR_INPUT, "%s", text);
+    ck_assert_uint_eq(strlen(e.message), sizeof e.message - 1);
+}
+END_TEST
+
+/* whatever the position of the cut, no half of "ü" remains */
+START_TEST(cut_sentences_are_still_utf8) {
+    for (int shift = 0; shift < 4; shift++) {
+        gough_error e;
+        char text[2000] = "abcd";
+        size_t n = (size_t)shift;
+        while (n + 3 < sizeof text) {
+            memcpy(text + n, "\342\202\254", 3); /* € */
+            n += 3;
+        }
+        text[n] = '\0';
+        gough_fail(&e, GOUGH_ERROR_INPUT, "%s", text);
+        const size_t length = strlen(e.message);
+        ck_assert_uint_ge(length, sizeof e.message - 4);
+        ck_assert_uint_eq((length - (size_t)shift) % 3, 0);
+    }
+}
+END_TEST
+
+START_TEST(numbers_have_a_point_in_a_comma_locale) {
+    gough_error e;
+    if (!locale_with_comma()) return;
+    gough_fail(&e, GOUGH_ERROR_INPUT, "%g, %.2f, %s", 1.5, 2.25, "3,5");
+    locale_reset();
+    ck_assert_str_eq(e.message, "1.5, 2.25, 3,5");
+}
+END_TEST
+
+START_TEST(causes_have_their_words) {
+    static const char *const WORDS[] = {"done",           "leg_short",     "leg_long", "leg_speed",
+                                        "leg_force",      "leg_no_length", "singular", "not_finite",
+                                        "no_convergence", "stopped"};
+    for (int c = GOUGH_END_DONE; c <= GOUGH_END_STOPPED; c++)
+        ck_assert_str_eq(gough_cause_name((gough_cause)c), WORDS[c]);
+}
+END_TEST
+
+int main(void) {
+    Suite *suite = suite_create("status");
+    TCase *tests = tcase_create("status");
+    tcase_add_test(tests, sentences_are_formatted_like_printf);
+    tcase_add_test(tests, no_error_struct_is_no_error);
+    tcase_add_test(tests, long_sentences_are_cut);
+    tcase_add_test(tests, cut_sentences_are_still_utf8);
+    tcase_add_test(tests, numbers_have_a_point_in_a_comma_locale);
+    tcase_add_test(tests, causes_have_their_words);
+    suite_add_tcase(suite, tests);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    const int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed == 0 ? 0 : 1;
+}
