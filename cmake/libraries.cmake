@@ -40,4 +40,4 @@ foreach(library gough_shared gough_files_shared)
 endforeach()
 target_link_libraries(gough_shared PRIVATE $<BUILD_INTERFACE:gough_flags> ${GOUGH_MATH})
 target_link_libraries(gough_files_shared PUBLIC gough_shared
-    PRIVATE $<BUILD_INTERFACE:gough_flags> $<BUILD_INTERFACE:PkgConfig::LIBFYAML> $<BUILD_INTERFACE:PkgConfig::HDF5> m)
+    PRIVATE $<BUILD_INTERFACE:gough_flags> $<BUILD_INTERFACE:PkgConfig::LIBFYAML> $<BUILD_INTERFACE:PkgConfig::HDF5> ${GOUGH_MATH})

@@ -25,6 +25,7 @@ test    | locales          | test -e /usr/share/i18n/locales/de_DE
 test    | hdf5-tools       | command -v h5dump
 test    | clang-format     | command -v clang-format
 test    | man-db           | command -v man
+test    | jq               | command -v jq
 docs    | doxygen          | command -v doxygen
 lint    | clang-format     | command -v clang-format
 lint    | clang-tidy       | command -v clang-tidy

@@ -84,7 +84,7 @@ static void print_singularity(const check *c) {
                view->condition);
     printf("  |det J|              %.6g%s%s\n", fabs(view->determinant), c->unit->length,
            *c->unit->length ? "^3" : "");
-    printf("  singularity          %.6g away: least singular value of J, moments over %.6g%s;\n"
+    printf("  to a singularity     %.6g: the least singular value of J, moments over %.6g%s;\n"
            "                       the legs feel %s least\n",
            view->least_singular, view->arm, c->unit->length, weakest_name(view));
 }
@@ -97,7 +97,7 @@ static void print_load(const check *c) {
            c->unit->mass, com[0], com[1], com[2], c->unit->length);
     printf("  principal moments    %.6g, %.6g, %.6g%s\n", c->view.moments[0], c->view.moments[1],
            c->view.moments[2], c->unit->inertia);
-    printf("  about the axes      ");
+    printf("  along the axes      ");
     for (int a = 0; a < 3; a++) {
         printf("%s(", a ? ", " : " ");
         for (int k = 0; k < 3; k++) {
@@ -106,8 +106,8 @@ static void print_load(const check *c) {
         }
         printf(")");
     }
-    printf("\n  gravity              %.6g, %.6g, %.6g\n", c->machine->gravity[0],
-           c->machine->gravity[1], c->machine->gravity[2]);
+    printf("\n  gravity              %.6g, %.6g, %.6g%s\n", c->machine->gravity[0],
+           c->machine->gravity[1], c->machine->gravity[2], *c->unit->length ? " m/s^2" : "");
 }
 
 static void gain_range(const double gain[GOUGH_LEGS], double range[2]) {

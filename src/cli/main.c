@@ -24,7 +24,7 @@ enum { VERBS = sizeof verbs / sizeof *verbs };
 static const char text[] =
     "Dynamics and control of Stewart-Gough platforms.\n"
     "\n"
-    "  gough example NAME      print a ready study file to start from (no NAME: list them)\n"
+    "  gough example NAME      print a ready study file to start from, or list them\n"
     "  gough check STUDY       validate a study and print its machine\n"
     "  gough forces STUDY      the leg forces that the program of motion needs\n"
     "  gough simulate STUDY    the motion under control and disturbance\n"
@@ -61,7 +61,7 @@ static void close_output(void) {
 static error_t read_verb(int key, char *argument, struct argp_state *state) {
     const verb **found = state->input;
     if (key == ARGP_KEY_NO_ARGS) {
-        argp_state_help(state, stderr, ARGP_HELP_STD_ERR);
+        argp_state_help(state, stderr, ARGP_HELP_USAGE | ARGP_HELP_DOC | ARGP_HELP_EXIT_ERR);
         return EINVAL;
     }
     if (key != ARGP_KEY_ARG) return ARGP_ERR_UNKNOWN;

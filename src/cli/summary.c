@@ -55,15 +55,20 @@ static double stroke_share(const run_report *report, double used) {
     return 100 * used / (stroke[1] - stroke[0]);
 }
 
+/* A column of its own: its name over its unit, or its name alone. */
+static table_column lone_column(const char *name, const table_heading *unit) {
+    return *unit->text ? (table_column){name, unit->text, {0}, 5}
+                       : (table_column){"", name, {0}, 5};
+}
+
 static void print_strokes(FILE *stream, const run_report *report, const unit_words *unit) {
-    const table_heading length = heading_of("length", unit->length),
-                        speed = heading_of("", unit->speed);
-    table_column column[] = {{length.text, "least", {0}, 6},     {length.text, "greatest", {0}, 6},
-                             {length.text, "used", {0}, 6},      {"stroke", "used %", {0}, 3},
-                             {"peak speed", speed.text, {0}, 5}, {"swing [deg] at", "base", {0}, 4},
-                             {"swing [deg] at", "top", {0}, 4},  {0}};
+    const table_heading length = heading_of("length", unit->length);
+    const table_heading speed = heading_of("", unit->speed);
+    table_column column[] = {{length.text, "least", {0}, 6},    {length.text, "greatest", {0}, 6},
+                             {length.text, "used", {0}, 6},     {"stroke", "used %", {0}, 3},
+                             lone_column("peak speed", &speed), {"swing [deg] at", "base", {0}, 4},
+                             {"swing [deg] at", "top", {0}, 4}, {0}};
     enum { LEAST, GREATEST, USED, SHARE, SPEED, BASE, TOP, COLUMNS };
-    if (!*speed.text) column[SPEED].head = "";
     for (int c = 0; c < COLUMNS; c++) column[c].value[GOUGH_LEGS] = c == LEAST ? INFINITY : 0;
     for (int i = 0; i < GOUGH_LEGS; i++) {
         const gough_leg_summary *leg = &report->summary.leg[i];
@@ -82,19 +87,19 @@ static void print_strokes(FILE *stream, const run_report *report, const unit_wor
         for (int c = SHARE; c < COLUMNS; c++) column[c] = column[c + 1];
     table_print(stream, column, true);
     if (limited)
-        fprintf(stream, "  stroke available: %.6g%s, from %.6g to %.6g%s\n",
+        fprintf(stream, "  stroke      %.6g%s available, from %.6g to %.6g%s\n",
                 report->stroke[1] - report->stroke[0], unit->length, report->stroke[0],
                 report->stroke[1], unit->length);
 }
 
 static void print_loads(FILE *stream, const run_report *report, const unit_words *unit) {
     const table_heading force = heading_of("force", unit->force),
-                        power = heading_of("power", unit->power),
-                        energy = heading_of("", unit->energy);
-    table_column column[] = {{force.text, "least", {0}, 5},   {force.text, "greatest", {0}, 5},
-                             {force.text, "peak", {0}, 5},    {force.text, "RMS", {0}, 5},
-                             {power.text, "least", {0}, 5},   {power.text, "greatest", {0}, 5},
-                             {"energy", energy.text, {0}, 5}, {0}};
+                        power = heading_of("power", unit->power);
+    const table_heading energy = heading_of("", unit->energy);
+    table_column column[] = {{force.text, "least", {0}, 5},  {force.text, "greatest", {0}, 5},
+                             {force.text, "peak", {0}, 5},   {force.text, "RMS", {0}, 5},
+                             {power.text, "least", {0}, 5},  {power.text, "greatest", {0}, 5},
+                             lone_column("energy", &energy), {0}};
     enum { LEAST, GREATEST, PEAK, RMS, POWER_LEAST, POWER_GREATEST, ENERGY, COLUMNS };
     for (int c = 0; c < COLUMNS; c++)
         column[c].value[GOUGH_LEGS] = c == LEAST || c == POWER_LEAST ? INFINITY : -INFINITY;
@@ -174,8 +179,8 @@ void run_report_print(FILE *stream, const run_report *report) {
     const gough_summary *s = &report->summary;
     const unit_words *unit = unit_words_of(&report->units);
     if (*report->study->title) fprintf(stream, "%s\n", report->study->title);
-    fprintf(stream, "%s, %zu rows from t = %.6g to %.6g%s; %s\n\n",
-            report->simulated ? "motion under control and disturbance" : "forces along the program",
+    fprintf(stream, "%s: %zu rows, t = %.6g to %.6g%s\n%s\n\n",
+            report->simulated ? "Motion under control and disturbance" : "Forces along the program",
             s->rows, s->first_time, s->last_time, unit->time,
             units_sentence(report->study, &report->units));
     if (s->rows > 0) {
@@ -183,14 +188,15 @@ void run_report_print(FILE *stream, const run_report *report) {
         fputc('\n', stream);
         print_loads(stream, report, unit);
         fputc('\n', stream);
-        fprintf(stream, "  condition   %.4g at worst, at t = %.6g (singular from 1e8)\n",
-                s->condition, s->condition_time);
+        fprintf(stream,
+                "  condition   at most %.4g, at t = %.6g%s (1 is best, 1e8 counts as singular)\n",
+                s->condition, s->condition_time, unit->time);
     }
     if (report->simulated && s->rows > 0) {
-        fprintf(stream, "  deviation   %.4g%s and %.4g deg from the program at most\n",
+        fprintf(stream, "  deviation   at most %.4g%s and %.4g deg from the program\n",
                 s->position_deviation, unit->length, s->angle_deviation);
         fprintf(stream,
-                "  drift       %.2g, largest violation of the constraints before projection\n",
+                "  drift       at most %.2g (violation of the constraints before projection)\n",
                 s->drift);
     }
     fprintf(stream, "  legs        massless here: their own weight and inertia come on top\n");

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { WIDEST = 24, MOST_COLUMNS = 16, GAP = 2 };
+enum { WIDEST = 24, MOST_COLUMNS = 16, GAP = 2, GROUP_GAP = 4 };
 
 /* How the numbers of one group are printed: decimals, or negative for an exponent. */
 static int decimals_for(const table_column *first, const table_column *last, bool with_all) {
@@ -28,8 +28,8 @@ static int print_number(char *text, double value, int decimals) {
 }
 
 typedef struct column_layout {
-    int width, decimals;
-    int first, last; /* the group's columns */
+    int gap, width, decimals;
+    int last; /* of the group's columns */
 } column_layout;
 
 /* Counts display columns: continuation bytes of UTF-8 take none. */
@@ -56,7 +56,7 @@ static int lay_out(const table_column *column, bool with_all, column_layout *lay
             }
             layout[c].width = width;
             layout[c].decimals = decimals;
-            layout[c].first = first;
+            layout[c].gap = c == first ? GROUP_GAP : GAP;
             layout[c].last = last;
             whole += width + GAP;
         }
@@ -75,7 +75,7 @@ static void print_headings(FILE *stream, const table_column *column, const colum
         for (int k = c; k <= layout[c].last; k++) whole += layout[k].width + GAP;
         const int free = whole - display_width(column[c].group);
         const int left = layout[c].last > c ? free - free / 2 : free;
-        blank += GAP + left;
+        blank += GROUP_GAP + left;
         if (*column[c].group) {
             fprintf(stream, "%*s%s", blank, "", column[c].group);
             blank = 0;
@@ -91,8 +91,8 @@ void table_print(FILE *stream, const table_column *column, bool with_all) {
     print_headings(stream, column, layout, count);
     fprintf(stream, "  leg");
     for (int c = 0; c < count; c++)
-        fprintf(stream, "%*s%s", GAP + layout[c].width - display_width(column[c].head), "",
-                column[c].head);
+        fprintf(stream, "%*s%s", layout[c].gap + layout[c].width - display_width(column[c].head),
+                "", column[c].head);
     fputc('\n', stream);
     for (int i = 0; i < GOUGH_LEGS + with_all; i++) {
         if (i < GOUGH_LEGS)
@@ -102,7 +102,7 @@ void table_print(FILE *stream, const table_column *column, bool with_all) {
         for (int c = 0; c < count; c++) {
             char text[WIDEST];
             print_number(text, column[c].value[i], layout[c].decimals);
-            fprintf(stream, "%*s%*s", GAP, "", layout[c].width, text);
+            fprintf(stream, "%*s%*s", layout[c].gap, "", layout[c].width, text);
         }
         fputc('\n', stream);
     }
@@ -119,7 +119,7 @@ const unit_words *unit_words_of(const gough_units *units) {
 table_heading heading_of(const char *what, const char *unit) {
     table_heading heading;
     if (*unit)
-        snprintf(heading.text, sizeof heading.text, "%s [%s]", what, unit + 1);
+        snprintf(heading.text, sizeof heading.text, "%s%s[%s]", what, *what ? " " : "", unit + 1);
     else
         snprintf(heading.text, sizeof heading.text, "%s", what);
     return heading;

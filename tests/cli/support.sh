@@ -1,0 +1,31 @@
+# Sourced by the tests of the command: run it, keep what it said, count what is wrong.
+set -uo pipefail
+: "${GOUGH:?the command}"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failures=0
+
+fail() {
+    echo "$(basename "$0"): $*"
+    failures=$((failures + 1))
+}
+
+# standard output to $scratch/out, standard error to $scratch/err, exit code to $code
+run() {
+    "$GOUGH" "$@" >"$scratch/out" 2>"$scratch/err" </dev/null
+    code=$?
+}
+
+expect_code() {
+    local expected=$1
+    shift
+    ((code == expected)) || fail "$*: exit code $code instead of $expected; $(head -3 "$scratch/err")"
+}
+
+# a column of a CSV file by name
+column() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next } { print $c }' "$1"; }
+
+finish() {
+    ((failures == 0)) || exit 1
+    exit 0
+}
