@@ -57,7 +57,7 @@ static int count_true(const bool *flags, int count) {
 
 /* ---- motion ---------------------------------------------------------------------------------------------------- */
 
-/* The program of a component, actual − deviation, in grey over the first table's line; none in a table of forces. */
+/* The program of a component, actual − deviation, pale under the first table's line; none in a table of forces. */
 static void add_program(builder *b, panel *p, int component, double offset, const char *label) {
     const gough_table *table = b->tables[0];
     const double *actual = gough_table_column(table, component_name[component]);
@@ -71,11 +71,11 @@ static void add_program(builder *b, panel *p, int component, double offset, cons
 
 static void add_component_panel(builder *b, int c) {
     panel *p = builder_panel(b, component_heading[c], builder_unit(b, component_name[c]), false);
+    add_program(b, p, c, 0.0, "program");
     for (size_t t = 0; t < b->table_count; t++) {
         const char *label = builder_compares(b) ? builder_label(b, t) : "motion";
         builder_line(b, p, t, "t", builder_column(b, t, component_name[c]), label, (int)t);
     }
-    add_program(b, p, c, 0.0, "program");
     /* a line alone needs no key */
     if (p != NULL && p->count == 1) p->series[0].label[0] = '\0';
 }
@@ -92,22 +92,25 @@ static void fill_motion(builder *b) {
     }
 }
 
-/* Several components of one table in a panel, each from its first value, with their programs. */
+/* Several components of one table in a panel, lengths from their first value, over their programs. */
 static void add_components(builder *b, const char *heading, int first, const bool *moving) {
     panel *p = builder_panel(b, heading, builder_unit(b, component_name[first]), false);
-    int programs = 0;
+    double offset[COMPONENTS] = {0};
+    const char *label = "program";
+    for (int c = first; c < first + 3; c++) {
+        const double *value = builder_column(b, 0, component_name[c]);
+        if (value == NULL || b->tables[0]->rows == 0) continue;
+        if (c < 3) offset[c] = value[0];
+        if (!moving[c]) continue;
+        add_program(b, p, c, offset[c], label);
+        label = "";
+    }
     for (int c = first; c < first + 3; c++) {
         const double *value = builder_column(b, 0, component_name[c]);
         double *shifted = moving[c] ? builder_array(b, 0) : NULL;
-        if (value == NULL || shifted == NULL || b->tables[0]->rows == 0) continue;
-        const double offset = first == 0 ? value[0] : 0.0;
-        for (size_t r = 0; r < b->tables[0]->rows; r++) shifted[r] = value[r] - offset;
+        if (value == NULL || shifted == NULL) continue;
+        for (size_t r = 0; r < b->tables[0]->rows; r++) shifted[r] = value[r] - offset[c];
         builder_line(b, p, 0, "t", shifted, component_name[c], c - first);
-    }
-    for (int c = first; c < first + 3; c++) {
-        const double *value = gough_table_column(b->tables[0], component_name[c]);
-        if (!moving[c] || value == NULL || b->tables[0]->rows == 0) continue;
-        add_program(b, p, c, first == 0 ? value[0] : 0.0, programs++ == 0 ? "program" : "");
     }
 }
 
@@ -449,6 +452,16 @@ static void choose_title(builder *b) {
     snprintf(b->sheet->title, sizeof b->sheet->title, "%s", title);
 }
 
+/* How a single run ended, where it did not reach its duration. */
+static void note_end(builder *b) {
+    const gough_table *table = b->tables[0];
+    if (builder_compares(b) || table->end_cause[0] == '\0' || !isfinite(table->end_time) ||
+        strcmp(table->end_cause, "done") == 0)
+        return;
+    snprintf(b->sheet->note, sizeof b->sheet->note, "ended at t = %.6g: %.60s", table->end_time,
+             table->end_cause);
+}
+
 gough_status sheet_fill(sheet *s, const gough_figure *figure, const gough_table *const *tables,
                         const char *const *labels, size_t table_count, gough_error *error) {
     builder b = {s, figure, tables, labels, table_count, error, GOUGH_OK};
@@ -462,6 +475,7 @@ gough_status sheet_fill(sheet *s, const gough_figure *figure, const gough_table 
     s->to = figure->to;
     s->common_key = builder_compares(&b);
     choose_title(&b);
+    note_end(&b);
     name_abscissa(&b, "t");
     fillers[k](&b);
     if (b.status == GOUGH_OK && s->count == 0)

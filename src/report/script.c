@@ -15,18 +15,21 @@
 static const char *const palette[] = {"#0072b2", "#d55e00", "#009e73",
                                       "#cc79a7", "#e69f00", "#56b4e9"};
 enum { PALETTE = sizeof palette / sizeof palette[0] };
-static const char ink[] = "#333333", grey[] = "#555555", grid[] = "#e3e3e3";
+static const char ink[] = "#333333", pale[] = "#c9c9c9", grid[] = "#e6e6e6", alarm[] = "#b03a00";
 
 /* Pixels of a sheet at its nominal size; PNG has twice as many. */
 enum {
     BUCKETS = 700, /* of a thinned line: finer than a pixel of a panel */
     MARGIN_LEFT = 64,
     MARGIN_RIGHT = 26,
-    TITLE_HEIGHT = 40,
+    TITLE_HEIGHT = 34,
     KEY_LINE = 20,
-    HEADING = 30, /* above each panel */
-    TICS = 22,    /* numbers below an abscissa */
-    ABSCISSA = 24 /* its name */
+    HEADING = 30,  /* above each panel */
+    TICS = 22,     /* numbers below an abscissa */
+    ABSCISSA = 24, /* its name */
+    TEXT = 12,     /* sizes of text */
+    SMALL_TEXT = 11,
+    TITLE_TEXT = 14
 };
 
 typedef struct layout {
@@ -44,9 +47,11 @@ static layout lay_out(const sheet *s) {
     l.panel_width = room - MARGIN_LEFT - MARGIN_RIGHT;
     l.panel_height = s->count == 1 ? 340 : l.rows == 2 ? 210 : 150;
     l.width = s->columns * room;
-    l.top = s->title[0] != '\0' ? TITLE_HEIGHT : 8;
+    l.top = s->title[0] != '\0' || s->note[0] != '\0' ? TITLE_HEIGHT : 8;
     if (s->common_key) {
-        const int entries = s->panel[0].count;
+        int entries = 0;
+        for (int i = 0; i < s->panel[0].count; i++)
+            entries += s->panel[0].series[i].label[0] != '\0';
         l.top += KEY_LINE * (entries > 3 ? (entries + 2) / 3 : 1);
     }
     l.height = l.top + l.rows * (HEADING + TICS + l.panel_height) + ABSCISSA + 10;
@@ -154,89 +159,137 @@ static bool write_data(const sheet *s, const panel *p, const series *line, doubl
 
 /* ---- script ---------------------------------------------------------------------------------------------------- */
 
-static void write_terminal(FILE *file, const layout *l, sheet_format format) {
-    const double inch = 100.0; /* pixels of the nominal size in an inch of paper */
-    if (format == SHEET_PNG)
-        fprintf(file,
-                "set terminal pngcairo size %d,%d enhanced font 'DejaVu Sans,9' fontscale 2 "
-                "linewidth 2 pointscale 2 background rgb 'white'\n",
-                2 * l->width, 2 * l->height);
-    else if (format == SHEET_SVG)
-        fprintf(file,
-                "set terminal svg size %d,%d enhanced font 'DejaVu Sans,12' background rgb "
-                "'white' rounded\n",
-                l->width, l->height);
-    else
-        fprintf(file,
-                "set terminal pdfcairo size %.3fin,%.3fin enhanced font 'DejaVu Sans,8.6' "
-                "linewidth 1 background rgb 'white' rounded\n",
-                l->width / inch, l->height / inch);
+/* What a part of the script needs to know. */
+typedef struct drawing {
+    FILE *file;
+    const sheet *sheet;
+    layout layout;
+    sheet_format format;
+} drawing;
+
+/* A size in nominal pixels as this terminal counts fonts: PNG in points of 96 to the inch, SVG in pixels, PDF in points
+ * of a page with 100 nominal pixels to the inch. */
+static double font_size(const drawing *pen, double pixels) {
+    static const double factor[] = {[SHEET_PNG] = 0.75, [SHEET_SVG] = 1.0, [SHEET_PDF] = 0.72};
+    return pixels * factor[pen->format];
 }
 
-static void write_frame(FILE *file, const sheet *s, const layout *l) {
+/* Nominal pixels from the left and from the top as gnuplot's fractions of the sheet. */
+static double screen_x(const drawing *pen, double x) { return x / pen->layout.width; }
+static double screen_y(const drawing *pen, double y) { return 1.0 - y / pen->layout.height; }
+
+static void write_terminal(const drawing *pen) {
+    const layout *l = &pen->layout;
+    const double size = font_size(pen, TEXT);
+    if (pen->format == SHEET_PNG)
+        fprintf(pen->file,
+                "set terminal pngcairo size %d,%d enhanced font 'DejaVu Sans,%.4g' fontscale 2 "
+                "linewidth 2 pointscale 2 background rgb 'white'\n",
+                2 * l->width, 2 * l->height, size);
+    else if (pen->format == SHEET_SVG)
+        fprintf(pen->file,
+                "set terminal svg size %d,%d enhanced font 'DejaVu Sans,%.4g' background rgb "
+                "'white' rounded\n",
+                l->width, l->height, size);
+    else
+        fprintf(pen->file,
+                "set terminal pdfcairo size %.2fin,%.2fin enhanced font 'DejaVu Sans,%.4g' "
+                "linewidth 1 background rgb 'white' rounded\n",
+                l->width / 100.0, l->height / 100.0, size);
+}
+
+/* What all panels share, and the title. */
+static void write_frame(const drawing *pen) {
+    FILE *file = pen->file;
     char quoted[2 * SHEET_TEXT];
-    fprintf(file, "set encoding utf8\nset output 'figure'\nset multiplot\n");
+    fprintf(file, "set encoding utf8\nset minussign\nset output 'figure'\nset multiplot\n");
     fprintf(file, "set border 3 lw 0.8 lc rgb '%s'\n", ink);
     fprintf(file, "set grid back lt 1 dt 1 lw 0.7 lc rgb '%s'\n", grid);
-    fprintf(file, "set tics nomirror out scale 0.5 textcolor rgb '%s'\n", ink);
-    if (s->title[0] == '\0') return;
-    sheet_quote(quoted, sizeof quoted, s->title, s->columns > 1 ? 110 : 80);
+    fprintf(file, "set tics nomirror out scale 0.5 textcolor rgb '%s' font ',%.4g'\n", ink,
+            font_size(pen, SMALL_TEXT));
+    sheet_quote(quoted, sizeof quoted, pen->sheet->title, pen->sheet->columns > 1 ? 90 : 65);
     fprintf(file,
-            "set label 1 '%s' at screen %.6f,screen %.6f left noenhanced font ':Bold,%s' "
-            "textcolor rgb 'black'\n",
-            quoted, (double)MARGIN_LEFT / l->width, 1.0 - 22.0 / l->height, "*1.25");
+            "set label 1 '%s' at screen %.6f,screen %.6f left noenhanced font 'DejaVu "
+            "Sans:Bold,%.4g' textcolor rgb 'black'\n",
+            quoted, screen_x(pen, MARGIN_LEFT), screen_y(pen, 22), font_size(pen, TITLE_TEXT));
+    sheet_quote(quoted, sizeof quoted, pen->sheet->note, 60);
+    fprintf(file,
+            "set label 3 '%s' at screen %.6f,screen %.6f right noenhanced font ',%.4g' textcolor "
+            "rgb '%s'\n",
+            quoted, screen_x(pen, pen->layout.width - MARGIN_RIGHT), screen_y(pen, 22),
+            font_size(pen, SMALL_TEXT), alarm);
 }
 
 static void write_line_style(FILE *file, const series *line) {
-    static const char *const dashes[] = {"1", "(8,4)", "(2,3)", "(10,4,2,4)"};
-    if (line->colour < 0)
-        fprintf(file, "with lines lw 1.1 dt (5,4) lc rgb '%s'", grey);
-    else
-        fprintf(file, "with %s lw %s dt %s lc rgb '%s'%s", line->points ? "linespoints" : "lines",
-                "1.7", dashes[line->dash % 4], palette[line->colour % PALETTE],
-                line->points ? " pt 7 ps 0.55" : "");
+    if (line->colour < 0) {
+        fprintf(file, "with lines lw 5 lc rgb '%s'", pale);
+        return;
+    }
+    const char *colour = palette[line->colour % PALETTE];
+    /* beyond the palette, dashes tell lines apart */
+    static const char *const dashes[] = {"1", "(9,5)", "(2,3)", "(9,4,2,4)"};
+    fprintf(file, "with %s lw 1.6 dt %s lc rgb '%s'%s", line->points ? "linespoints" : "lines",
+            dashes[line->colour / PALETTE % 4], colour, line->points ? " pt 7 ps 0.55" : "");
 }
 
-static void write_key(FILE *file, const sheet *s, const layout *l, int number) {
-    if (!s->common_key) {
-        fprintf(file, "set key at graph 1.0,graph 1.0 right bottom horizontal Left reverse "
-                      "samplen 1.6 width -1 height 0.4 maxrows 1\n");
-    } else if (number == 0) {
-        fprintf(file,
-                "set key at screen %.6f,screen %.6f left top horizontal Left reverse samplen 2 "
-                "width 1 maxcols 3\n",
-                (double)MARGIN_LEFT / l->width,
-                1.0 - (double)(s->title[0] != '\0' ? TITLE_HEIGHT - 6 : 4) / l->height);
+/* The key stands beside the heading of each panel, or once under the title. */
+static void write_key(const drawing *pen, int number) {
+    const double size = font_size(pen, SMALL_TEXT);
+    if (!pen->sheet->common_key)
+        fprintf(pen->file,
+                "set key at graph 1,graph 1 right bottom horizontal Left reverse samplen 1.3 "
+                "width -0.5 height 0.3 maxrows 1 font ',%.4g'\n",
+                size);
+    else if (number == 0)
+        fprintf(pen->file,
+                "set key at screen %.6f,screen %.6f left top horizontal Left reverse samplen 1.8 "
+                "width 1 maxcols 3 font ',%.4g'\n",
+                screen_x(pen, MARGIN_LEFT),
+                screen_y(pen, pen->sheet->title[0] != '\0' ? TITLE_HEIGHT - 4 : 8), size);
+    else
+        fprintf(pen->file, "unset key\n");
+}
+
+/* A round step of 1, 2 or 5 times a power of ten that gives at most `most` intervals. */
+static double round_step(range r, int most) {
+    const double least = (r.high - r.low) / most, decade = pow(10.0, floor(log10(least)));
+    const double steps[] = {1.0, 2.0, 5.0};
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
+        if (steps[i] * decade >= least) return steps[i] * decade;
+    }
+    return 10.0 * decade;
+}
+
+static void write_scale(FILE *file, char axis, bool logarithmic, range r, int most) {
+    fprintf(file, "set %crange [%.12g:%.12g]\n", axis, r.low, r.high);
+    if (logarithmic) {
+        const double decades = ceil(log10(r.high / r.low) / most);
+        fprintf(file, "set logscale %c\nset %ctics %.9g\nset format %c '10^{%%T}'\n", axis, axis,
+                pow(10.0, decades), axis);
+        fprintf(file, "%s m%ctics\n", decades > 1.0 ? "unset" : "set", axis);
     } else {
-        fprintf(file, "unset key\n");
+        fprintf(file, "unset logscale %c\nset %ctics %.9g\nset format %c '%%g'\nunset m%ctics\n",
+                axis, axis, round_step(r, most), axis, axis);
     }
 }
 
-/* Scales, ranges and texts around one panel. */
-static void write_axes(FILE *file, const sheet *s, const layout *l, int number, range x, range y,
-                       int power) {
+/* Place, scales and texts of one panel. */
+static void write_axes(const drawing *pen, int number, range x, range y, int power) {
+    const sheet *s = pen->sheet;
+    const layout *l = &pen->layout;
     const panel *p = &s->panel[number];
     const int row = number / s->columns, column = number % s->columns;
     const int left = column * (l->width / s->columns) + MARGIN_LEFT;
     const int top = l->top + HEADING + row * (HEADING + TICS + l->panel_height);
-    const bool last = number + s->columns >= s->count;
+    FILE *file = pen->file;
     char heading[SHEET_TEXT + 64], unit[48], quoted[2 * SHEET_TEXT];
 
-    fprintf(file, "set lmargin at screen %.6f\nset rmargin at screen %.6f\n",
-            (double)left / l->width, (double)(left + l->panel_width) / l->width);
-    fprintf(file, "set tmargin at screen %.6f\nset bmargin at screen %.6f\n",
-            1.0 - (double)top / l->height, 1.0 - (double)(top + l->panel_height) / l->height);
-    fprintf(file, "%s logscale x\n%s logscale y\n", s->logarithmic_abscissa ? "set" : "unset",
-            p->logarithmic ? "set" : "unset");
-    fprintf(file, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", x.low, x.high, y.low, y.high);
-    fprintf(file, "set format x '%s'\n", s->logarithmic_abscissa ? "%g" : "%g");
-    if (p->logarithmic) {
-        const int step = (int)ceil(log10(y.high / y.low) / 6.5);
-        fprintf(file, "set format y '10^{%%T}'\nset ytics autofreq 1e%d\nset mytics default\n",
-                step);
-    } else {
-        fprintf(file, "set format y '%%g'\nset ytics autofreq\n");
-    }
+    fprintf(file, "set lmargin at screen %.6f\nset rmargin at screen %.6f\n", screen_x(pen, left),
+            screen_x(pen, left + l->panel_width));
+    fprintf(file, "set tmargin at screen %.6f\nset bmargin at screen %.6f\n", screen_y(pen, top),
+            screen_y(pen, top + l->panel_height));
+    write_scale(file, 'x', s->logarithmic_abscissa, x, l->panel_width / 75);
+    write_scale(file, 'y', p->logarithmic, y, l->panel_height / 30);
 
     sheet_unit_label(unit, sizeof unit, p->unit, power);
     snprintf(heading, sizeof heading, "%s%s", p->heading, unit);
@@ -245,40 +298,42 @@ static void write_axes(FILE *file, const sheet *s, const layout *l, int number, 
             "set label 2 '%s' at graph 0,graph 1 left offset character 0,character 0.75 "
             "noenhanced textcolor rgb 'black'\n",
             quoted);
-    if (last) {
-        sheet_quote(quoted, sizeof quoted, s->abscissa, 80);
-        fprintf(file, "set xlabel '%s' noenhanced offset character 0,character 0.4\n", quoted);
-    } else {
+    sheet_quote(quoted, sizeof quoted, s->abscissa, 80);
+    if (number + s->columns >= s->count)
+        fprintf(file, "set xlabel '%s' noenhanced offset character 0,character 0.5\n", quoted);
+    else
         fprintf(file, "unset xlabel\n");
-    }
-    write_key(file, s, l, number);
+    write_key(pen, number);
 }
 
-/* Points that ended early are ringed in the same colour on white. */
-static void write_plot(FILE *file, const sheet *s, int number, int first_data) {
-    const panel *p = &s->panel[number];
+/* Points that ended early are rings. */
+static void write_plot(const drawing *pen, int number, int first_data) {
+    const panel *p = &pen->sheet->panel[number];
+    FILE *file = pen->file;
     char quoted[2 * SHEET_TEXT];
     fprintf(file, "plot ");
     for (int i = 0; i < p->count; i++) {
         const series *line = &p->series[i];
-        fprintf(file, "%s'data-%d' using 1:2 ", i > 0 ? ", \\\n     " : "", first_data + i);
+        const int data = first_data + i;
+        sheet_quote(quoted, sizeof quoted, line->label, pen->sheet->common_key ? 40 : 28);
+        fprintf(file, "%s'data-%d' using 1:2 ", i > 0 ? ", \\\n     " : "", data);
         write_line_style(file, line);
-        sheet_quote(quoted, sizeof quoted, line->label, s->common_key ? 40 : 28);
         if (line->label[0] != '\0')
             fprintf(file, " title '%s' noenhanced", quoted);
         else
             fprintf(file, " notitle");
         if (line->ended == NULL) continue;
         fprintf(file,
-                ", \\\n     'data-%d' using 1:($3 > 0 ? $2 : NaN) with points pt 7 ps 0.6 lc rgb "
+                ", \\\n     'data-%d' using 1:($3 > 0 ? $2 : NaN) with points pt 7 ps 0.75 lc rgb "
                 "'white' notitle, \\\n     'data-%d' using 1:($3 > 0 ? $2 : NaN) with points pt 6 "
-                "ps 0.75 lw 1.5 lc rgb '%s' title 'ended early' noenhanced",
-                first_data + i, first_data + i, palette[line->colour % PALETTE]);
+                "ps 0.75 lw 1.4 lc rgb '%s' title 'ended early' noenhanced",
+                data, data, palette[line->colour % PALETTE]);
     }
     fprintf(file, "\nunset label\n");
 }
 
-static bool write_panels(FILE *file, const sheet *s, const layout *l, const char *folder) {
+static bool write_panels(const drawing *pen, const char *folder) {
+    const sheet *s = pen->sheet;
     const range x = abscissa_range(s);
     char path[256];
     bool good = true;
@@ -290,8 +345,8 @@ static bool write_panels(FILE *file, const sheet *s, const layout *l, const char
         const double scale = pow(1000.0, power);
         range y = padded(p, found);
         y = (range){y.low / scale, y.high / scale};
-        write_axes(file, s, l, number, x, y, power);
-        write_plot(file, s, number, data);
+        write_axes(pen, number, x, y, power);
+        write_plot(pen, number, data);
         for (int i = 0; i < p->count && good; i++, data++) {
             snprintf(path, sizeof path, "%s/data-%d", folder, data);
             good = write_data(s, p, &p->series[i], scale, path);
@@ -300,24 +355,26 @@ static bool write_panels(FILE *file, const sheet *s, const layout *l, const char
     return good;
 }
 
-gough_status sheet_write_script(const sheet *s, sheet_format format, const char *folder,
-                                gough_error *error) {
+static bool write_script(const sheet *s, sheet_format format, const char *folder) {
     char path[256];
     snprintf(path, sizeof path, "%s/script", folder);
+    const drawing pen = {fopen(path, "w"), s, lay_out(s), format};
+    if (pen.file == NULL) return false;
+    write_terminal(&pen);
+    write_frame(&pen);
+    bool good = write_panels(&pen, folder);
+    fprintf(pen.file, "unset multiplot\nunset output\n");
+    good = ferror(pen.file) == 0 && good;
+    return fclose(pen.file) == 0 && good;
+}
+
+gough_status sheet_write_script(const sheet *s, sheet_format format, const char *folder,
+                                gough_error *error) {
+    bool good = false;
     const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    const locale_t before = plain != (locale_t)0 ? uselocale(plain) : (locale_t)0;
-    FILE *file = plain != (locale_t)0 ? fopen(path, "w") : NULL;
-    bool good = file != NULL;
-    if (good) {
-        const layout l = lay_out(s);
-        write_terminal(file, &l, format);
-        write_frame(file, s, &l);
-        good = write_panels(file, s, &l, folder);
-        fprintf(file, "unset multiplot\nunset output\n");
-        good = ferror(file) == 0 && good;
-        good = fclose(file) == 0 && good;
-    }
     if (plain != (locale_t)0) {
+        const locale_t before = uselocale(plain);
+        good = write_script(s, format, folder);
         uselocale(before);
         freelocale(plain);
     }

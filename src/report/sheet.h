@@ -16,8 +16,7 @@ typedef struct series {
     size_t count;
     const double *x, *y;
     char label[SHEET_TEXT]; /* "" : not in the key */
-    int colour;             /* index into the palette; -1: grey, for the program */
-    int dash;               /* 0: solid */
+    int colour;             /* index into the palette; -1: pale and wide, for the program */
     const double
         *ended; /* NULL, or 1 where a point is marked as ended early: points are drawn then */
     bool points;
@@ -33,6 +32,7 @@ typedef struct panel {
 
 typedef struct sheet {
     char title[SHEET_TEXT];
+    char note[SHEET_TEXT];     /* small, at the right of the title: how the run ended */
     char abscissa[SHEET_TEXT]; /* name and unit of the abscissa */
     bool logarithmic_abscissa;
     bool common_key; /* one key for all panels, above them */
