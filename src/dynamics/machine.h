@@ -11,12 +11,13 @@ static inline void hexapod_of_machine(hexapod *h, const gough_machine *machine) 
 
 #if defined(NUMBER_QUAD)
     /* the axes of the machine are good to 16 digits only: found anew */
-    number inertia[3][3];
+    number inertia[3][3], J[3];
     for (int r = 0; r < 3; r++) {
         for (int c = 0; c < 3; c++) inertia[r][c] = number_of(machine->load.inertia[r][c]);
     }
-    principal_axes(inertia, axes, moments);
+    principal_axes(inertia, axes, J);
     for (int r = 0; r < 3; r++) {
+        moments[r] = (J[(r + 1) % 3] + J[(r + 2) % 3] - J[r]) / 2;
         if (!(machine->second_moments[r] > 0)) moments[r] = 0; /* flat, as the machine has it */
     }
 #else

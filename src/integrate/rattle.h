@@ -123,7 +123,7 @@ static inline void rattle_close_damped(const rattle *r, vector J, number half, n
 
 /* (step-4): one symmetric step of order 2. Returns the residual of the turn: over 1e-6 the step is too long to be one. */
 static inline number rattle_step(const rattle *r, real t, real step, rattle_state *s) {
-    const number h = number_of_real(step), half = number_of_real(step / 2), two = number_of(2);
+    const number h = number_of_real(step), half = number_of_real(step / 2);
     const vector J = rattle_inertia(r->load);
     const number M = r->load->mass, *F = s->wrench, *L = s->wrench + 3;
     number damping[6][6], w, residual;
@@ -138,7 +138,8 @@ static inline number rattle_step(const rattle *r, real t, real step, rattle_stat
     residual = rattle_turn(J, scale(half, m), &q, &w);
     rattle_rotate(w, q, &s->x.q);
     p = rattle_times(J, q);
-    m = scale(two / h, subtract(scale(w, p), cross(q, p)));
+    m = subtract(scale(w, p), cross(q, p));
+    m = (vector){m.x / half, m.y / half, m.z / half}; /* no factor 2/h, whose rounding adds up */
 
     /* closing half kick */
     r->act(r->context, t + step, &s->x, s->wrench, damping);

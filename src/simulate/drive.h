@@ -389,7 +389,8 @@ static inline gough_status drive_fixed(drive *d) {
             const real residual =
                 rattle_compose(&method, (int)o->method - (int)GOUGH_RATTLE2, d->t0, h, &state);
             drive_rattle_read(&state, d->raw);
-            if (!(residual <= (real)1e-6) && drive_finite(d->raw)) {
+            if (d->r.fault.what) return limits_fault(&d->r, d->end);
+            if (!(residual <= (real)1e-6)) {
                 return drive_stop(d, GOUGH_END_NO_CONVERGENCE, d->t0,
                                   "the step is too long for the turn of the load; a shorter step "
                                   "would do:");
