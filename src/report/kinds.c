@@ -57,16 +57,31 @@ static int count_true(const bool *flags, int count) {
 
 /* ---- motion ---------------------------------------------------------------------------------------------------- */
 
-/* The program of a component, actual − deviation, pale under the first table's line; none in a table of forces. */
+/* The table that reaches furthest in time. */
+static size_t longest_table(const builder *b) {
+    size_t longest = 0;
+    double last = -INFINITY;
+    for (size_t t = 0; t < b->table_count; t++) {
+        const double *time = gough_table_column(b->tables[t], "t");
+        const size_t rows = b->tables[t]->rows;
+        if (time == NULL || rows == 0 || !(time[rows - 1] > last)) continue;
+        last = time[rows - 1];
+        longest = t;
+    }
+    return longest;
+}
+
+/* The program of a component, actual − deviation, pale under the lines; none in a table of forces. */
 static void add_program(builder *b, panel *p, int component, double offset, const char *label) {
-    const gough_table *table = b->tables[0];
+    const size_t t = longest_table(b);
+    const gough_table *table = b->tables[t];
     const double *actual = gough_table_column(table, component_name[component]);
     const double *deviation = gough_table_column(table, deviation_name[component]);
     if (actual == NULL || deviation == NULL || p == NULL) return;
-    double *program = builder_array(b, 0);
+    double *program = builder_array(b, t);
     if (program == NULL) return;
     for (size_t r = 0; r < table->rows; r++) program[r] = actual[r] - deviation[r] - offset;
-    builder_line(b, p, 0, "t", program, label, -1);
+    builder_line(b, p, t, "t", program, label, -1);
 }
 
 static void add_component_panel(builder *b, int c) {

@@ -110,10 +110,10 @@ static int power_of_panel(const panel *p, range r) {
 static range padded(const panel *p, range r) {
     if (!isfinite(r.low)) return p->logarithmic ? (range){1e-16, 1.0} : (range){-1.0, 1.0};
     if (p->logarithmic) {
-        /* whole decades, at least two, at most twenty */
+        /* whole decades, at least two, at most fourteen: below is round-off */
         double low = floor(log10(r.low)), high = ceil(log10(r.high));
         if (high - low < 2.0) high = low + 2.0;
-        if (high - low > 20.0) low = high - 20.0;
+        if (high - low > 14.0) low = high - 14.0;
         return (range){pow(10.0, low), pow(10.0, high)};
     }
     const double greatest = fmax(fabs(r.low), fabs(r.high));
@@ -245,7 +245,7 @@ static void write_key(const drawing *pen, int number) {
                 "set key at screen %.6f,screen %.6f left top horizontal Left reverse samplen 1.8 "
                 "width 1 maxcols 3 font ',%.4g'\n",
                 screen_x(pen, MARGIN_LEFT),
-                screen_y(pen, pen->sheet->title[0] != '\0' ? TITLE_HEIGHT - 4 : 8), size);
+                screen_y(pen, pen->sheet->title[0] != '\0' ? TITLE_HEIGHT + 4 : 8), size);
     else
         fprintf(pen->file, "unset key\n");
 }
@@ -267,10 +267,16 @@ static void write_scale(FILE *file, char axis, bool logarithmic, range r, int mo
         fprintf(file, "set logscale %c\nset %ctics %.9g\nset format %c '10^{%%T}'\n", axis, axis,
                 pow(10.0, decades), axis);
         fprintf(file, "%s m%ctics\n", decades > 1.0 ? "unset" : "set", axis);
-    } else {
-        fprintf(file, "unset logscale %c\nset %ctics %.9g\nset format %c '%%g'\nunset m%ctics\n",
-                axis, axis, round_step(r, most), axis, axis);
+        return;
     }
+    /* as many decimals as the step has, so that the numbers of an axis are alike */
+    const double step = round_step(r, most);
+    const int decimals = step < 1.0 ? (int)ceil(-log10(step) - 1e-9) : 0;
+    fprintf(file, "unset logscale %c\nset %ctics %.9g\nunset m%ctics\n", axis, axis, step, axis);
+    if (decimals <= 6)
+        fprintf(file, "set format %c '%%.%df'\n", axis, decimals);
+    else
+        fprintf(file, "set format %c '%%g'\n", axis);
 }
 
 /* Place, scales and texts of one panel. */
@@ -288,7 +294,7 @@ static void write_axes(const drawing *pen, int number, range x, range y, int pow
             screen_x(pen, left + l->panel_width));
     fprintf(file, "set tmargin at screen %.6f\nset bmargin at screen %.6f\n", screen_y(pen, top),
             screen_y(pen, top + l->panel_height));
-    write_scale(file, 'x', s->logarithmic_abscissa, x, l->panel_width / 75);
+    write_scale(file, 'x', s->logarithmic_abscissa, x, l->panel_width / 60);
     write_scale(file, 'y', p->logarithmic, y, l->panel_height / 30);
 
     sheet_unit_label(unit, sizeof unit, p->unit, power);
