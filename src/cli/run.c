@@ -121,7 +121,6 @@ static gough_status execute(const command_line *line, running *run, gough_error 
     const gough_study *study = report->study;
     gough_simulation simulation = study->simulation;
     if (line->precision == GOUGH_QUADRUPLE) simulation.precision = GOUGH_QUADRUPLE;
-    simulation.reactions |= line->reactions;
 
     gough_summary_begin(&report->summary);
     run->progress = progress_begin(line->verb, simulation.duration, line->quiet);
@@ -182,6 +181,7 @@ gough_status run_verb(const verb_usage *usage, bool simulated, int count, char *
     gough_status status = check_output(&line);
     if (!status) status = read_study(&line, &study);
     if (!status) {
+        study->simulation.reactions |= line.reactions; /* tables have columns by this too */
         report.study = study;
         status = run_study(&line, study, &report);
     }

@@ -65,7 +65,7 @@ value() {
     awk -F, -v name="$2" -v t="$3" '
         NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next }
         c { d = $1 - t; if (d < 0) d = -d; if (NR == 2 || d < best) { best = d; found = $c } }
-        END { print c && NR > 1 && best < 1e-6 ? found : "no such row or column" }' "$1"
+        END { print ((c && NR > 1 && best < 1e-6) ? found : "no such row or column") }' "$1"
 }
 extreme() {
     awk -F, -v name="$2" -v kind="$3" -v until="${4:-1e300}" -v number="$number" '
