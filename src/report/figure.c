@@ -55,8 +55,21 @@ static void remove_folder(char *folder) {
     free(folder);
 }
 
+/* Blanks the date in a PDF, so that the same figure is the same bytes. It is optional there, and offsets stay. */
+static void blank_date(char *bytes, size_t length) {
+    static const char key[] = "/CreationDate (";
+    const size_t key_length = sizeof key - 1;
+    for (size_t i = 0; i + key_length + 32 < length; i++) {
+        if (bytes[i] != '/' || memcmp(bytes + i, key, key_length) != 0) continue;
+        const char *end = memchr(bytes + i, ')', 32);
+        if (end != NULL) memset(bytes + i, ' ', (size_t)(end + 1 - (bytes + i)));
+        return;
+    }
+}
+
 /* Copies the picture that gnuplot left to where it is wanted. */
-static gough_status take_picture(const char *folder, const char *path, gough_error *error) {
+static gough_status take_picture(const char *folder, sheet_format format, const char *path,
+                                 gough_error *error) {
     char from[256];
     snprintf(from, sizeof from, "%s/figure", folder);
     FILE *file = fopen(from, "rb");
@@ -67,10 +80,12 @@ static gough_status take_picture(const char *folder, const char *path, gough_err
     if (fseek(file, 0, SEEK_END) == 0) length = ftell(file);
     rewind(file);
     char *bytes = length > 0 ? malloc((size_t)length) : NULL;
-    if (bytes != NULL && fread(bytes, 1, (size_t)length, file) == (size_t)length)
+    if (bytes != NULL && fread(bytes, 1, (size_t)length, file) == (size_t)length) {
+        if (format == SHEET_PDF) blank_date(bytes, (size_t)length);
         status = gough_write_file(path, bytes, (size_t)length, error);
-    else
+    } else {
         status = gough_fail(error, status, "%s: gnuplot left no figure", path);
+    }
     free(bytes);
     fclose(file);
     return status;
@@ -82,7 +97,7 @@ static gough_status draw(const sheet *s, sheet_format format, const char *path,
     if (folder == NULL) return GOUGH_ERROR_FILE;
     gough_status status = sheet_write_script(s, format, folder, error);
     if (status == GOUGH_OK) status = sheet_run_gnuplot(folder, error);
-    if (status == GOUGH_OK) status = take_picture(folder, path, error);
+    if (status == GOUGH_OK) status = take_picture(folder, format, path, error);
     remove_folder(folder);
     return status;
 }

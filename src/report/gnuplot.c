@@ -14,7 +14,7 @@
 
 enum { CPU_SECONDS = 120, NOT_FOUND = 127, NO_FOLDER = 126 };
 
-/* The child: gnuplot on "script", its talk into "log". The same figure in every locale, and no date in a PDF. */
+/* The child: gnuplot on "script", its talk into "log". The same figure in every locale. */
 static _Noreturn void become_gnuplot(const char *folder) {
     if (chdir(folder) != 0) _exit(NO_FOLDER);
     const int log = open("log", O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -25,7 +25,6 @@ static _Noreturn void become_gnuplot(const char *folder) {
     dup2(log, STDERR_FILENO);
     setrlimit(RLIMIT_CPU, &(struct rlimit){CPU_SECONDS, CPU_SECONDS});
     setenv("LC_ALL", "C.UTF-8", 1);
-    setenv("SOURCE_DATE_EPOCH", "0", 1);
     unsetenv("GNUTERM");
     unsetenv("GNUPLOT_LIB");
     execlp("gnuplot", "gnuplot", "--default-settings", "script", (char *)NULL);
