@@ -58,10 +58,11 @@ static void remove_folder(char *folder) {
 /* Blanks the date in a PDF, so that the same figure is the same bytes. It is optional there, and offsets stay. */
 static void blank_date(char *bytes, size_t length) {
     static const char key[] = "/CreationDate (";
+    enum { LONGEST = 60 };
     const size_t key_length = sizeof key - 1;
-    for (size_t i = 0; i + key_length + 32 < length; i++) {
+    for (size_t i = 0; i + LONGEST < length; i++) {
         if (bytes[i] != '/' || memcmp(bytes + i, key, key_length) != 0) continue;
-        const char *end = memchr(bytes + i, ')', 32);
+        const char *end = memchr(bytes + i, ')', LONGEST);
         if (end != NULL) memset(bytes + i, ' ', (size_t)(end + 1 - (bytes + i)));
         return;
     }
