@@ -42,8 +42,14 @@ const double *builder_column(builder *b, size_t table, const char *name) {
 const char *builder_unit(const builder *b, const char *name) {
     for (size_t t = 0; t < b->table_count; t++) {
         for (size_t c = 0; c < b->tables[t]->columns; c++) {
-            if (strcmp(b->tables[t]->name[c], name) == 0) return b->tables[t]->unit[c];
+            if (strcmp(b->tables[t]->name[c], name) == 0 && b->tables[t]->unit[c][0] != '\0')
+                return b->tables[t]->unit[c];
         }
+    }
+    /* CSV brings no units, but angles are in degrees in every table */
+    for (int c = 0; c < GOUGH_COLUMNS; c++) {
+        const gough_column_info *info = &gough_column_table[c];
+        if (strcmp(info->name, name) == 0 && info->angle != 0 && info->time == 0) return "degree";
     }
     return "";
 }

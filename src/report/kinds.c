@@ -390,6 +390,10 @@ static void fill_columns(builder *b) {
                          builder_compares(b) ? (int)t : p->count);
     }
     free(list);
+    /* a line alone is named by the heading */
+    for (int p = 0; p < b->sheet->count && !builder_compares(b); p++) {
+        if (b->sheet->panel[p].count == 1) b->sheet->panel[p].series[0].label[0] = '\0';
+    }
     if (b->status == GOUGH_OK && b->sheet->count == 0)
         builder_fail(b, GOUGH_ERROR_INPUT,
                      "name the columns to draw, separated by commas (for example z,f1,f2)");

@@ -266,7 +266,8 @@ static void write_scale(FILE *file, char axis, bool logarithmic, range r, int mo
         const double decades = ceil(log10(r.high / r.low) / most);
         fprintf(file, "set logscale %c\nset %ctics %.9g\nset format %c '10^{%%T}'\n", axis, axis,
                 pow(10.0, decades), axis);
-        fprintf(file, "%s m%ctics\n", decades > 1.0 ? "unset" : "set", axis);
+        fprintf(file, "%s m%ctics\n", decades > 1.0 || r.high / r.low > 1e6 ? "unset" : "set",
+                axis);
         return;
     }
     /* as many decimals as the step has, so that the numbers of an axis are alike */
