@@ -14,5 +14,5 @@ for target in tests/fuzz/fuzz_*.c; do
     [[ -e tests/fuzz/$name.dict ]] && dictionary=("-dict=tests/fuzz/$name.dict")
     "$(find build/fuzz -name "fuzz_$name" -type f)" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 \
         -max_len=8192 -print_final_stats=1 -artifact_prefix="build/fuzz/failed-$name-" "${dictionary[@]}" \
-        "$found" "tests/fuzz/$name"
+        "$found" "tests/fuzz/corpus/$name"
 done
