@@ -151,7 +151,7 @@ static const char *first_word(const char *sentence, const char *const *words, si
 
 static void say_machine(study_build *build, study_node *platform, study_node *load,
                         const char *sentence) {
-    static const char *const words[] = {"inertia", "mass", "height", "base", "top"};
+    static const char *const words[] = {"machine", "inertia", "mass", "height", "base", "top"};
     const char *word = first_word(sentence, words, sizeof words / sizeof words[0]);
     const bool of_load = word && (strcmp(word, "inertia") == 0 || strcmp(word, "mass") == 0);
     say_at(build, of_load ? load : platform, word ? word : "", sentence);

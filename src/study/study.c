@@ -57,10 +57,10 @@ static study_node *read_tree(study_messages *messages, const study_source *sourc
     const size_t mark = source->length >= 3 && memcmp(source->text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
     if (!study_source_guard(messages, source, mark)) return NULL;
     study_node *root = study_tree_parse(messages, source, mark);
-    if (!root && messages->count == 0)
+    if (messages->count == 0 && (!root || root->empty))
         study_say(messages, GOUGH_ERROR_INPUT, (study_place){source, source->length},
                   "the study is empty; `gough example` prints one to start from");
-    return root;
+    return messages->count ? NULL : root;
 }
 
 /* The folder of a file, with its slash: relative samples start there. */

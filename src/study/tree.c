@@ -156,27 +156,49 @@ static study_quoting quoting_of(enum fy_scalar_style style) {
     }
 }
 
+/* The decoded text of a scalar, piece by piece: of libfyaml 0.7, fy_token_get_text() leaks and answers NULL where escaped
+ * quotes make the text longer than it reckons, and fy_token_iter_read() writes each piece over the one before. */
+static bool read_text(builder *build, struct fy_token *token, study_node *node) {
+    const size_t most = 2 * (node->end - node->place.offset) + 8; /* \L is 2 bytes, U+2028 is 3 */
+    char *text = study_arena_take(build->arena, most + 1);
+    struct fy_token_iter *reader = text ? fy_token_iter_create(token) : NULL;
+    const struct fy_iter_chunk *piece = NULL;
+    int error = reader ? 0 : -1;
+    while (!error && (piece = fy_token_iter_chunk_next(reader, piece, &error))) {
+        if (piece->len > most - node->length)
+            error = -1;
+        else
+            memcpy(text + node->length, piece->str, piece->len);
+        node->length += error ? 0 : piece->len;
+    }
+    fy_token_iter_destroy(reader);
+    if (error) return false;
+    node->text = text;
+    if (strlen(text) < node->length)
+        fail(build, node->place.offset, "a NUL character in this text");
+    return true;
+}
+
 static void add_scalar(builder *build, struct fy_event *event) {
     struct fy_token *token = event->scalar.value;
     const struct fy_mark *start = token ? fy_token_start_mark(token) : NULL;
     const study_place place = {build->source, offset_of(build, start)};
     study_node *node = study_node_new(build->arena, STUDY_SCALAR, place);
     if (!node) return;
-    size_t length = 0;
-    const char *text = token ? fy_token_get_text(token, &length) : NULL;
     node->empty = !start;
-    node->end = start ? offset_of(build, fy_token_end_mark(token)) : place.offset;
-    if (node->end < place.offset) node->end = place.offset;
-    node->quoting = start ? quoting_of(fy_token_scalar_style(token)) : STUDY_PLAIN;
     node->in_flow = build->open && build->open->in_flow;
-    if (text && length) {
-        node->text = study_arena_copy(build->arena, text, length);
-        node->length = length;
-        if (!node->text) return;
-        if (memchr(text, '\0', length)) fail(build, place.offset, "a NUL character in this text");
+    if (start) {
+        const size_t end = offset_of(build, fy_token_end_mark(token));
+        node->end = end < place.offset ? place.offset : end;
+        node->quoting = quoting_of(fy_token_scalar_style(token));
+        if (!read_text(build, token, node)) {
+            fail(build, place.offset, "this text cannot be read");
+            return;
+        }
     }
-    build->last =
-        node->end + (node->quoting == STUDY_SINGLE_QUOTED || node->quoting == STUDY_DOUBLE_QUOTED);
+    const bool quoted =
+        node->quoting == STUDY_SINGLE_QUOTED || node->quoting == STUDY_DOUBLE_QUOTED;
+    build->last = node->end + quoted;
     place_node(build, node);
 }
 

@@ -117,7 +117,7 @@ static void say_no_number(study_messages *messages, study_node *node, size_t res
         study_node_say(messages, node, there,
                        "`%s` must be a number with a decimal point, found the comma of `%s`", path,
                        text);
-    else if (strpbrk(more, "+-*/^()"))
+    else if (more[strspn(more, " ")] && strchr("+-*/^(", more[strspn(more, " ")]))
         study_node_say(
             messages, node, there,
             "`%s` must be a number, found `%s`; only motion and disturbance take formulas", path,

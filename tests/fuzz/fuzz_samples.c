@@ -1,0 +1,26 @@
+/* Any bytes as a file of recorded motion: they end in a spline or in messages. */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/samples.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    study_arena arena = {NULL, false};
+    study_messages messages = {.arena = &arena};
+    gough_samples samples = {.count = 0};
+    void *memory = NULL;
+    const char *text = study_arena_copy(&arena, (const char *)data, size);
+    const study_source source = {"fuzz.csv", text, size, 0, false};
+    if (!text) return 0;
+    study_samples_parse(&messages, &source, &samples, &memory);
+    if ((memory == NULL) != (messages.count > 0) || (memory && samples.count < 2)) abort();
+    char *written = study_messages_write(&messages);
+    if (!written || (messages.count > 0 && !strstr(written, "error: "))) abort();
+    free(written);
+    free(memory);
+    study_arena_free(&arena);
+    return 0;
+}

@@ -1,0 +1,39 @@
+/* Any bytes as a study: they end in a model or in messages. Text after a first line that begins with "#set " goes in as settings
+ * too, so that overrides are tried with odd keys and values. */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "gough/study.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+/* "#set key=value" at the start as a setting; false where there is none. */
+static int first_line_setting(const char *text, size_t size, char line[200],
+                              gough_setting *setting) {
+    const char *end = size > 5 && memcmp(text, "#set ", 5) == 0 ? memchr(text, '\n', size) : NULL;
+    if (!end || end - text > 200) return 0;
+    memcpy(line, text + 5, (size_t)(end - text - 5));
+    line[end - text - 5] = '\0';
+    char *equals = strchr(line, '=');
+    if (!equals) return 0;
+    *equals = '\0';
+    *setting = (gough_setting){line, equals + 1};
+    return 1;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    gough_study *study = NULL;
+    char *messages = NULL, line[200];
+    gough_setting setting;
+    const char *text = (const char *)data;
+    const size_t settings = (size_t)first_line_setting(text, size, line, &setting);
+    const gough_status status =
+        gough_study_parse("fuzz.yaml", text, size, &setting, settings, &study, &messages);
+    if ((status == GOUGH_OK) != (study != NULL) || (status == GOUGH_OK) != (messages == NULL))
+        abort();
+    if (messages && !strstr(messages, "error: ")) abort();
+    gough_study_free(study);
+    gough_study_free_messages(messages);
+    return 0;
+}

@@ -1,0 +1,271 @@
+/* Every key of the table, given wrongly in each way: none is skipped, as the cases are made from the table itself. */
+#include <stdio.h>
+#include <string.h>
+
+#include "study/helpers.h"
+#include "support/suite.h"
+
+/* A study of one key alone: nested mappings down to it, `- ` for the elements of a list. */
+typedef struct lone {
+    char text[1000];
+    char parent[200]; /* the path of its mapping */
+    char name[64];
+    char path[200]; /* as messages call it */
+    int line, column;
+} lone;
+
+static void nest(lone *made, const gough_key *key, const char *suffix, const char *value) {
+    char path[200];
+    bool item = false;
+    *made = (lone){.line = 0, .column = 1};
+    snprintf(path, sizeof path, "%s", key->path);
+    for (char *part = path, *dot; part; part = dot) {
+        dot = strchr(part, '.');
+        if (dot) *dot++ = '\0';
+        char *end = made->text + strlen(made->text);
+        if (strcmp(part, "N") == 0) {
+            item = true;
+            strcat(made->path, ".1");
+            continue;
+        }
+        sprintf(end, "%*s%s%s%s:%s%s\n", made->column - 1, "", item ? "- " : "", part,
+                dot ? "" : suffix, dot ? "" : " ", dot ? "" : value);
+        if (item) made->column += 2;
+        item = false;
+        made->line++;
+        sprintf(made->path + strlen(made->path), "%s%s", made->path[0] ? "." : "", part);
+        snprintf(made->name, sizeof made->name, "%s", part);
+        if (dot) made->column += 2;
+    }
+}
+
+/* Reads it and expects a message at the key's value (or at its name) with this in it. */
+static void expect_at(const lone *made, bool at_name, const char *part) {
+    char place[400];
+    const int column = made->column + (at_name ? 0 : (int)strlen(made->name) + 2);
+    snprintf(place, sizeof place, "study.yaml:%d:%d: error: %s", made->line, column, part);
+    expect_said(made->text, place);
+}
+
+static bool type_is(const gough_key *key, const char *type) { return strcmp(key->type, type) == 0; }
+
+/* A value of the key's type with number v in it, at an offset from the value's begin; NULL where it has no numbers. */
+static const char *shape_with(const gough_key *key, const char *v, char *value, int *offset,
+                              const char **element) {
+    static const struct {
+        const char *type, *before, *after, *element;
+    } shapes[] = {
+        {"number", "", "", ""},
+        {"two numbers", "[", ", 1]", ".1"},
+        {"three numbers", "[1, ", ", 1]", ".2"},
+        {"number or three numbers", "[1, 1, ", "]", ".3"},
+        {"number or six numbers", "[1, 1, ", ", 1, 1, 1]", ".3"},
+        {"six points", "[[1, 1, 1], [1, ", ", 1], [1, 1, 1], [1, 1, 1], [1, 1, 1], [1, 1, 1]]",
+         ".2.2"},
+        {"three numbers or 3×3 matrix", "[[1, 0, 0], [0, ", ", 0], [0, 0, 1]]", ".2.2"},
+        {"formula", "", "", ""},
+        {"formula or six formulas", "[1, 1, 1, 1, 1, ", "]", ".6"},
+        {"three formulas", "[1, ", ", 1]", ".2"},
+    };
+    for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++) {
+        if (!type_is(key, shapes[i].type)) continue;
+        sprintf(value, "%s%s%s", shapes[i].before, v, shapes[i].after);
+        *offset = (int)strlen(shapes[i].before);
+        *element = shapes[i].element;
+        return value;
+    }
+    return NULL;
+}
+
+static bool has_numbers(const gough_key *key) {
+    return strstr(key->type, "number") || strstr(key->type, "formula") ||
+           strstr(key->type, "points");
+}
+
+/* Expects `part` about the number v put into a value of the key's type. */
+static void expect_of_number(const gough_key *key, const char *v, const char *part) {
+    char value[300], sentence[400];
+    const char *element;
+    int offset;
+    lone made;
+    ck_assert_msg(shape_with(key, v, value, &offset, &element) != NULL,
+                  "%s: no case for the type %s", key->path, key->type);
+    nest(&made, key, "", value);
+    snprintf(sentence, sizeof sentence, "`%s%s` must be %s", made.path, element, part);
+    made.column += offset;
+    expect_at(&made, false, sentence);
+}
+
+#define EACH_KEY(key)                                                                              \
+    size_t key_count;                                                                              \
+    const gough_key *const keys = gough_study_keys(&key_count);                                    \
+    ck_assert(key_count > 50);                                                                     \
+    for (const gough_key *key = keys; key < keys + key_count; key++)
+
+START_TEST(rejects_wrong_type_of_every_key) {
+    EACH_KEY(key) {
+        const bool mapping = type_is(key, "mapping") || type_is(key, "list of mappings");
+        const bool other = type_is(key, "choice or mapping");
+        lone made;
+        char sentence[400];
+        nest(&made, key, "", mapping ? "5" : other ? "[1]" : "{a: 1}");
+        snprintf(sentence, sizeof sentence, "`%s` must be ", made.path);
+        expect_at(&made, false, sentence);
+    }
+}
+END_TEST
+
+START_TEST(rejects_every_key_without_a_value) {
+    EACH_KEY(key) {
+        lone made;
+        char sentence[400];
+        if (type_is(key, "text")) continue; /* an empty title is one */
+        nest(&made, key, "", "");
+        snprintf(sentence, sizeof sentence, "`%s` must be ", made.path);
+        expect_at(&made, true, sentence);
+    }
+}
+END_TEST
+
+START_TEST(rejects_text_for_every_number) {
+    EACH_KEY(key) {
+        if (strstr(key->type, "number") || strstr(key->type, "points")) {
+            expect_of_number(key, "yes", "a number such as 1.5, found `yes`");
+            expect_of_number(key, "'2'", "a number, found text; remove the quotes");
+        }
+    }
+}
+END_TEST
+
+START_TEST(rejects_every_number_that_is_not_finite) {
+    static const char *const values[] = {".nan", ".inf", "-.inf", "1e999", "-1e400", "NaN", "inf"};
+    EACH_KEY(key) {
+        for (size_t i = 0; has_numbers(key) && i < sizeof values / sizeof values[0]; i++)
+            expect_of_number(key, values[i],
+                             strstr(key->type, "number") || strstr(key->type, "points")
+                                 ? "a finite number"
+                                 : "finite");
+    }
+}
+END_TEST
+
+START_TEST(rejects_every_number_out_of_range) {
+    EACH_KEY(key) {
+        if (strcmp(key->range, "> 0") == 0) {
+            expect_of_number(key, "0", "greater than 0, found 0");
+            expect_of_number(key, "-1e-300", "greater than 0, found -1e-300");
+        } else if (strcmp(key->range, ">= 0") == 0) {
+            expect_of_number(key, "-1", "0 or greater, found -1");
+        } else if (strcmp(key->range, "0 to 60") == 0) {
+            expect_of_number(key, "-1", "from 0 to 60 degrees, found -1");
+            expect_of_number(key, "60.01", "from 0 to 60 degrees, found 60.01");
+        } else if (strcmp(key->range, "1e-30 to 0.1") == 0) {
+            expect_of_number(key, "0", "from 1e-30 to 0.1, found 0");
+            expect_of_number(key, "1", "from 1e-30 to 0.1, found 1");
+        } else if (strcmp(key->range, ">= 0 as a number") == 0) {
+            lone made;
+            nest(&made, key, "", "-9.8");
+            expect_at(&made, false, "`gravity` must be 0 or greater, downwards");
+        } else if (strstr(key->type, "choice")) {
+            lone made;
+            char sentence[400];
+            nest(&made, key, "", "nonsense");
+            snprintf(sentence, sizeof sentence, "`%s` must be one of %s, found `nonsense`",
+                     made.path, key->range);
+            expect_at(&made, false, sentence);
+        } else {
+            ck_assert_msg(key->range[0] == '\0', "%s: no case for the range %s", key->path,
+                          key->range);
+        }
+    }
+}
+END_TEST
+
+START_TEST(rejects_every_list_of_another_length) {
+    EACH_KEY(key) {
+        lone made;
+        if (!strstr(key->type, "two") && !strstr(key->type, "three") && !strstr(key->type, "six"))
+            continue;
+        nest(&made, key, "", "[1, 1, 1, 1]");
+        expect_at(&made, false, "`");
+        expect_said(made.text, ", found a list of 4");
+    }
+}
+END_TEST
+
+START_TEST(rejects_duplicate_of_every_key) {
+    EACH_KEY(key) {
+        lone made;
+        char line[200], sentence[300];
+        nest(&made, key, "", "5");
+        snprintf(line, sizeof line, "%*s%s: 6\n", made.column - 1, "", made.name);
+        strcat(made.text, line);
+        snprintf(sentence, sizeof sentence, "duplicate key `%s`: line %d has it already", made.name,
+                 made.line);
+        made.line++;
+        expect_at(&made, true, sentence);
+    }
+}
+END_TEST
+
+START_TEST(suggests_every_key_that_is_misspelled) {
+    EACH_KEY(key) {
+        lone made;
+        char sentence[300];
+        nest(&made, key, "q", "5");
+        snprintf(sentence, sizeof sentence, "unknown key `%sq`; did you mean `%s`?", made.name,
+                 made.name);
+        expect_at(&made, true, sentence);
+    }
+}
+END_TEST
+
+START_TEST(names_every_required_key_that_is_missing) {
+    int required = 0;
+    EACH_KEY(key) {
+        lone made;
+        char sentence[400];
+        if (strcmp(key->fallback, "required") != 0) continue;
+        required++;
+        nest(&made, key, "", "5");
+        /* another key in its place, if it is not at the top */
+        char *name = strstr(made.text, made.name);
+        for (char *next = name; next; next = strstr(next + 1, made.name)) name = next;
+        memset(name, 'q', strlen(made.name));
+        snprintf(sentence, sizeof sentence, "`%s` is missing: %s", made.path, key->sentence);
+        expect_said(made.text, sentence);
+    }
+    ck_assert_int_ge(required, 8);
+}
+END_TEST
+
+START_TEST(table_is_complete_and_in_order) {
+    EACH_KEY(key) {
+        ck_assert(key->path[0] && key->type[0] && key->sentence[0]);
+        ck_assert_ptr_nonnull(key->unit);
+        ck_assert_ptr_nonnull(key->range);
+        ck_assert_ptr_nonnull(key->fallback);
+        for (const gough_key *other = keys; other < key; other++)
+            ck_assert_str_ne(other->path, key->path);
+        /* a key stands after its mapping */
+        const char *dot = strrchr(key->path, '.');
+        bool found = dot == NULL;
+        for (const gough_key *other = keys; dot && other < key; other++) {
+            const size_t length = strlen(other->path);
+            found |= strncmp(key->path, other->path, length) == 0 &&
+                     (dot == key->path + length ||
+                      (dot == key->path + length + 2 && key->path[length + 1] == 'N'));
+        }
+        ck_assert_msg(found, "%s stands before its mapping", key->path);
+    }
+}
+END_TEST
+
+int main(void) {
+    return SUITE_RUN("study/keys", 60, rejects_wrong_type_of_every_key,
+                     rejects_every_key_without_a_value, rejects_text_for_every_number,
+                     rejects_every_number_that_is_not_finite, rejects_every_number_out_of_range,
+                     rejects_every_list_of_another_length, rejects_duplicate_of_every_key,
+                     suggests_every_key_that_is_misspelled,
+                     names_every_required_key_that_is_missing, table_is_complete_and_in_order);
+}
