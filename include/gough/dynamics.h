@@ -21,14 +21,14 @@ typedef struct gough_state {
 
 /** Acceleration of the top frame's origin and angular acceleration, base axes. */
 typedef struct gough_acceleration {
-    double linear[3];
-    double angular[3];
+    double linear[3];  /**< of the origin */
+    double angular[3]; /**< derivative of the angular velocity */
 } gough_acceleration;
 
 /** Force and moment on the load besides legs and gravity: force at the centre of mass, base axes. */
 typedef struct gough_wrench {
-    double force[3];
-    double moment[3];
+    double force[3];  /**< at the centre of mass */
+    double moment[3]; /**< a free moment */
 } gough_wrench;
 
 /** The home pose at rest. */

@@ -34,6 +34,7 @@ typedef struct gough_platform {
     double force_max;  /**< greatest |leg force|; INFINITY: none */
 } gough_platform;
 
+/** A platform without joints and without limits. */
 GOUGH_API gough_platform gough_platform_default(void);
 
 /** Joints in pairs on two circles: base pairs at ±half_angle about 0°, 120°, 240°, top pairs about 60°, 180°, 300°;
@@ -45,15 +46,15 @@ GOUGH_API gough_platform gough_platform_symmetric(double base_radius, double bas
 
 /** Everything that moves with the top, as one rigid body. */
 typedef struct gough_load {
-    double mass;
+    double mass;              /**< > 0 */
     double center_of_mass[3]; /**< top frame */
     double inertia[3][3];     /**< about the centre of mass, axes of the top frame; symmetric */
 } gough_load;
 
 /** A validated machine with what follows from it; fill it with gough_machine_init() only. Const afterwards, shareable. */
 typedef struct gough_machine {
-    gough_platform platform;
-    gough_load load;
+    gough_platform platform;        /**< as given */
+    gough_load load;                /**< as given */
     double gravity[3];              /**< base axes */
     double base_radius;             /**< R_b > 0 */
     double gravity_magnitude;       /**< |g|, may be 0 */
@@ -78,12 +79,12 @@ enum { GOUGH_FORMULA_OPERATIONS = 192, GOUGH_FORMULA_DEPTH = 24 };
 
 /** A compiled formula in t: postfix operations on a small stack. `count` 0 is the constant 0. */
 typedef struct gough_formula {
-    int count;
+    int count; /**< operations in use */
     struct {
-        int code;     /**< operation, private to src/model */
-        int constant; /**< which operands do not depend on t, private */
-        double value; /**< of a number, private */
-    } operation[GOUGH_FORMULA_OPERATIONS];
+        int code;                          /**< operation, private to src/model */
+        int constant;                      /**< which operands do not depend on t, private */
+        double value;                      /**< of a number, private */
+    } operation[GOUGH_FORMULA_OPERATIONS]; /**< private */
 } gough_formula;
 
 /** Compiles a formula: numbers, t, pi, + − * / ^ (right-associative; -t^2 is -(t^2)), parentheses and the functions
@@ -125,7 +126,8 @@ GOUGH_API const char *gough_component_name(int component);
 
 /** A point-to-point move: minimum jerk from where the program then is (0 before the first move) to target. */
 typedef struct gough_move {
-    double start, duration;
+    double start;                    /**< time at which it begins */
+    double duration;                 /**< > 0 */
     double target[GOUGH_COMPONENTS]; /**< from home */
     bool given[GOUGH_COMPONENTS];    /**< components left out keep their value */
 } gough_move;
@@ -134,10 +136,10 @@ typedef struct gough_move {
  *  value and curvature are row-major [count][GOUGH_COMPONENTS]; curvature (second derivatives of the C² cubic spline,
  *  not-a-knot at both ends; a parabola through 3 rows, a line through 2) is filled by gough_samples_prepare(). */
 typedef struct gough_samples {
-    size_t count;
-    const double *time;
-    const double *value;
-    double *curvature;
+    size_t count;        /**< rows */
+    const double *time;  /**< increasing */
+    const double *value; /**< six components a row */
+    double *curvature;   /**< their second derivatives, as large as value */
 } gough_samples;
 
 /** Doubles of scratch memory that gough_samples_prepare() needs for @p count rows. */
@@ -148,24 +150,25 @@ GOUGH_API size_t gough_samples_scratch(size_t count);
 GOUGH_API gough_status gough_samples_prepare(const gough_samples *samples, double *scratch,
                                              gough_error *error);
 
+/** Where a program comes from. */
 typedef enum gough_motion_kind {
-    GOUGH_MOTION_FORMULAS,
-    GOUGH_MOTION_MOVES,
-    GOUGH_MOTION_SAMPLES
+    GOUGH_MOTION_FORMULAS, /**< a formula in t for each component */
+    GOUGH_MOTION_MOVES,    /**< point-to-point moves */
+    GOUGH_MOTION_SAMPLES   /**< recorded motion */
 } gough_motion_kind;
 
 /** The program. Zero-filled: rest at home. */
 typedef struct gough_motion {
-    gough_motion_kind kind;
+    gough_motion_kind kind;                  /**< which of the fields below hold */
     double about[3];                         /**< the point of the top frame whose motion this is */
     gough_formula formula[GOUGH_COMPONENTS]; /**< lengths, and radians times `angle_unit` */
     double
         angle_unit; /**< factor from the formulas' angles to radians; 0 means 1. (π/180 for study files;
                                                   applied to formulas only: moves and samples are in radians) */
     const gough_move *move; /**< caller's memory, in increasing time, not overlapping */
-    size_t moves;
-    gough_samples samples;
-    double period; /**< 0: to be found from the formulas */
+    size_t moves;           /**< how many */
+    gough_samples samples;  /**< prepared by gough_samples_prepare() */
+    double period;          /**< 0: to be found from the formulas */
 } gough_motion;
 
 /** The six components at t with their first and second derivatives: component[c][order], radians. Before the first and
@@ -195,19 +198,20 @@ typedef struct gough_disturbance {
 /** Where a run starts: each part not given is the program's at t = 0. */
 typedef struct gough_initial {
     double component[GOUGH_COMPONENTS]; /**< from home, of the point `about` of the motion */
-    bool given[GOUGH_COMPONENTS];
-    double velocity[3];         /**< of that point, base axes */
-    double angular_velocity[3]; /**< base axes */
-    bool velocity_given, angular_velocity_given;
+    bool given[GOUGH_COMPONENTS];       /**< which components are set */
+    double velocity[3];                 /**< of that point, base axes */
+    double angular_velocity[3];         /**< base axes */
+    bool velocity_given;                /**< whether velocity is set */
+    bool angular_velocity_given;        /**< whether angular_velocity is set */
 } gough_initial;
 
 /** All of it. Large (about 100 kB, mostly formulas): keep it static or on the heap. */
 typedef struct gough_model {
-    gough_machine machine;
-    gough_motion motion;
-    gough_control control;
-    gough_disturbance disturbance;
-    gough_initial initial;
+    gough_machine machine;         /**< platform and load */
+    gough_motion motion;           /**< the program */
+    gough_control control;         /**< the law of the legs */
+    gough_disturbance disturbance; /**< what comes on top */
+    gough_initial initial;         /**< where a run starts */
 } gough_model;
 
 #ifdef __cplusplus

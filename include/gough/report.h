@@ -15,7 +15,8 @@ typedef struct gough_figure {
     const char *kind;    /**< NULL: chosen by the table; else one of gough_figure_kinds() */
     const char *title;   /**< NULL: the table's title */
     const char *columns; /**< NULL, or names separated by commas, for kind "columns" */
-    double from, to;     /**< range of t; NaN: all of it */
+    double from;         /**< first t; NaN: from the beginning */
+    double to;           /**< last t; NaN: to the end */
     bool logarithmic;    /**< logarithmic ordinate (magnitudes) */
 } gough_figure;
 

@@ -19,8 +19,9 @@ typedef struct gough_result gough_result;
 /** Where the numbers of a table stand. */
 typedef struct gough_units {
     bool dimensionless; /**< unit labels "1", else SI labels */
-    double length, mass,
-        time; /**< what one unit of the output is in units of the run: 1, 1, 1, or R_b, M, √(R_b/g) */
+    double length;      /**< one unit of length of the output in units of the run: 1, or R_b */
+    double mass;        /**< of mass: 1, or M */
+    double time;        /**< of time: 1, or √(R_b/g) */
 } gough_units;
 
 /** Units of a study's output: its own, or with @p dimensionless R_b, M and √(R_b/g) (already so for dimensionless studies with
@@ -44,11 +45,13 @@ GOUGH_API void gough_result_set_end(gough_result *result, const gough_end *end);
 GOUGH_API gough_status gough_result_write(const gough_result *result, const char *path,
                                           gough_error *error);
 
+/** Frees a table; NULL is allowed. */
 GOUGH_API void gough_result_free(gough_result *result);
 
 /** A table read back, from HDF5 or CSV, of this program or of other hands (a CSV with a header row). */
 typedef struct gough_table {
-    size_t rows, columns;
+    size_t rows;     /**< rows of numbers */
+    size_t columns;  /**< numbers a row */
     char **name;     /**< [columns] */
     char **unit;     /**< [columns]; "" where unknown */
     double **value;  /**< [columns][rows] */
@@ -61,6 +64,7 @@ typedef struct gough_table {
 /** Reads a table. @return GOUGH_OK, GOUGH_ERROR_INPUT (not such a file, with the place: `file:line:column: …`), GOUGH_ERROR_FILE.
  *  Any bytes end in one of these. */
 GOUGH_API gough_status gough_table_read(const char *path, gough_table **table, gough_error *error);
+/** Frees a table; NULL is allowed. */
 GOUGH_API void gough_table_free(gough_table *table);
 
 /** Column by name; NULL if absent. */

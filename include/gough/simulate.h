@@ -15,6 +15,7 @@ extern "C" {
 /** 33 significant digits. */
 __extension__ typedef __float128 gough_quad;
 #else
+/** 33 significant digits. */
 typedef long double gough_quad;
 #endif
 
@@ -64,14 +65,18 @@ enum gough_column {
 typedef struct gough_column_info {
     const char *name;      /**< "t", "x", … "rzx" */
     const char *long_name; /**< "time", "x of the top frame's origin", … */
-    int length, mass, time, angle;
+    int length;            /**< exponent of the unit of length */
+    int mass;              /**< of mass */
+    int time;              /**< of time */
+    int angle;             /**< of angle */
 } gough_column_info;
 
+/** What each column is, by gough_column. */
 GOUGH_API extern const gough_column_info gough_column_table[GOUGH_COLUMNS];
 
-/** One row. Columns that the verb does not have are NaN (see gough_run_columns()). */
+/** One row. Columns that the verb does not have are NaN (see gough_column_filled()). */
 typedef struct gough_row {
-    double value[GOUGH_COLUMNS];
+    double value[GOUGH_COLUMNS]; /**< by gough_column, angles in radians */
     const gough_quad
         *quad; /**< the same numbers in 33 digits, or NULL; valid during the call only */
 } gough_row;
@@ -79,6 +84,7 @@ typedef struct gough_row {
 /** Called for each row in order of time; a value other than 0 stops the run (GOUGH_END_STOPPED). */
 typedef int (*gough_sink)(void *context, const gough_row *row);
 
+/** Steppers: Dormand and Prince's of order 8, the classical Runge–Kutta method, RATTLE and its compositions. */
 typedef enum gough_method {
     GOUGH_DOP853,
     GOUGH_RK4,
@@ -88,7 +94,9 @@ typedef enum gough_method {
     GOUGH_RATTLE8,
     GOUGH_METHODS
 } gough_method;
+/** How i, j, k are kept orthonormal. */
 typedef enum gough_constraints { GOUGH_PROJECTION, GOUGH_NONE, GOUGH_BAUMGARTE } gough_constraints;
+/** In which numbers a run is computed: 16 or 33 digits. */
 typedef enum gough_precision { GOUGH_DOUBLE, GOUGH_QUADRUPLE } gough_precision;
 
 /** "dop853", "rk4", "rattle2" …; NULL outside the enumeration. */
@@ -96,24 +104,26 @@ GOUGH_API const char *gough_method_name(int method);
 
 /** How to run; start from gough_simulation_default(): 20 units, rows each 0.05, dop853 at tolerance 1e-10, projection. */
 typedef struct gough_simulation {
-    double duration;
+    double duration;    /**< from t = 0 */
     double output_step; /**< rows at k · output_step, k = 0 … ⌊duration/output_step + 1e-9⌋ */
-    gough_method method;
-    double step; /**< fixed step, a divisor of output_step; 0 with dop853: adaptive */
+    gough_method method; /**< the stepper */
+    double step;         /**< fixed step, a divisor of output_step; 0 with dop853: adaptive */
     double
         tolerance; /**< adaptive dop853: RMS of error/(tol·(s + |y|)), s = R_b and 1, per √(R_b/g) for rates */
-    gough_constraints constraints;
-    double baumgarte[2]; /**< α, β */
-    gough_precision precision;
-    bool reactions; /**< fill the columns of Λ */
+    gough_constraints constraints; /**< ignored by rattle methods, which keep them themselves */
+    double baumgarte[2];           /**< α, β */
+    gough_precision precision;     /**< of the whole run */
+    bool reactions;                /**< fill the columns of Λ */
 } gough_simulation;
 
+/** 20 units, rows each 0.05, dop853 at tolerance 1e-10, projection, double. */
 GOUGH_API gough_simulation gough_simulation_default(void);
 
 /** Checks the options against the model.
  *  @return GOUGH_OK or GOUGH_ERROR_INPUT: duration, output_step or step not positive and finite, step not dividing
  *  output_step within 1e-9, more than 1e8 rows, tolerance outside what the precision can give (double 1e-15 … 1e-1,
- *  quadruple 1e-30 … 1e-1), a step missing where the method needs one, Baumgarte with a rattle method, a duration beyond recorded motion. */
+ *  quadruple 1e-30 … 1e-1), a step missing where the method needs one, Baumgarte with a rattle method, a duration beyond
+ *  recorded motion. */
 GOUGH_API gough_status gough_simulation_check(const gough_model *model,
                                               const gough_simulation *simulation,
                                               gough_error *error);
@@ -124,14 +134,15 @@ GOUGH_API bool gough_column_filled(int column, bool simulated, bool reactions);
 
 /** One excess of a leg's limit found along the program. */
 typedef struct gough_crossing {
-    gough_cause cause;
-    int leg;      /**< 1 … 6 */
-    double enter; /**< when the limit is left */
-    double leave; /**< when it is met again; INFINITY: not before the end */
-    double worst; /**< the worst value in between (length, speed or force) */
-    double worst_time;
+    gough_cause cause; /**< which limit */
+    int leg;           /**< 1 … 6 */
+    double enter;      /**< when the limit is left */
+    double leave;      /**< when it is met again; INFINITY: not before the end */
+    double worst;      /**< the worst value in between (length, speed or force) */
+    double worst_time; /**< when it has that value */
 } gough_crossing;
 
+/** Called for each crossing in order of its beginning. */
 typedef void (*gough_crossing_sink)(void *context, const gough_crossing *crossing);
 
 /** Inverse dynamics along the program, (2.1)–(2.7): rows at the output times.
@@ -152,33 +163,40 @@ GOUGH_API gough_status gough_simulate(const gough_model *model, const gough_simu
 
 /* ---- what a run leaves in a few numbers ----------------------------------------------------------------------- */
 
+/** One leg over a run. */
 typedef struct gough_leg_summary {
-    double length_min, length_max;
-    double speed; /**< peak |rate| */
-    double force_min, force_max;
-    double rms_force; /**< root of the mean over time */
-    double power_min, power_max;
-    double energy; /**< net work done by the leg */
-    double swing_base,
-        swing_top; /**< largest angle from the leg's direction at home, seen from the base and from the top */
+    double length_min; /**< least length */
+    double length_max; /**< greatest length */
+    double speed;      /**< peak |rate| */
+    double force_min;  /**< least force; below 0 it pulls */
+    double force_max;  /**< greatest force */
+    double rms_force;  /**< root of the mean over time */
+    double power_min;  /**< least power; below 0 the leg takes power up */
+    double power_max;  /**< greatest power */
+    double energy;     /**< net work done by the leg */
+    double swing_base; /**< largest angle from its direction at home, seen from the base */
+    double swing_top;  /**< the same, seen from the top */
 } gough_leg_summary;
 
 /** Sums up rows as they come; fill it by gough_summary_begin(), gough_summary_add(), gough_summary_end(). */
 typedef struct gough_summary {
-    gough_leg_summary leg[GOUGH_LEGS];
-    size_t rows;
-    double first_time, last_time;
-    double condition; /**< largest */
-    double condition_time;
-    double position_deviation; /**< largest distance actual – program; NaN for forces */
-    double angle_deviation;    /**< largest angle of the rotation between them; NaN for forces */
-    double drift;              /**< largest */
+    gough_leg_summary leg[GOUGH_LEGS]; /**< legs 1 … 6 */
+    size_t rows;                       /**< rows added */
+    double first_time;                 /**< t of the first row */
+    double last_time;                  /**< t of the last row */
+    double condition;                  /**< largest */
+    double condition_time;             /**< when it was so large */
+    double position_deviation;         /**< largest distance actual – program; NaN for forces */
+    double angle_deviation; /**< largest angle of the rotation between them; NaN for forces */
+    double drift;           /**< largest */
     double window_
         [4][1 + 2 * GOUGH_LEGS]; /**< private: the last rows for the fourth-order time integrals */
     double square_[GOUGH_LEGS];  /**< private */
 } gough_summary;
 
+/** An empty summary. */
 GOUGH_API void gough_summary_begin(gough_summary *summary);
+/** Takes one row in, in the units and order of the run. */
 GOUGH_API void gough_summary_add(gough_summary *summary, const gough_machine *machine,
                                  const gough_row *row);
 /** Completes the time integrals. Rows equally spaced are integrated to fourth order. */

@@ -25,8 +25,8 @@ typedef enum gough_status {
 
 /** What is wrong, as one sentence that the user can act on. Empty message: nothing was wrong. */
 typedef struct gough_error {
-    gough_status status;
-    char message[500];
+    gough_status status; /**< what the function returned */
+    char message[500];   /**< the sentence, without a line end */
 } gough_error;
 
 /** Fills @p error (which may be NULL) with a printf-style sentence.
@@ -57,7 +57,7 @@ GOUGH_API const char *gough_cause_name(gough_cause cause);
 
 /** How and when a run ended. */
 typedef struct gough_end {
-    gough_cause cause;
+    gough_cause cause; /**< why */
     double time;       /**< time of the end, in the study's units */
     int leg;           /**< 1 … 6 where one leg is the cause, else 0 */
     char message[400]; /**< one sentence; empty for GOUGH_END_DONE */

@@ -13,13 +13,13 @@ extern "C" {
 
 /** A study as read. All memory belongs to it; free it with gough_study_free(). */
 typedef struct gough_study {
-    char *title;        /**< UTF-8, never NULL; "" if none */
-    char *text;         /**< the file's text as read, terminated */
-    char *name;         /**< the path it was read from, for messages */
-    bool dimensionless; /**< units: dimensionless; else SI */
-    gough_model *model;
-    gough_simulation simulation;
-    void *memory_; /**< private: samples, moves */
+    char *title;                 /**< UTF-8, never NULL; "" if none */
+    char *text;                  /**< the file's text as read, terminated */
+    char *name;                  /**< the path it was read from, for messages */
+    bool dimensionless;          /**< units: dimensionless; else SI */
+    gough_model *model;          /**< validated */
+    gough_simulation simulation; /**< how to run it */
+    void *memory_;               /**< private: samples, moves */
 } gough_study;
 
 /** One override, as from `--set control.stiffness=50`. */
@@ -48,7 +48,9 @@ GOUGH_API gough_status gough_study_parse(const char *name, const char *text, siz
                                          const gough_setting *settings, size_t setting_count,
                                          gough_study **study, char **messages);
 
+/** Frees a study; NULL is allowed. */
 GOUGH_API void gough_study_free(gough_study *study);
+/** Frees messages; NULL is allowed. */
 GOUGH_API void gough_study_free_messages(char *messages);
 
 /** One key that a study file may have; the table that the reader checks against and the guide is generated from. */
