@@ -29,24 +29,35 @@ static void extremes(const gough_table *table, const double *value, double *leas
     }
 }
 
-/* Below 1e-6 of the greatest of its kind (at least 1e-6 degrees) a component is taken to rest: what is left is round-off,
- * and a panel of it would show nothing else. */
+/* The greatest leg length: a lever by which angles compare with displacements. */
+static double lever_of(builder *b) {
+    double lever = 0.0;
+    for (size_t t = 0; t < b->table_count; t++) {
+        const double *length = gough_table_column(b->tables[t], "l1");
+        double least, greatest;
+        if (length == NULL) continue;
+        extremes(b->tables[t], length, &least, &greatest);
+        lever = fmax(lever, greatest);
+    }
+    return lever > 0.0 ? lever : 1.0;
+}
+
+/* A component that moves a joint by less than 1/200 of what the others do is taken to rest: a panel of it would mostly
+ * show how round-off grows. */
 static void find_moving(builder *b, const char *const names[COMPONENTS], bool moving[COMPONENTS]) {
-    double span[COMPONENTS] = {0};
+    const double degree = 0.017453292519943295 * lever_of(b);
+    double span[COMPONENTS] = {0}, most = 0.0;
     for (size_t t = 0; t < b->table_count; t++) {
         for (int c = 0; c < COMPONENTS; c++) {
             const double *value = builder_column(b, t, names[c]);
             double least, greatest;
             if (value == NULL) return;
             extremes(b->tables[t], value, &least, &greatest);
-            span[c] = fmax(span[c], greatest - least);
+            span[c] = fmax(span[c], (greatest - least) * (c < 3 ? 1.0 : degree));
+            most = fmax(most, span[c]);
         }
     }
-    for (int c = 0; c < COMPONENTS; c++) {
-        const int first = c < 3 ? 0 : 3;
-        const double most = fmax(span[first], fmax(span[first + 1], span[first + 2]));
-        moving[c] = span[c] > 1e-6 * (c < 3 ? most : fmax(most, 1.0));
-    }
+    for (int c = 0; c < COMPONENTS; c++) moving[c] = span[c] > most / 200.0;
 }
 
 static int count_true(const bool *flags, int count) {
@@ -174,7 +185,7 @@ static void group_legs(const gough_table *table, const double *const column[GOUG
     }
 }
 
-/* "leg 2", "legs 1, 6", "legs 1–6 (equal)". */
+/* "2", "1, 6", "legs 1–6 (equal)": the panel's heading says that these are legs. */
 static void name_group(const int group[GOUGH_LEGS], int number, char *label, size_t size) {
     int members = 0;
     for (int leg = 0; leg < GOUGH_LEGS; leg++) members += group[leg] == number;
@@ -182,8 +193,8 @@ static void name_group(const int group[GOUGH_LEGS], int number, char *label, siz
         snprintf(label, size, "legs 1–6 (equal)");
         return;
     }
-    snprintf(label, size, members > 1 ? "legs" : "leg");
-    const char *separator = " ";
+    label[0] = '\0';
+    const char *separator = "";
     for (int leg = 0; leg < GOUGH_LEGS; leg++) {
         if (group[leg] != number) continue;
         const size_t used = strlen(label);
@@ -346,6 +357,18 @@ static const gough_column_info *find_info(const char *name) {
     return NULL;
 }
 
+/* A panel of one column says in words what it is: "Height z"; a column of other hands keeps its name. */
+static void spell_out(panel *p, const char *name) {
+    const gough_column_info *info = find_info(name);
+    const char *words = info != NULL ? info->long_name : name;
+    for (int c = 0; c < COMPONENTS; c++) {
+        if (strcmp(component_name[c], name) == 0) words = component_heading[c];
+    }
+    snprintf(p->heading, sizeof p->heading, "%s", words);
+    if (info != NULL && p->heading[0] >= 'a' && p->heading[0] <= 'z')
+        p->heading[0] = (char)(p->heading[0] - 'a' + 'A');
+}
+
 /* Whether two columns are of one dimension, so that one ordinate serves both: known by name, else by unit. */
 static bool same_dimension(const builder *b, const char *name, const char *other) {
     const gough_column_info *p = find_info(name), *q = find_info(other);
@@ -365,7 +388,19 @@ static panel *panel_for_column(builder *b, const char *name) {
         snprintf(candidate->heading + used, sizeof candidate->heading - used, ", %.40s", name);
         return candidate;
     }
-    return builder_panel(b, name, builder_unit(b, name), b->figure->logarithmic);
+    panel *p = builder_panel(b, name, builder_unit(b, name), b->figure->logarithmic);
+    if (p != NULL && builder_compares(b)) spell_out(p, name);
+    return p;
+}
+
+/* A line alone in its panel is named by the heading and needs no key. */
+static void name_lone_lines(sheet *s) {
+    for (int p = 0; p < s->count; p++) {
+        panel *lone = &s->panel[p];
+        if (lone->count != 1) continue;
+        spell_out(lone, lone->series[0].label);
+        lone->series[0].label[0] = '\0';
+    }
 }
 
 static void fill_columns(builder *b) {
@@ -390,10 +425,7 @@ static void fill_columns(builder *b) {
                          builder_compares(b) ? (int)t : p->count);
     }
     free(list);
-    /* a line alone is named by the heading */
-    for (int p = 0; p < b->sheet->count && !builder_compares(b); p++) {
-        if (b->sheet->panel[p].count == 1) b->sheet->panel[p].series[0].label[0] = '\0';
-    }
+    if (!builder_compares(b)) name_lone_lines(b->sheet);
     if (b->status == GOUGH_OK && b->sheet->count == 0)
         builder_fail(b, GOUGH_ERROR_INPUT,
                      "name the columns to draw, separated by commas (for example z,f1,f2)");

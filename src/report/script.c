@@ -23,7 +23,8 @@ enum {
     MARGIN_LEFT = 64,
     MARGIN_RIGHT = 26,
     TITLE_HEIGHT = 34,
-    KEY_LINE = 20,
+    KEY_LINE = 18,
+    KEY_TEXT = 60, /* characters of a table's name */
     HEADING = 30,  /* above each panel */
     TICS = 22,     /* numbers below an abscissa */
     ABSCISSA = 24, /* its name */
@@ -33,7 +34,7 @@ enum {
 };
 
 typedef struct layout {
-    int width, height, panel_width, panel_height, top, rows;
+    int width, height, panel_width, panel_height, top, rows, key_columns;
 } layout;
 
 typedef struct range {
@@ -50,9 +51,15 @@ static layout lay_out(const sheet *s) {
     l.top = s->title[0] != '\0' || s->note[0] != '\0' ? TITLE_HEIGHT : 8;
     if (s->common_key) {
         int entries = 0;
-        for (int i = 0; i < s->panel[0].count; i++)
-            entries += s->panel[0].series[i].label[0] != '\0';
-        l.top += KEY_LINE * (entries > 3 ? (entries + 2) / 3 : 1);
+        size_t longest = 1;
+        for (int i = 0; i < s->panel[0].count; i++) {
+            const size_t length = strlen(s->panel[0].series[i].label);
+            if (length > longest) longest = length;
+            entries += length > 0;
+        }
+        const int entry_width = 60 + 7 * (int)(longest < KEY_TEXT ? longest : KEY_TEXT);
+        l.key_columns = l.panel_width > entry_width ? l.panel_width / entry_width : 1;
+        l.top += KEY_LINE * ((entries + l.key_columns - 1) / l.key_columns);
     }
     l.height = l.top + l.rows * (HEADING + TICS + l.panel_height) + ABSCISSA + 10;
     return l;
@@ -88,12 +95,33 @@ static range abscissa_range(const sheet *s) {
     return r;
 }
 
+static int compare_numbers(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Where a logarithmic axis begins for a line: below all but 1/25 of its positive numbers. The rest are a start from nothing
+ * and passages through zero, which would otherwise take the most part of the panel. NaN without any. */
+static double logarithmic_low(const series *line) {
+    double *sorted = malloc((line->count > 0 ? line->count : 1) * sizeof *sorted);
+    if (sorted == NULL) return NAN;
+    size_t count = 0;
+    for (size_t k = 0; k < line->count; k++) {
+        if (isfinite(line->y[k]) && line->y[k] > 0.0) sorted[count++] = line->y[k];
+    }
+    qsort(sorted, count, sizeof *sorted, compare_numbers);
+    const double low = count > 0 ? sorted[count / 25] : NAN;
+    free(sorted);
+    return low;
+}
+
 static range ordinate_range(const panel *p) {
     range r = empty_range();
     for (int i = 0; i < p->count; i++) {
         const series *line = &p->series[i];
+        const double low = p->logarithmic ? logarithmic_low(line) : -INFINITY;
         for (size_t k = 0; k < line->count; k++) {
-            if (!p->logarithmic || line->y[k] > 0.0) widen(&r, line->y[k]);
+            if (line->y[k] >= low) widen(&r, line->y[k]);
         }
     }
     return r;
@@ -110,7 +138,7 @@ static int power_of_panel(const panel *p, range r) {
 static range padded(const panel *p, range r) {
     if (!isfinite(r.low)) return p->logarithmic ? (range){1e-16, 1.0} : (range){-1.0, 1.0};
     if (p->logarithmic) {
-        /* whole decades, at least two, at most fourteen: below is round-off */
+        /* whole decades, at least two, at most fourteen */
         double low = floor(log10(r.low)), high = ceil(log10(r.high));
         if (high - low < 2.0) high = low + 2.0;
         if (high - low > 14.0) low = high - 14.0;
@@ -243,9 +271,10 @@ static void write_key(const drawing *pen, int number) {
     else if (number == 0)
         fprintf(pen->file,
                 "set key at screen %.6f,screen %.6f left top horizontal Left reverse samplen 1.8 "
-                "width 1 maxcols 3 font ',%.4g'\n",
+                "width 1 maxcols %d font ',%.4g'\n",
                 screen_x(pen, MARGIN_LEFT),
-                screen_y(pen, pen->sheet->title[0] != '\0' ? TITLE_HEIGHT + 4 : 8), size);
+                screen_y(pen, pen->sheet->title[0] != '\0' ? TITLE_HEIGHT + 4 : 8),
+                pen->layout.key_columns, size);
     else
         fprintf(pen->file, "unset key\n");
 }
@@ -322,7 +351,7 @@ static void write_plot(const drawing *pen, int number, int first_data) {
     for (int i = 0; i < p->count; i++) {
         const series *line = &p->series[i];
         const int data = first_data + i;
-        sheet_quote(quoted, sizeof quoted, line->label, pen->sheet->common_key ? 40 : 28);
+        sheet_quote(quoted, sizeof quoted, line->label, pen->sheet->common_key ? KEY_TEXT : 28);
         fprintf(file, "%s'data-%d' using 1:2 ", i > 0 ? ", \\\n     " : "", data);
         write_line_style(file, line);
         if (line->label[0] != '\0')
