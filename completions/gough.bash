@@ -12,7 +12,7 @@ _gough() {
         example) options="--output --json" ;;
         check) options="--json --set" ;;
         forces | simulate) options="--output --json --set --precision --reactions --dimensionless" ;;
-        plot) options="--output --figure --columns --from --to --log --label" ;;
+        plot) options="--output --figure --columns --from --to --log --label --title" ;;
     esac
     # bash splits --precision=quad at the sign
     [[ $current == = ]] && current=""
@@ -23,7 +23,7 @@ _gough() {
             mapfile -t COMPREPLY < <(compgen -W "$("${COMP_WORDS[0]}" plot --help 2>/dev/null |
                 sed -n '/^Kinds of figure/,/^$/s/^  \([a-z-]*\).*/\1/p')" -- "$current")
             return ;;
-        --set | --columns | --from | --to | --label) return ;;
+        --set | --columns | --from | --to | --label | --title) return ;;
         -o | --output) mapfile -t COMPREPLY < <(compgen -f -- "$current"); compopt -o filenames 2>/dev/null; return ;;
     esac
     if [[ $current == -* ]]; then

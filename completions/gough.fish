@@ -24,6 +24,7 @@ complete -c gough -n "__fish_seen_subcommand_from plot" -l from -x -d "from this
 complete -c gough -n "__fish_seen_subcommand_from plot" -l to -x -d "up to this time"
 complete -c gough -n "__fish_seen_subcommand_from plot" -l log -d "magnitudes on a logarithmic axis"
 complete -c gough -n "__fish_seen_subcommand_from plot" -l label -x -d "what a result is called in the key"
+complete -c gough -n "__fish_seen_subcommand_from plot" -l title -x -d "heading of the figure"
 
 complete -c gough -n "__fish_seen_subcommand_from example" -a "(gough example 2>/dev/null | string match -rg '^  (\S+)')"
 complete -c gough -n "__fish_seen_subcommand_from check forces simulate" -a "(__fish_complete_suffix .yaml)"

@@ -31,7 +31,8 @@ enum option_key {
     OPTION_FROM,
     OPTION_TO,
     OPTION_LOG,
-    OPTION_LABEL
+    OPTION_LABEL,
+    OPTION_TITLE
 };
 
 typedef struct command_line {

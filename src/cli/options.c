@@ -80,6 +80,9 @@ static error_t read_option(int key, char *text, struct argp_state *state) {
     case OPTION_LOG:
         o->figure.logarithmic = true;
         break;
+    case OPTION_TITLE:
+        o->figure.title = text;
+        break;
     case OPTION_LABEL:
         o->label[o->labels++] = text;
         break;

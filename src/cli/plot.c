@@ -15,6 +15,8 @@ static const struct argp_option option[] = {
     {"log", OPTION_LOG, NULL, 0, "magnitudes on a logarithmic axis", 0},
     {"label", OPTION_LABEL, "TEXT", 0,
      "what a result is called in the key; once for each, in order", 0},
+    {"title", OPTION_TITLE, "TEXT", 0,
+     "heading of the figure (default: the results' title, if they have one in common)", 0},
     {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
     {0}};
 
