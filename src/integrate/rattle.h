@@ -157,15 +157,15 @@ static inline number rattle_step(const rattle *r, real t, real step, rattle_stat
 
 /* (step-5): one step of order 2, 4, 6 or 8 (level 0 … 3); its parts stay between t and t + h */
 static inline number rattle_compose(const rattle *r, int level, real t, real h, rattle_state *s) {
-    number worst = number_of(0);
+    number residual = number_of(0); /* summed, as a maximum would lose what is not a number */
     real at = 0;
 
     for (int i = 0; i < composition_stages[level]; i++) {
         const real part = composition_weights[level][i];
-        worst = number_larger(worst, rattle_step(r, t + at * h, part * h, s));
+        residual = residual + rattle_step(r, t + at * h, part * h, s);
         at = at + part;
     }
-    return worst;
+    return residual;
 }
 
 #endif

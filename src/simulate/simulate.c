@@ -121,7 +121,7 @@ gough_status gough_simulation_check(const gough_model *model, const gough_simula
     if (gough_method_name((int)s->method) == NULL) {
         return gough_fail(error, GOUGH_ERROR_INPUT, "simulation.method is none of the methods");
     }
-    if (s->method == GOUGH_DOP853 && !(s->step > 0) && !(s->step < 0)) {
+    if (s->method == GOUGH_DOP853 && fpclassify(s->step) == FP_ZERO) {
         status = check_tolerance(s, error);
     } else {
         status = check_step(s, error);

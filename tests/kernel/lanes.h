@@ -1,0 +1,78 @@
+/* One right-hand side and one inverse dynamics of many poses over the number type of the including file: the same texts, plain
+ * arrays of double outside. Poses come in blocks of NUMBER_WIDTH. */
+#include "dynamics/forward.h"
+#include "dynamics/inverse.h"
+#include "dynamics/machine.h"
+#include "dynamics/state.h"
+#include "kernel/law.h"
+#include "support/kernel.h"
+
+static inline void put(number *x, int lane, double value) {
+#if defined(NUMBER_LANES)
+    (*x)[lane] = value;
+#else
+    (void)lane;
+    *x = value;
+#endif
+}
+
+static inline double get(number x, int lane) {
+#if defined(NUMBER_LANES)
+    return x[lane];
+#else
+    (void)lane;
+    return x;
+#endif
+}
+
+#if defined(NUMBER_LANES)
+enum { NUMBER_WIDTH = NUMBER_LANES };
+#else
+enum { NUMBER_WIDTH = 1 };
+#endif
+
+static inline void evaluate(const gough_machine *machine, int count, const double (*state)[24],
+                            const double (*acceleration)[12], double (*out)[KERNEL_RESULTS]) {
+    hexapod h;
+
+    hexapod_of_machine(&h, machine);
+    for (int first = 0; first < count; first += NUMBER_WIDTH) {
+        number y[24], a[12], rate[12], u[6], wrench[1][6];
+        coordinates x, v, acc, wanted;
+        const vector none = {number_of(0), number_of(0), number_of(0)};
+        elimination e;
+        legs g;
+
+        for (int i = 0; i < 24; i++) {
+            y[i] = number_of(0);
+            for (int k = 0; k < NUMBER_WIDTH; k++) put(&y[i], k, state[first + k][i]);
+        }
+        for (int i = 0; i < 12; i++) {
+            a[i] = number_of(0);
+            for (int k = 0; k < NUMBER_WIDTH; k++) put(&a[i], k, acceleration[first + k][i]);
+        }
+        x = coordinates_load(y);
+        v = coordinates_load(y + 12);
+        wanted = coordinates_load(a);
+        coordinates_project(&x, &v);
+        legs_at(&h, &x, &g);
+        legs_rates(&h, &v, &g);
+        required_wrench(&h, &x, &v, &wanted, none, none, wrench[0]);
+        e = leg_forces_of(&h, &x, &g, wrench, 1);
+        for (int n = 0; n < LEGS; n++) {
+            u[n] = law_force(wrench[0][n], number_of(20), number_of(3), number_of(1.3), g.rate[n],
+                             g.length[n], number_of(0));
+        }
+        forward_dynamics(&h, &x, &v, &g, u, none, none, &acc);
+        triad_stabilise(&h.load, &x.q, &v.q, number_of(1), number_of(2), &acc.q);
+        coordinates_store(&acc, rate);
+        for (int k = 0; k < NUMBER_WIDTH; k++) {
+            double *o = out[first + k];
+            for (int i = 0; i < 12; i++) o[i] = get(rate[i], k);
+            for (int n = 0; n < 6; n++) o[12 + n] = get(wrench[0][n], k);
+            o[18] = get(e.determinant, k);
+            o[19] = get(triad_violation(&x.q), k);
+            o[20] = get(legs_condition(&h, &x, &g), k);
+        }
+    }
+}
