@@ -5,14 +5,14 @@ source "$(dirname "$0")/common.sh"
 
 # column of the program's motion, its amplitude in the limit cycle
 while read -r name column amplitude; do
-    run forces $name.yaml forces
+    run forces "$name.yaml" forces
     claim "$name: forces along the program" same "$status $(ended forces.json)" '0 done'
-    claim "$name: the program swings to its amplitude" near "$(extreme forces.csv $column max)" "$amplitude" \
+    claim "$name: the program swings to its amplitude" near "$(extreme forces.csv "$column" max)" "$amplitude" \
         "$(awk -v a="$amplitude" 'BEGIN { print 2e-3 * a }')"
     claim "$name: at rest at first, every leg carries the same" near "$(value forces.csv f3 0)" 0.203442593596 1e-11
     claim "$name: starts without a jerk" near "$(value forces.csv f3 0.05)" 0.2034 0.01
 
-    run simulate $name.yaml motion
+    run simulate "$name.yaml" motion
     claim "$name: the run reaches its end" same "$status $(ended motion.json)" '0 done'
     for e in ex ey ez eroll epitch eyaw; do
         claim "$name: follows in $e" within "$(extreme motion.csv $e abs)" 0 1e-8
