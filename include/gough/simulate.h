@@ -146,8 +146,9 @@ typedef struct gough_crossing {
 typedef void (*gough_crossing_sink)(void *context, const gough_crossing *crossing);
 
 /** Inverse dynamics along the program, (2.1)–(2.7): rows at the output times.
- *  Limits do not end it: each crossing is located and handed to @p crossings (may be NULL) when it is over,
- *  those still open at the end of the run last; the end is then the earliest of them. A singular or nearly singular pose, a leg of no length or a formula not finite ends it.
+ *  Limits do not end it: each crossing is located and handed to @p crossings (may be NULL) when it is over, those still open at
+ *  the end of the run last; the end is then the earliest of them. A singular or nearly singular pose, a leg of no length or
+ *  a formula not finite ends it.
  *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL where @p end has a cause other than done, with its time located to 1e-9 relative;
  *  GOUGH_ERROR_INPUT where a formula is not finite or the options are wrong. Allocates nothing. Thread-safe. */
 GOUGH_API gough_status gough_forces(const gough_model *model, const gough_simulation *simulation,

@@ -41,6 +41,12 @@ static void take_crossing(void *context, const gough_crossing *crossing) {
     c->list[c->count++] = *crossing;
 }
 
+static int by_beginning(const void *left, const void *right) {
+    const gough_crossing *a = left, *b = right;
+    if (a->enter < b->enter || a->enter > b->enter) return a->enter < b->enter ? -1 : 1;
+    return a->leg - b->leg;
+}
+
 gough_status read_study(const command_line *line, gough_study **study) {
     char *messages = NULL;
     const gough_status status =
@@ -131,6 +137,10 @@ static gough_status execute(const command_line *line, running *run, gough_error 
                            &report->end, error);
     progress_end(&run->progress);
     gough_summary_end(&report->summary);
+    /* they come when they are over */
+    if (report->crossings.count)
+        qsort(report->crossings.list, report->crossings.count, sizeof *report->crossings.list,
+              by_beginning);
     return status;
 }
 
