@@ -98,7 +98,7 @@ START_TEST(double_agrees_with_quadruple) {
     s.tolerance = 1e-14;
     simulate(model, &s, one);
     s.precision = GOUGH_QUADRUPLE;
-    s.tolerance = 1e-18;
+    s.tolerance = 1e-15;
     simulate(model, &s, two);
     printf("double against quadruple at t = 20: %.1e\n", furthest(one, two));
     ck_assert(furthest(one, two) <= 1e-12);
