@@ -187,7 +187,7 @@ join -t, <(sort "$with") <(sort "$alone") | sort -t, -k1,1g | awk -F, '
         printf "  %7g    %-20s    %-20s  %-8s    %s\n", $1, early, late, held, alone
     }'
 draw deviation "$with" "$alone" --title 'Deviation against stiffness' \
-    --label 'disturbed, t to 200' --label 'feedback alone, to 20'
+    --label 'disturbed, up to t = 200' --label 'feedback alone, up to t = 20'
 say "
    Held from where G passes the threshold of every mode: 0.082 in heave, 0.466 in yaw and 0.894 in sway with tilt.
    Below, modes that the disturbance does not touch grow from round-off; near 0.15 and 0.35 heave itself is pumped by
