@@ -4,7 +4,7 @@
 #
 # prints t,surge,sway,heave,roll,pitch,yaw: 120 s, 20 rows a second, metres and degrees; x forward,
 # y to port, z up. Options: -v height=4 (significant wave height, m), -v peak=9 (peak period, s),
-# -v scale=0.25, -v seed=1961.
+# -v scale=0.25, -v seed=1961 (with LC_ALL=C before awk where the locale has a decimal comma).
 #
 # The sea is a JONSWAP spectrum in the form of the International Towing Tank Conference, peak
 # enhancement 3.3, cut into bands; each band is one long-crested wave whose amplitude is that of its
@@ -68,8 +68,12 @@ function spectrum(w, height, t1,    w4, width, bump) {
            exponential(-944 / (t1 * t1 * t1 * t1 * w4)) * exponential(bump * 1.1939224684724346)
 }
 
-# No minus sign before a zero.
-function rounded(x) { return (x < 5e-10 && x > -5e-10) ? 0 : x }
+# x as text with a decimal point, whatever the locale, and no minus sign before a zero.
+function written(format, x,    text) {
+    text = sprintf(format, (x < 5e-10 && x > -5e-10) ? 0 : x)
+    sub(",", ".", text)
+    return text
+}
 
 # sin(x)/x, the mean of a wave along the hull.
 function along(x) { return (x < 0.001 && x > -0.001) ? 1 : sine_of(x) / x }
@@ -143,16 +147,12 @@ BEGIN {
         deck("im", imag, n)
     }
 
-    if (sprintf("%.1f", 0.5) != "0.5") {
-        print "ship-deck.awk: this locale writes 0,5 for 0.5; run with LC_ALL=C" > "/dev/stderr"
-        exit 1
-    }
     printf "t,surge,sway,heave,roll,pitch,yaw\n"
     for (row = 0; row <= duration * rows_per_second; row++) {
         t = row / rows_per_second
         s = (t < ramp) ? t / ramp : 1
         factor = s * s * s * (10 - s * (15 - 6 * s))
-        line = sprintf("%.2f", t)
+        line = written("%.2f", t)
         for (m = 1; m <= 6; m++) sum[m] = 0
         for (n = 0; n < waves; n++) {
             c = arrow_re[n]
@@ -162,7 +162,7 @@ BEGIN {
             arrow_im[n] = c * turn_im[n] + d * turn_re[n]
         }
         for (m = 1; m <= 6; m++)
-            line = line sprintf(",%.9f", rounded(factor * sum[m] * (m > 3 ? 180 / pi : scale)))
+            line = line "," written("%.9f", factor * sum[m] * (m > 3 ? 180 / pi : scale))
         print line
     }
 }

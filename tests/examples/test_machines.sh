@@ -15,6 +15,13 @@ for program in mawk gawk original-awk 'busybox awk'; do
     "${words[@]}" -f ship-deck.awk >other.csv
     claim "$program draws the same digits" cmp ship-deck.csv other.csv
 done
+if localedef -i de_DE -f UTF-8 "$work/de_DE.UTF-8" 2>/dev/null; then
+    for program in mawk gawk; do
+        command -v "$program" >/dev/null || continue
+        LOCPATH=$work LC_ALL=de_DE.UTF-8 POSIXLY_CORRECT=1 "$program" -f ship-deck.awk >other.csv
+        claim "$program draws the same digits in a comma locale" cmp ship-deck.csv other.csv
+    done
+fi
 awk -v seed=7 -f ship-deck.awk >other.csv
 claim 'another seed is another sea' bash -c '! cmp -s ship-deck.csv other.csv'
 # the sea's own scale: wave heights double, motions double
