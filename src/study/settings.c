@@ -101,11 +101,13 @@ static bool is_known(study_arena *arena, const study_node *node) {
 }
 
 /* Puts the new value where the old one is; no value takes the key away. */
-static void replace(study_arena *arena, study_node *old, study_node *value) {
+static void replace(study_arena *arena, study_node *old, study_node *value,
+                    const study_source *source) {
     study_node *parent = old->parent, *key = old->key, *next = old->next;
     if (!value) {
-        /* an unknown key stays, for the check to say so */
-        if (!key || is_known(arena, old)) study_node_remove(parent, old);
+        /* what was only made on the way and is no known key stays, for the check to say so */
+        if (!key || old->place.source != source || is_known(arena, old))
+            study_node_remove(parent, old);
         return;
     }
     *old = *value;
@@ -130,5 +132,5 @@ void study_setting_apply(study_messages *messages, study_node *root, const gough
     study_node *value = study_tree_parse(messages, source, end + 1);
     if (messages->count != before) return;
     study_node *node = find(messages, root, source, end);
-    if (node && node->parent) replace(messages->arena, node, value);
+    if (node && node->parent) replace(messages->arena, node, value, source);
 }
