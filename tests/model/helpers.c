@@ -1,9 +1,11 @@
 /* What the tests of this room share. */
+#define _POSIX_C_SOURCE 200809L
 #include "model/helpers.h"
 
 #include <check.h>
 #include <locale.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 random_source random_seeded(uint64_t seed) {
@@ -36,14 +38,21 @@ double value_of(const char *text, double t) {
     return jet[0];
 }
 
-bool locale_with_comma(void) {
-    static const char *const NAMES[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8",
-                                        "fr_FR.utf8",  "de_DE",      "fr_FR"};
-    for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++)
-        if (setlocale(LC_ALL, NAMES[i]) != NULL && localeconv()->decimal_point[0] == ',')
-            return true;
-    setlocale(LC_ALL, "C");
-    return false;
+/* made for the occasion in a folder of its own, as few systems have one installed; glibc keeps
+ * what it has read */
+void locale_with_comma(void) {
+    char folder[] = "/tmp/gough-locale-XXXXXX", command[200];
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(command, sizeof command, "localedef -i de_DE -f UTF-8 %s/de_DE.UTF-8", folder);
+    ck_assert_msg(system(command) == 0, "localedef failed: Debian's package locales has it");
+    ck_assert_int_eq(setenv("LOCPATH", folder, 1), 0);
+    ck_assert_ptr_nonnull(setlocale(LC_ALL, "de_DE.UTF-8"));
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    ck_assert_int_eq(system(command), 0);
+    ck_assert_str_eq(localeconv()->decimal_point, ",");
 }
 
-void locale_reset(void) { setlocale(LC_ALL, "C"); }
+void locale_reset(void) {
+    setlocale(LC_ALL, "C");
+    unsetenv("LOCPATH");
+}

@@ -3,7 +3,6 @@
 #ifndef GOUGH_TESTS_MODEL_HELPERS_H
 #define GOUGH_TESTS_MODEL_HELPERS_H
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "gough/model.h"
@@ -23,8 +22,8 @@ gough_formula formula_of(const char *text);
 /* Value at t of a formula that must be right. */
 double value_of(const char *text, double t);
 
-/* Sets a locale whose decimal point is a comma, if one is installed; locale_reset() goes back. */
-bool locale_with_comma(void);
+/* Sets a locale whose decimal point is a comma; locale_reset() goes back. */
+void locale_with_comma(void);
 void locale_reset(void);
 
 #endif

@@ -283,7 +283,7 @@ START_TEST(any_words_end_in_a_status) {
 END_TEST
 
 START_TEST(formulas_are_the_same_in_a_comma_locale) {
-    if (!locale_with_comma()) return;
+    locale_with_comma();
     const double value = value_of("1.5*t", 2);
     gough_formula f;
     gough_error error = {GOUGH_OK, ""};

@@ -58,7 +58,7 @@ END_TEST
 
 START_TEST(numbers_have_a_point_in_a_comma_locale) {
     gough_error e;
-    if (!locale_with_comma()) return;
+    locale_with_comma();
     gough_fail(&e, GOUGH_ERROR_INPUT, "%g, %.2f, %s", 1.5, 2.25, "3,5");
     locale_reset();
     ck_assert_str_eq(e.message, "1.5, 2.25, 3,5");
