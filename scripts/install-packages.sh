@@ -23,6 +23,7 @@ test    | dpkg-dev         | command -v dpkg-shlibdeps || ! command -v dpkg
 test    | file             | command -v file
 test    | locales          | test -e /usr/share/i18n/locales/de_DE
 test    | hdf5-tools       | command -v h5dump
+test    | netcdf-bin       | command -v ncdump
 test    | clang-format     | command -v clang-format
 test    | man-db           | command -v man
 test    | jq               | command -v jq
