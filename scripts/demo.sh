@@ -48,6 +48,15 @@ draw() {
     pictures+=("$out/$name.png" "$out/$name.pdf")
 }
 
+# finely STUDY [OPTION…]: the name of a table with close rows, for extremes and crossings
+finely() {
+    local study=$1
+    shift
+    "$gough" simulate "examples/$study.yaml" "$@" --set simulation.output_step=0.001 -q -o "$scratch/fine.csv" 2>"$scratch/said"
+    (($? <= 1)) || fail "$(cat "$scratch/said")"
+    echo "$scratch/fine.csv"
+}
+
 # table FILE PROGRAM: awk over a table, with column numbers by name in c[] and magnitude()
 table() {
     awk -F, "function magnitude(x) { return x < 0 ? -x : x }
@@ -58,7 +67,7 @@ largest() {
     table "$1" "\$1 >= ${3:-0} - 1e-9 && \$1 <= ${4:-1e300} + 1e-9 { x = magnitude(\$c[\"$2\"]); if (x > m) m = x } END { printf \"%.3g\", m }"
 }
 least_and_greatest() {
-    table "$1" "{ x = \$c[\"$2\"] + 0; if (NR == 2 || x < a) a = x; if (NR == 2 || x > b) b = x } END { printf \"%.6g and %.6g\", a, b }"
+    table "$1" "{ x = \$c[\"$2\"] + 0; if (NR == 2 || x < a) a = x; if (NR == 2 || x > b) b = x } END { printf \"%.3g and %.3g\", a, b }"
 }
 
 made=()
@@ -113,7 +122,7 @@ deviations() { table "$1" '$1 == 2 || $1 == 6 || $1 == 10 || $1 == 14 || $1 == 1
 join <(deviations "$out/perturbed.csv") <(deviations "$out/perturbed-vertical.csv") |
     awk 'BEGIN { printf "\n        t   deviation, each leg   deviation, total\n" } { printf "    %5.1f        %13.6e      %13.6e\n", $1, $2, $3 }'
 say "
-   The first passes +1 at t = $(table "$out/perturbed.csv" '$c["ez"] > 1 && !found { found = 1; printf "%.2f", t + ($1 - t) * (1 - e) / ($c["ez"] - e) } { t = $1; e = $c["ez"] }'), upwards; the second is on the same way, a little later.${perturbed_end:+
+   The first passes +1 at t = $(table "$(finely paper-perturbed)" '$c["ez"] > 1 && !found { found = 1; printf "%.4f", t + ($1 - t) * (1 - e) / ($c["ez"] - e) } { t = $1; e = $c["ez"] }'), upwards; the second is on the same way, a little later.${perturbed_end:+
    First run: $perturbed_end.}${vertical_end:+
    Second run: $vertical_end.}"
 draw figure-4 "$out/round-trip.h5" "$out/perturbed.h5" "$out/perturbed-vertical.h5" --columns z,ez \
@@ -124,7 +133,7 @@ draw figure-4 "$out/round-trip.h5" "$out/perturbed.h5" "$out/perturbed-vertical.
 heading "4  Feedback"
 say "   The paper: forces F = F^p + G (l^p - l) make the oscillation stable."
 compute feedback simulate paper-feedback
-say "   Found: the same disturbance with G = 50 M g/R moves the platform by $(largest "$out/feedback.csv" ez) at most, against"
+say "   Found: the same disturbance with G = 50 M g/R moves the platform by $(largest "$(finely paper-feedback)" ez) at most, against"
 say "   $(largest "$out/perturbed.csv" ez) in open loop."
 draw feedback "$out/perturbed.h5" "$out/feedback.h5" --columns z --title 'The same disturbance with and without feedback' \
     --label 'open loop' --label 'feedback, G = 50'
@@ -136,8 +145,8 @@ compute stiff simulate paper-no-feedforward
 compute soft simulate paper-no-feedforward --set control.stiffness=5
 compute slack simulate paper-no-feedforward --set control.stiffness=2
 slack_end=${ended%%:*}
-say "   Found: with G = 100 the deviation keeps between $(least_and_greatest "$out/stiff.csv" ez),"
-say "   with G = 5 between $(least_and_greatest "$out/soft.csv" ez): the legs must be too short to carry the weight."
+say "   Found: with G = 100 the deviation keeps between $(least_and_greatest "$(finely paper-no-feedforward)" ez),"
+say "   with G = 5 between $(least_and_greatest "$(finely paper-no-feedforward --set control.stiffness=5)" ez): the legs must be too short to carry the weight."
 say "   With G = 2 the platform collapses: ${slack_end:-not this time}."
 draw feedback-alone "$out/stiff.h5" "$out/soft.h5" "$out/slack.h5" --figure motion --title 'Feedback alone, no program forces' \
     --label 'G = 100' --label 'G = 5' --label 'G = 2'
