@@ -41,11 +41,10 @@ START_TEST(samples_are_read_alike) {
 END_TEST
 
 START_TEST(messages_are_the_same) {
-    static const char *const wrong[] = {"gravity: 1,5\n", "simulation: {method: rk4, step: 0.03}\n",
-                                        "simulation: {duration: 1e9, output_step: 0.01}\n",
-                                        "motion: {heave: 0.5*x}\n",
-                                        "motion: {moves: [{start: 0.5, duration: 1.5, yaw: 1}, "
-                                        "{start: 1.5, duration: 1, yaw: 0}]}"};
+    static const char *const wrong[] = {
+        "gravity: 1,5\n", "simulation: {method: rk4, step: 0.03}\n",
+        "simulation: {duration: 1e9, output_step: 0.01}\n", "motion: {heave: 0.5*x}\n",
+        "motion: {moves: [{start: 0.5, duration: 1.5, yaw: 1}, {start: 1.5}]}"};
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         reading plain = read_more(wrong[i], NULL);
         use_comma_locale();
