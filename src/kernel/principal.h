@@ -1,4 +1,4 @@
-/* Principal axes of a symmetric 3×3 matrix by cyclic Jacobi rotations, (body-1): inertia = axes
+/* Principal axes of a symmetric 3×3 matrix by cyclic Jacobi rotations, (body-2): inertia = axes
  * · diag(moments) · axesᵀ. A number text: include number.h for the type first. */
 #ifndef GOUGH_KERNEL_PRINCIPAL_H
 #define GOUGH_KERNEL_PRINCIPAL_H

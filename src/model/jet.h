@@ -1,7 +1,7 @@
 /* Jets in t: a value with its first and second derivative, so that velocities and accelerations
  * of a formula are exact and never differenced. A text over `real` (kernel/number.h): each rule
- * is the chain or product rule of its function. Outside the domain of a function, and where a
- * derivative does not exist, the result is not finite. */
+ * is the chain or product rule of its function, (motion-2). Outside the domain of a function,
+ * and where a derivative does not exist, the result is not finite. */
 #ifndef GOUGH_MODEL_JET_H
 #define GOUGH_MODEL_JET_H
 
@@ -137,8 +137,8 @@ static inline jet jet_general_power(jet a, jet b) {
     return (jet){v, v * e.d, v * (e.d * e.d + e.dd)};
 }
 
-/* 10 s³ − 15 s⁴ + 6 s⁵, rising from 0 at s ≤ 0 to 1 at s ≥ 1 with two continuous derivatives:
- * the rise of least mean square jerk that starts and ends at rest */
+/* (motion-3): 10 s³ − 15 s⁴ + 6 s⁵, rising from 0 at s ≤ 0 to 1 at s ≥ 1 with two continuous
+ * derivatives: the rise of least mean square jerk that starts and ends at rest */
 static inline jet jet_smooth_step(jet s) {
     if (s.v <= 0) return jet_constant(0);
     if (s.v >= 1) return jet_constant(1);
@@ -147,8 +147,8 @@ static inline jet jet_smooth_step(jet s) {
                      60 * q * (1 - 2 * s.v));
 }
 
-/* rises from 0 at a ≤ 0 to 1 at a ≥ rise; a rise that is not positive has no meaning, so the
- * result is not a number */
+/* (motion-5): rises from 0 at a ≤ 0 to 1 at a ≥ rise; a rise that is not positive has no
+ * meaning, so the result is not a number */
 static inline jet jet_ramp(jet a, jet rise) {
     if (!(rise.v > 0)) return (jet){(real)NAN, (real)NAN, (real)NAN};
     return jet_smooth_step(jet_divide(a, rise));

@@ -1,5 +1,4 @@
-/* Any bytes as a formula: they compile and evaluate, or end in a sentence about a place within them.
- */
+/* Any bytes as a formula compile and evaluate, or end in a sentence about a place within them. */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
