@@ -137,9 +137,9 @@ static inline jet moves_jet(const gough_motion *m, int c, real t) {
 
 /* ---- samples ---- */
 
-/* All six components of the spline at t. In the interval of length h between rows i and i + 1,
- * with a + b = 1 and b h the time since row i:  y = a y₀ + b y₁ + ((a³ − a) y₀'' + (b³ − b)
- * y₁'') h²/6. */
+/* All six components of the spline at t, (motion-4). In the interval of length h between rows i
+ * and i + 1, with a + b = 1 and b h the time since row i:  y = a y₀ + b y₁ + ((a³ − a) y₀'' +
+ * (b³ − b) y₁'') h²/6. */
 static inline void samples_jets(const gough_samples *s, real t, jet out[GOUGH_COMPONENTS]) {
     const size_t last = s->count - 1;
     if (t < (real)s->time[0] || t > (real)s->time[last]) {

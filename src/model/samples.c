@@ -1,5 +1,5 @@
 /* The cubic spline with two continuous derivatives through samples at unequal times, not-a-knot
- * at both ends. */
+ * at both ends, (motion-4). */
 #include <math.h>
 #include <stdbool.h>
 
