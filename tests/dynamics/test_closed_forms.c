@@ -88,7 +88,7 @@ START_TEST(determinant_of_the_jacobian) {
 }
 END_TEST
 
-/* (stab-3): JᵀJ about the centre of the top joints */
+/* (stab-4): JᵀJ about the centre of the top joints */
 START_TEST(stiffness_of_the_legs) {
     dice d = {seed + 2};
 
@@ -119,7 +119,7 @@ START_TEST(stiffness_of_the_legs) {
 }
 END_TEST
 
-/* (stab-4): λ² = g d²/(h l²), heave under constant forces: the derivative of the acceleration by an imaginary step */
+/* (stab-7): λ² = g d²/(h l²), heave under constant forces: the derivative of the acceleration by an imaginary step */
 START_TEST(growth_rate_in_heave) {
     const double step = 1e-30;
     dice d = {seed + 3};
