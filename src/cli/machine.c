@@ -90,9 +90,10 @@ gough_status program_range(const gough_model *model, const gough_simulation *sim
                            double least[GOUGH_COMPONENTS], double greatest[GOUGH_COMPONENTS],
                            gough_error *error) {
     for (int c = 0; c < GOUGH_COMPONENTS; c++) least[c] = INFINITY, greatest[c] = -INFINITY;
-    const double rows = floor(simulation->duration / simulation->output_step + 1e-9);
-    for (double k = 0; k <= rows; k++) {
-        const double t = k * simulation->output_step;
+    const long rows = (long)floor(simulation->duration / simulation->output_step + 1e-9);
+    const long stride = rows / 100000 + 1; /* a range is quick to tell, however long the run */
+    for (long k = 0; k <= rows; k += stride) {
+        const double t = (double)k * simulation->output_step;
         double component[GOUGH_COMPONENTS][3];
         gough_motion_evaluate(&model->motion, t, component);
         for (int c = 0; c < GOUGH_COMPONENTS; c++) {

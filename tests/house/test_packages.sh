@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# scripts/install-packages.sh: silent when all is there; without apt, and without root or sudo, it names what is missing
+# and stops. Tried with folders of links in place of /usr/bin.
+set -euo pipefail
+cd "${SOURCE:-$(dirname "$0")/../..}"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+bash=$(command -v bash)
+
+# path_without NAME…: a folder with every program of the system but these
+path_without() {
+    local folder=$scratch/$1
+    mkdir "$folder"
+    find /usr/bin /bin /usr/local/bin -maxdepth 1 \( -type f -o -type l \) -exec ln -sf -t "$folder" {} + 2>/dev/null || true
+    for name in "$@"; do rm -f "$folder/$name"; done
+    echo "$folder"
+}
+refused() { # refused PATH WORD…: exit 1, the words on standard error
+    local path=$1 said word
+    shift
+    if said=$(PATH=$path "$bash" scripts/install-packages.sh build 2>&1 </dev/null); then
+        echo "with $(basename "$path") missing it goes on"
+        exit 1
+    fi
+    for word in "$@"; do
+        [[ $said == *"$word"* ]] || { echo "it does not say '$word' but: $said"; exit 1; }
+    done
+}
+
+said=$("$bash" scripts/install-packages.sh build 2>&1)
+[[ -z $said ]] || { echo "with all there it says: $said"; exit 1; }
+refused "$(path_without ninja apt-get apt)" "Missing: ninja-build" "no apt"
+if ((EUID != 0)); then
+    refused "$(path_without cmake sudo)" "Missing: cmake" "apt-get install cmake"
+elif command -v setpriv >/dev/null; then
+    folder=$(path_without cmake sudo)
+    chmod 755 "$scratch"
+    cp scripts/install-packages.sh "$scratch/script"
+    said=$(PATH=$folder setpriv --reuid 65534 --clear-groups "$bash" "$scratch/script" build 2>&1 </dev/null) && { echo "without root it goes on"; exit 1; }
+    [[ $said == *"Missing: cmake"*"apt-get install cmake"* ]] || { echo "without root it says: $said"; exit 1; }
+fi
+# each package of the list is one of this system's
+if command -v apt-cache >/dev/null && [[ -n $(apt-cache search --names-only '^cmake$') ]]; then
+    for package in $(sed -n 's/^[a-z]* *| \([a-z0-9.+-]*\) *|.*/\1/p' scripts/install-packages.sh); do
+        apt-cache show "$package" >/dev/null 2>&1 || { echo "there is no package $package"; exit 1; }
+    done
+fi
