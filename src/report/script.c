@@ -1,5 +1,5 @@
 /* A sheet as a gnuplot script and data files: positions, colours, ranges and labels; nothing is left to gnuplot's
- * defaults. Study text stands between single quotes and is never enhanced. */
+ * defaults. Study text stands between single quotes, has none itself, and is never enhanced. */
 #define _POSIX_C_SOURCE 200809L
 
 #include <errno.h>
@@ -142,6 +142,8 @@ static range padded(const panel *p, range r) {
         double low = floor(log10(r.low)), high = ceil(log10(r.high));
         if (high - low < 2.0) high = low + 2.0;
         if (high - low > 14.0) low = high - 14.0;
+        high = fmin(high, 308.0);
+        low = fmax(fmin(low, 306.0), -300.0);
         return (range){pow(10.0, low), pow(10.0, high)};
     }
     const double greatest = fmax(fabs(r.low), fabs(r.high));
@@ -379,8 +381,7 @@ static bool write_panels(const drawing *pen, const char *folder) {
         const range found = ordinate_range(p);
         const int power = power_of_panel(p, found);
         const double scale = pow(1000.0, power);
-        range y = padded(p, found);
-        y = (range){y.low / scale, y.high / scale};
+        const range y = padded(p, (range){found.low / scale, found.high / scale});
         write_axes(pen, number, x, y, power);
         write_plot(pen, number, data);
         for (int i = 0; i < p->count && good; i++, data++) {

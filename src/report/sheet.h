@@ -68,8 +68,8 @@ gough_status sheet_write_script(const sheet *sheet, sheet_format format, const c
  * points than that is kept whole. Points that are not finite stand for gaps and are kept once per stretch. */
 size_t sheet_thin(const double *x, const double *y, size_t count, size_t buckets, size_t *index);
 
-/* Text as gnuplot may have it between single quotes: quotes doubled, control characters and broken UTF-8 replaced,
- * cut to @p characters. */
+/* Text as gnuplot may have it between single quotes: apostrophes become typographic ones (gnuplot takes a doubled quote at
+ * the beginning of a string for its end), control characters and broken UTF-8 are replaced; cut to @p characters. */
 void sheet_quote(char *quoted, size_t size, const char *text, size_t characters);
 
 /* "m/s2" with a power of 1000 as a label: " (mm/s²)", " (10⁻⁶ °)"; power is the exponent of 1000. */

@@ -21,7 +21,7 @@ static size_t character_length(const unsigned char *at) {
 
 void sheet_quote(char *quoted, size_t size, const char *text, size_t characters) {
     const unsigned char *at = (const unsigned char *)text;
-    const char ellipsis[] = "…";
+    static const char ellipsis[] = "…", typographic[] = "’";
     size_t used = 0, count = 0;
     while (*at != '\0' && used + 4 + sizeof ellipsis < size) {
         if (count++ == characters) {
@@ -35,9 +35,10 @@ void sheet_quote(char *quoted, size_t size, const char *text, size_t characters)
             quoted[used++] = blank ? ' ' : '?';
             at++;
         } else {
-            if (*at == '\'') quoted[used++] = '\'';
-            memcpy(quoted + used, at, length);
-            used += length;
+            const bool apostrophe = *at == '\'';
+            memcpy(quoted + used, apostrophe ? (const void *)typographic : at,
+                   apostrophe ? 3 : length);
+            used += apostrophe ? 3 : length;
             at += length;
         }
     }
