@@ -34,7 +34,10 @@ static inline elimination solve_six(number a[6][6], number b[][6], int count) {
             }
             sign = number_select(larger, -sign, sign);
         }
-        const number inverse = one / a[c][c];
+        /* a column without a pivot is passed over: the determinant is then 0, not the NaN of ∞ · 0 */
+        const mask pivoted = number_greater(number_magnitude(a[c][c]), number_of(0));
+        const number inverse =
+            number_select(pivoted, one / number_select(pivoted, a[c][c], one), number_of(0));
         for (int r = c + 1; r < 6; r++) {
             const number factor = a[r][c] * inverse;
             for (int k = c + 1; k < 6; k++) a[r][k] = a[r][k] - factor * a[c][k];

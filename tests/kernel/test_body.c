@@ -212,8 +212,28 @@ START_TEST(elimination_exchanges_rows) {
 }
 END_TEST
 
+/* no height: the legs of a symmetric machine lie in a plane, three equations of six are empty */
+START_TEST(determinant_of_a_singular_matrix_is_zero) {
+    dice d = {27};
+
+    for (int n = 0; n < 100; n++) {
+        const int empty = n % 6;
+        double m[6][6], b[1][6] = {{1, 1, 1, 1, 1, 1}};
+        elimination e;
+        for (int i = 0; i < 6; i++) {
+            for (int j = 0; j < 6; j++) m[i][j] = j == empty ? 0 : dice_between(&d, -1, 1);
+        }
+        e = solve_six(m, b, 1);
+        ck_assert(fabs(e.determinant) <= 0);
+        ck_assert(fabs(e.pivot_ratio) <= 0);
+        ck_assert(!isfinite(b[0][0] + b[0][1] + b[0][2] + b[0][3] + b[0][4] + b[0][5]));
+    }
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("body", 30, triad_equation_is_eulers, multipliers_complete_lagranges_equations,
                      stabilisation_pulls_each_constraint_back, projection_is_the_polar_factor,
-                     singular_values_are_those_put_in, elimination_exchanges_rows);
+                     singular_values_are_those_put_in, elimination_exchanges_rows,
+                     determinant_of_a_singular_matrix_is_zero);
 }
