@@ -6,15 +6,13 @@
 
 #include "study/value.h"
 
-enum { MOST_KEYS = 128 };
-
 static void check_mapping(study_messages *messages, study_node *node, const char *parent);
 
 /* The names known in a mapping. */
-static size_t names_in(const char *parent, const char *names[MOST_KEYS]) {
+static size_t names_in(const char *parent, const char *names[STUDY_RULES]) {
     size_t rules, count = 0;
     const study_rule *rule = study_rules(&rules);
-    for (size_t i = 0; i < rules && count < MOST_KEYS; i++)
+    for (size_t i = 0; i < rules && count < STUDY_RULES; i++)
         if (study_rule_in(&rule[i], parent, &names[count])) count++;
     return count;
 }
@@ -44,22 +42,20 @@ static const char *home_of(study_arena *arena, const char *name) {
 }
 
 /* Whether the node is the part after the comma of a formula cut in a flow mapping. */
-static bool follows_cut(const study_node *parent, const study_node *node) {
-    const study_node *before = NULL;
-    for (const study_node *each = parent->first; each != node; each = each->next) before = each;
+static bool follows_cut(const study_node *before, const study_node *node) {
     return before && before->wrong && before->in_flow && before->kind == STUDY_SCALAR &&
            node->empty && strchr(before->text, '(') && strchr(node->key->text, ')');
 }
 
-static void say_unknown(study_messages *messages, study_node *parent, study_node *node,
+static void say_unknown(study_messages *messages, const study_node *before, study_node *node,
                         const char *path) {
-    const char *names[MOST_KEYS];
+    const char *names[STUDY_RULES];
     const size_t count = names_in(path, names);
     const char *key = study_quote(messages->arena, node->key->text, node->key->length);
     const char *nearest = study_nearest(node->key->text, names, count);
     const char *home = nearest ? NULL : home_of(messages->arena, node->key->text);
     const study_place place = study_node_place(node, true);
-    if (follows_cut(parent, node)) {
+    if (follows_cut(before, node)) {
         study_node_mark(node);
     } else if (nearest) {
         node->meant = nearest;
@@ -229,21 +225,21 @@ static void say_duplicate(study_messages *messages, study_node *node, const stud
 }
 
 static void check_mapping(study_messages *messages, study_node *node, const char *parent) {
-    size_t rules;
-    const study_rule *rules_begin = study_rules(&rules);
-    const study_node *seen[MOST_KEYS] = {NULL};
-    for (study_node *child = node->first; child; child = child->next) {
+    size_t count;
+    const study_rule *rules = study_rules(&count);
+    const study_node *seen[STUDY_RULES] = {NULL}, *before = NULL;
+    for (study_node *child = node->first; child; before = child, child = child->next) {
         const study_rule *rule = study_rule_find(parent, child->key->text);
         if (!rule) {
-            say_unknown(messages, node, child, parent);
+            say_unknown(messages, before, child, parent);
             continue;
         }
-        const study_node **before = &seen[rule - rules_begin];
-        if (*before)
-            say_duplicate(messages, child, *before);
+        const study_node **first = &seen[rule - rules];
+        if (*first)
+            say_duplicate(messages, child, *first);
         else
             check_value(messages, child, rule);
-        *before = child;
+        if (!*first) *first = child;
     }
     check_missing(messages, node, parent);
 }

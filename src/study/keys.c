@@ -66,15 +66,15 @@ static const study_rule rules[] = {
 };
 #undef KEY
 
-enum { RULES = sizeof rules / sizeof rules[0], LONGEST_WORD = 40 };
+enum { LONGEST_WORD = 40 };
 
 const gough_key *gough_study_keys(size_t *count) {
-    if (count) *count = RULES;
+    if (count) *count = STUDY_RULES;
     return public_keys;
 }
 
 const study_rule *study_rules(size_t *count) {
-    *count = RULES;
+    *count = STUDY_RULES;
     return rules;
 }
 
@@ -118,7 +118,7 @@ bool study_rule_in(const study_rule *rule, const char *parent, const char **name
 }
 
 const study_rule *study_rule_find(const char *parent, const char *name) {
-    for (size_t i = 0; i < RULES; i++) {
+    for (size_t i = 0; i < STUDY_RULES; i++) {
         const char *known;
         if (study_rule_in(&rules[i], parent, &known) && strcmp(known, name) == 0) return &rules[i];
     }

@@ -38,6 +38,14 @@ typedef struct study_rule {
     study_bound bound;
 } study_rule;
 
+/* How many there are. */
+enum {
+    STUDY_RULES = 0
+#define KEY(path, shape, unit, bound, fallback, sentence) +1
+#include "study/keys.def"
+#undef KEY
+};
+
 const study_rule *study_rules(size_t *count);
 
 /* The same key as the public table has it. */

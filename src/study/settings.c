@@ -104,6 +104,7 @@ static bool is_known(study_arena *arena, const study_node *node) {
 static void replace(study_arena *arena, study_node *old, study_node *value,
                     const study_source *source) {
     study_node *parent = old->parent, *key = old->key, *next = old->next;
+    const size_t number = old->number;
     if (!value) {
         /* what was only made on the way and is no known key stays, for the check to say so */
         if (!key || old->place.source != source || is_known(arena, old))
@@ -114,6 +115,7 @@ static void replace(study_arena *arena, study_node *old, study_node *value,
     old->parent = parent;
     old->key = key;
     old->next = next;
+    old->number = number;
     for (study_node *child = old->first; child; child = child->next) child->parent = old;
 }
 

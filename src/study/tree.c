@@ -42,7 +42,7 @@ void study_node_append(study_node *parent, study_node *child) {
     else
         parent->first = child;
     parent->last = child;
-    parent->count++;
+    child->number = ++parent->count;
 }
 
 void study_node_remove(study_node *parent, study_node *child) {
@@ -54,6 +54,7 @@ void study_node_remove(study_node *parent, study_node *child) {
         parent->first = child->next;
     if (parent->last == child) parent->last = before;
     parent->count--;
+    for (study_node *node = child->next; node; node = node->next) node->number--;
 }
 
 study_node *study_node_child(const study_node *parent, const char *name) {

@@ -28,7 +28,8 @@ typedef struct study_node {
     const char *meant;      /* the key that an unknown one is most like */
     struct study_node *key; /* its name, where it stands in a mapping */
     struct study_node *parent, *first, *last, *next;
-    size_t count; /* of children */
+    size_t count;  /* of children */
+    size_t number; /* of the node among its parent's children, from 1 */
 } study_node;
 
 /* Parses the text of a guarded source from `begin`. NULL where it is empty or an error was said. */

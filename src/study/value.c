@@ -65,18 +65,12 @@ double study_number(const study_node *node) {
     return value;
 }
 
-static size_t item_number(const study_node *node) {
-    size_t number = 1;
-    for (const study_node *item = node->parent->first; item != node; item = item->next) number++;
-    return number;
-}
-
 const char *study_node_path(study_arena *arena, const study_node *node) {
     if (!node->parent) return "the study";
     const bool top = !node->parent->parent;
     const char *parent = top ? "" : study_node_path(arena, node->parent);
     char number[32];
-    snprintf(number, sizeof number, "%zu", node->key ? 0 : item_number(node));
+    snprintf(number, sizeof number, "%zu", node->number);
     const char *name = node->key ? study_quote(arena, node->key->text, node->key->length) : number;
     char *path = study_arena_take(arena, strlen(parent) + strlen(name) + 2);
     if (!path) return "";

@@ -77,37 +77,45 @@ int occurrences(const char *text, const char *part) {
     return count;
 }
 
-static char *new_folder(void) {
+static void new_folder(char folder[400]) {
     const char *parent = getenv("TMPDIR");
-    char *folder = malloc(500);
-    ck_assert_ptr_nonnull(folder);
-    snprintf(folder, 400, "%s/gough-study-XXXXXX", parent ? parent : "/tmp");
-    ck_assert_ptr_nonnull(mkdtemp(folder));
-    return folder;
+    snprintf(folder, 400, "%.300s/gough-study-XXXXXX", parent ? parent : "/tmp");
+    if (!mkdtemp(folder)) {
+        perror(folder);
+        exit(EXIT_FAILURE);
+    }
 }
 
-void use_comma_locale(void) {
-    char command[1200];
-    char *folder = new_folder();
+void make_comma_locale(void) {
+    char folder[400], command[1000];
+    new_folder(folder);
     snprintf(command, sizeof command, "localedef -i de_DE -f UTF-8 '%s/de_DE.UTF-8'", folder);
-    ck_assert_msg(system(command) == 0, "localedef failed; the package `locales` is needed");
+    if (system(command) != 0) {
+        fprintf(stderr, "localedef failed; the package `locales` is needed\n");
+        exit(EXIT_FAILURE);
+    }
     setenv("LOCPATH", folder, 1);
-    ck_assert_ptr_nonnull(setlocale(LC_ALL, "de_DE.UTF-8"));
-    ck_assert_str_eq(localeconv()->decimal_point, ",");
-    snprintf(command, sizeof command, "rm -r '%s'", folder);
-    ck_assert_int_eq(system(command), 0);
-    free(folder);
 }
 
-void use_plain_locale(void) {
-    setlocale(LC_ALL, "C");
+void forget_comma_locale(void) {
+    char command[1000];
+    snprintf(command, sizeof command, "rm -r '%s'", getenv("LOCPATH"));
+    if (system(command) != 0) exit(EXIT_FAILURE);
     unsetenv("LOCPATH");
 }
 
+void use_comma_locale(void) {
+    ck_assert_ptr_nonnull(setlocale(LC_ALL, "de_DE.UTF-8"));
+    ck_assert_str_eq(localeconv()->decimal_point, ",");
+}
+
+void use_plain_locale(void) { setlocale(LC_ALL, "C"); }
+
 char *write_file(const char *name, const char *text, size_t length) {
-    char *path = new_folder();
-    strcat(path, "/");
-    strcat(path, name);
+    char folder[400], *path = malloc(500);
+    ck_assert_ptr_nonnull(path);
+    new_folder(folder);
+    snprintf(path, 500, "%s/%s", folder, name);
     FILE *file = fopen(path, "wb");
     ck_assert_ptr_nonnull(file);
     ck_assert_uint_eq(fwrite(text, 1, length, file), length);

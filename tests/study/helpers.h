@@ -33,7 +33,10 @@ reading expect_good(const char *more, const char *const settings[]);
 /* How often part occurs in text. */
 int occurrences(const char *text, const char *part);
 
-/* Makes a locale with a decimal comma and sets it; fails the test where that is impossible. */
+/* Makes a locale with a decimal comma, once a program before the tests; the program ends where that is impossible. */
+void make_comma_locale(void);
+void forget_comma_locale(void);
+
 void use_comma_locale(void);
 void use_plain_locale(void);
 

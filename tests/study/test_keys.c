@@ -8,14 +8,13 @@
 /* A study of one key alone: nested mappings down to it, `- ` for the elements of a list. */
 typedef struct lone {
     char text[1000];
-    char parent[200]; /* the path of its mapping */
     char name[64];
     char path[200]; /* as messages call it */
     int line, column;
 } lone;
 
 static void nest(lone *made, const gough_key *key, const char *suffix, const char *value) {
-    char path[200];
+    char path[60];
     bool item = false;
     *made = (lone){.line = 0, .column = 1};
     snprintf(path, sizeof path, "%s", key->path);
@@ -41,7 +40,7 @@ static void nest(lone *made, const gough_key *key, const char *suffix, const cha
 
 /* Reads it and expects a message at the key's value (or at its name) with this in it. */
 static void expect_at(const lone *made, bool at_name, const char *part) {
-    char place[400];
+    char place[600];
     const int column = made->column + (at_name ? 0 : (int)strlen(made->name) + 2);
     snprintf(place, sizeof place, "study.yaml:%d:%d: error: %s", made->line, column, part);
     expect_said(made->text, place);

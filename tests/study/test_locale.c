@@ -60,6 +60,9 @@ START_TEST(messages_are_the_same) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("study/locale", 60, numbers_and_formulas_are_read_alike,
-                     samples_are_read_alike, messages_are_the_same);
+    make_comma_locale();
+    const int status = SUITE_RUN("study/locale", 60, numbers_and_formulas_are_read_alike,
+                                 samples_are_read_alike, messages_are_the_same);
+    forget_comma_locale();
+    return status;
 }

@@ -74,7 +74,7 @@ END_TEST
 
 /* Expects an error in a formula with the caret under that column of that line. */
 static void expect_caret(const char *more, int line, int column) {
-    char place[40];
+    char place[80];
     reading made = read_more(more, NULL);
     ck_assert_int_eq(made.status, GOUGH_ERROR_INPUT);
     snprintf(place, sizeof place, "study.yaml:%d:%d: error: `motion.heave`: ", line, column);
