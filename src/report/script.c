@@ -83,12 +83,13 @@ static range abscissa_range(const sheet *s) {
             }
         }
     }
-    if (isfinite(s->from)) r.low = s->from;
-    if (isfinite(s->to)) r.high = s->to;
+    if (isfinite(s->from) && (!s->logarithmic_abscissa || s->from > 0.0)) r.low = s->from;
+    if (isfinite(s->to) && (!s->logarithmic_abscissa || s->to > 0.0)) r.high = s->to;
     if (!(r.high > r.low)) {
-        const double centre = isfinite(r.low) ? r.low : 0.0;
+        const double centre = isfinite(r.low) ? r.low : s->logarithmic_abscissa ? 1.0 : 0.0;
         const double half = 0.5 * fmax(fabs(centre), 1.0);
-        r = (range){centre - half, centre + half};
+        r = s->logarithmic_abscissa ? (range){centre / 10.0, centre * 10.0}
+                                    : (range){centre - half, centre + half};
     } else if (s->logarithmic_abscissa) {
         r = (range){r.low / 1.4, r.high * 1.4};
     }
