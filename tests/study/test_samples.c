@@ -1,8 +1,10 @@
 /* Recorded motion: what is read of a CSV file, and every way in which one can be wrong, with its place. */
+#define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "study/helpers.h"
 #include "support/suite.h"
@@ -192,6 +194,15 @@ START_TEST(refuses_a_run_beyond_the_record) {
     snprintf(text, sizeof text, "%smotion:\n  samples: '%s'\nsimulation:\n  duration: 2\n",
              good_study, path);
     expect_said(text, "study.yaml:11:3: error: simulation.duration");
+    forget_file(path);
+}
+END_TEST
+
+START_TEST(refuses_more_than_64_mib) {
+    char *path = write_file("motion.csv", "t,heave\n", 8), text[1000];
+    ck_assert_int_eq(truncate(path, 64 * 1024 * 1024 + 1), 0);
+    snprintf(text, sizeof text, "%smotion:\n  samples: '%s'\n", good_study, path);
+    expect_said(text, "is larger than the 65536 KiB that such a file may have");
     forget_file(path);
 }
 END_TEST
