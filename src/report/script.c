@@ -233,12 +233,12 @@ static void write_terminal(const drawing *pen) {
     else if (pen->format == SHEET_SVG)
         fprintf(pen->file,
                 "set terminal svg size %d,%d enhanced font 'DejaVu Sans,%.4g' background rgb "
-                "'white' rounded\n",
+                "'white' butt\n",
                 l->width, l->height, size);
     else
         fprintf(pen->file,
                 "set terminal pdfcairo size %.2fin,%.2fin enhanced font 'DejaVu Sans,%.4g' "
-                "linewidth 1 background rgb 'white' rounded\n",
+                "fontscale 0.75 linewidth 1.5 pointscale 0.75 background rgb 'white' butt\n",
                 l->width / 100.0, l->height / 100.0, size);
 }
 
