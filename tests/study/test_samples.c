@@ -224,10 +224,11 @@ START_TEST(a_hundred_thousand_rows_are_read) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN(
-        "study/samples", 60, reads_columns_in_any_order, accepts_cr_lf_and_byte_order_mark,
-        path_starts_from_the_folder_of_the_study, a_missing_file_is_a_file_error_at_the_key,
-        refuses_wrong_headers, refuses_wrong_rows_all_at_once, refuses_times_that_do_not_increase,
-        refuses_fewer_than_two_rows, refuses_nul_bytes_and_garbage, stops_after_twenty_errors,
-        refuses_a_run_beyond_the_record, a_hundred_thousand_rows_are_read);
+    return SUITE_RUN("study/samples", 60, reads_columns_in_any_order,
+                     accepts_cr_lf_and_byte_order_mark, path_starts_from_the_folder_of_the_study,
+                     a_missing_file_is_a_file_error_at_the_key, refuses_wrong_headers,
+                     refuses_wrong_rows_all_at_once, refuses_times_that_do_not_increase,
+                     refuses_fewer_than_two_rows, refuses_nul_bytes_and_garbage,
+                     stops_after_twenty_errors, refuses_a_run_beyond_the_record,
+                     refuses_more_than_64_mib, a_hundred_thousand_rows_are_read);
 }
