@@ -27,6 +27,7 @@ test    | netcdf-bin       | command -v ncdump
 test    | clang-format     | command -v clang-format
 test    | man-db           | command -v man
 test    | jq               | command -v jq
+test    | doxygen          | command -v doxygen
 docs    | doxygen          | command -v doxygen
 lint    | clang-format     | command -v clang-format
 lint    | clang-tidy       | command -v clang-tidy

@@ -60,7 +60,31 @@ code=$?
 expect_code 3 "a file larger than allowed"
 [[ -z $(ls "$scratch"/large* 2>/dev/null) ]] || fail "half a file is left: $(ls "$scratch"/large*)"
 
+# figures: beside the result unless told otherwise
+run plot "$scratch/a.csv"
+expect_code 0 plot
+[[ $(head -c 4 "$scratch/a.png" | tail -c 3) == PNG ]] || fail "plot leaves no picture beside the result"
+run plot "$scratch/a.csv" "$scratch/a.h5" -o "$scratch/both.svg" --label one --label two -q
+expect_code 0 "plot of two"
+[[ ! -s $scratch/err ]] || fail "plot -q talks"
+grep -q '<svg' "$scratch/both.svg" || fail "plot -o leaves no SVG"
+run plot "$scratch/a.csv" -o "$scratch/a.gif"
+expect_code 2 "a picture of unknown kind"
+
 # colours and bars are for terminals only
 run simulate "$study" --json
 ! grep -q $'\033' "$scratch/out" "$scratch/err" || fail "escape sequences in a file"
+if command -v script >/dev/null; then
+    on_terminal() { # on_terminal ASSIGNMENT…: a run of some seconds, stopped after three
+        env TERM=xterm "$@" script -qec "timeout 3 '$GOUGH' simulate '$study' -o '$scratch/long.csv' --precision quad \
+            --set simulation.duration=2000 --set control.stiffness=5" /dev/null </dev/null
+    }
+    on_terminal NO_COLOR= >"$scratch/out"
+    grep -q '\[#*-*\]' "$scratch/out" || fail "no bar on a terminal: $(head -c 300 "$scratch/out")"
+    grep -q $'\033\[36m' "$scratch/out" || fail "no colour on a terminal"
+    on_terminal NO_COLOR=1 >"$scratch/out"
+    grep -q '\[#*-*\]' "$scratch/out" || fail "NO_COLOR takes the bar away"
+    ! grep -q $'\033\[[0-9;]*m' "$scratch/out" || fail "NO_COLOR is not honoured"
+    [[ ! -e $scratch/long.csv ]] || fail "a killed run leaves a file"
+fi
 finish
