@@ -16,26 +16,26 @@ CMAKE_FLAGS  ?=
 .PHONY: all configure test demo install package fuzz bench lint docs clean
 
 all: configure
-	@cmake --build $(BUILD) --target gough_command gough_archive gough_shared gough_files_shared
+	@cmake --build "$(BUILD)" --target gough_command gough_archive gough_shared gough_files_shared
 
 configure:
 	@scripts/install-packages.sh build
-	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_INSTALL_PREFIX=$(PREFIX) $(CMAKE_FLAGS) >/dev/null
+	@cmake -S . -B "$(BUILD)" -G Ninja "-DCMAKE_INSTALL_PREFIX=$(PREFIX)" $(CMAKE_FLAGS) >/dev/null
 
 test:
 	@scripts/install-packages.sh build test
-	@scripts/test.sh $(BUILD)
+	@scripts/test.sh "$(BUILD)"
 
 demo: all
 	@scripts/install-packages.sh demo
 	@scripts/demo.sh
 
 install: all
-	cmake --install $(BUILD) --prefix $(PREFIX)
+	cmake --install "$(BUILD)" --prefix "$(PREFIX)"
 
 package:
 	@scripts/install-packages.sh build package
-	@scripts/package.sh $(BUILD)
+	@scripts/package.sh "$(BUILD)"
 
 fuzz:
 	@scripts/install-packages.sh build test
@@ -47,11 +47,11 @@ bench: all
 
 lint: all
 	@scripts/install-packages.sh lint
-	@scripts/lint.sh $(BUILD)
+	@scripts/lint.sh "$(BUILD)"
 
 docs: configure
 	@scripts/install-packages.sh docs
-	@scripts/docs.sh $(BUILD)
+	@scripts/docs.sh "$(BUILD)"
 
 clean:
-	rm -rf $(BUILD) out
+	rm -rf "$(BUILD)" out
