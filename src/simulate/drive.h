@@ -13,6 +13,7 @@ enum { DRIVE_HALVINGS = 64 };
 
 typedef struct {
     run r;
+    const gough_initial *initial;
     gough_sink sink;
     void *context;
     gough_end *end;
@@ -50,8 +51,8 @@ static inline void drive_note_drift(drive *d, const number *y) {
 
 /* (x, ρ̇, ω) at the beginning: the program's, or what the study gives */
 static inline void drive_start(drive *d) {
-    const gough_initial *initial = &d->r.model->initial;
-    const gough_motion *motion = &d->r.model->motion;
+    const gough_initial *initial = d->initial;
+    const gough_motion *motion = d->r.motion;
     const hexapod *h = &d->r.h;
     const vector about = vector_of(motion->about);
     jet component[GOUGH_COMPONENTS];
@@ -59,7 +60,7 @@ static inline void drive_start(drive *d) {
     vector velocity, omega;
 
     motion_components(motion, 0, component);
-    coordinates_of_motion(h, d->r.model->machine.platform.height, motion->about, component, x);
+    coordinates_of_motion(h, d->r.height, motion->about, component, x);
     velocity = (vector){component[0].d, component[1].d, component[2].d};
     omega = triad_angular_velocity(&x[0].q, &x[1].q);
     if (initial->velocity_given) velocity = vector_of(initial->velocity);
@@ -68,7 +69,7 @@ static inline void drive_start(drive *d) {
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         if (initial->given[c]) component[c] = jet_constant(initial->component[c]);
     }
-    coordinates_of_motion(h, d->r.model->machine.platform.height, motion->about, component, x);
+    coordinates_of_motion(h, d->r.height, motion->about, component, x);
     const vector arm = out_of(&x[0].q, onto(&h->axes, subtract(h->center, about)));
     rate = (coordinates){add(velocity, cross(omega, arm)), triad_rate(&x[0].q, omega)};
     coordinates_project(&x[0], &rate);
@@ -288,7 +289,7 @@ static inline real drive_first_step(drive *d, const real *size, real tolerance, 
 
 /* adaptive dop853 */
 static inline gough_status drive_adaptive(drive *d) {
-    const gough_machine *machine = &d->r.model->machine;
+    const gough_machine *machine = d->r.lane[0].machine;
     const real tolerance = d->r.options->tolerance, duration = d->r.options->duration;
     const real length = machine->base_radius, gravity = machine->gravity_magnitude;
     const real unit = gravity > 0 ? real_root(length / gravity) : 1;
@@ -407,10 +408,12 @@ static inline gough_status drive_fixed(drive *d) {
 
 static inline gough_status drive_run(const gough_model *model, const gough_simulation *options,
                                      gough_sink sink, void *context, gough_end *end) {
+    const run_lane lane = {&model->machine, &model->control, &model->disturbance};
     gough_status status;
     drive d;
 
-    run_begin(&d.r, model, options);
+    run_begin(&d.r, &model->motion, options, &lane);
+    d.initial = &model->initial;
     d.sink = sink;
     d.context = context;
     d.end = end;

@@ -7,8 +7,6 @@
 
 #include "simulate/stage.h"
 
-/* a shorter leg, in base radii, has no direction worth the name */
-static const double leg_no_length = 1e-9;
 /* what round-off may take from a limit that is just met, relative */
 static const double limit_slack = 1e-12;
 /* beyond this condition eight digits of the forces are gone */
@@ -43,25 +41,21 @@ static inline limits_side limits_begin(const run *r, const stage *s, const insta
                          limits_sign(s->singularity.determinant)};
 }
 
-/* relative margins; 1 where there is no limit */
-static inline void limits_margins(const run *r, const stage *s, const instant *m,
-                                  const limits_side *side, real margin[MARGINS]) {
-    const gough_platform *p = &r->model->machine.platform;
-    const real nothing = leg_no_length * (real)r->model->machine.base_radius;
-    const real least = p->length_min > nothing ? (real)p->length_min : nothing;
+/* margins of the legs, relative; 1 where there is no limit */
+static inline void limits_legs(const run *r, const instant *m, number margin[MARGIN_POSE]) {
+    const number one = number_of(1), slack = number_of(limit_slack);
 
     for (int v = 0; v < LEGS; v++) {
-        margin[MARGIN_SHORT + v] = m->g.length[v] / least - 1;
-        margin[MARGIN_LONG + v] =
-            isinf(p->length_max) ? 1 : 1 - m->g.length[v] / (real)p->length_max;
-        margin[MARGIN_SPEED + v] =
-            isinf(p->speed_max) ? 1 : 1 - real_magnitude(m->g.rate[v]) / (real)p->speed_max;
-        margin[MARGIN_FORCE + v] =
-            isinf(p->force_max) ? 1 : 1 - real_magnitude(m->u[v]) / (real)p->force_max;
-        for (int kind = 0; kind < MARGIN_POSE; kind += LEGS) {
-            margin[kind + v] = margin[kind + v] + (real)limit_slack;
-        }
+        margin[MARGIN_SHORT + v] = m->g.length[v] / r->least - one + slack;
+        margin[MARGIN_LONG + v] = one - m->g.length[v] / r->most + slack;
+        margin[MARGIN_SPEED + v] = one - number_magnitude(m->g.rate[v]) / r->fastest + slack;
+        margin[MARGIN_FORCE + v] = one - number_magnitude(m->u[v]) / r->strongest + slack;
     }
+}
+
+static inline void limits_margins(const run *r, const stage *s, const instant *m,
+                                  const limits_side *side, real margin[MARGINS]) {
+    limits_legs(r, m, margin);
     margin[MARGIN_POSE] = side->pose * limits_pose(r, m).determinant;
     margin[MARGIN_PROGRAM] = side->program * s->singularity.determinant;
 }
@@ -87,7 +81,7 @@ static inline int limits_nearly_singular(const run *r, const stage *s, const ins
 }
 
 static inline gough_cause limits_cause(const run *r, int margin) {
-    const gough_machine *machine = &r->model->machine;
+    const gough_machine *machine = r->lane[0].machine;
 
     if (margin >= MARGIN_POSE) return GOUGH_END_SINGULAR;
     if (margin >= MARGIN_FORCE) return GOUGH_END_LEG_FORCE;
@@ -99,7 +93,7 @@ static inline gough_cause limits_cause(const run *r, int margin) {
 }
 
 static inline void limits_say(const run *r, gough_cause cause, int leg, double t, gough_end *end) {
-    const gough_platform *p = &r->model->machine.platform;
+    const gough_platform *p = &r->lane[0].machine->platform;
 
     end->cause = cause;
     end->time = t;
