@@ -15,20 +15,20 @@ extern "C" {
 
 /** What one run has of its own; the pointers may be shared by many runs. All runs of a batch move by one program. */
 typedef struct gough_batch_run {
-    const gough_machine *machine;         /**< joints, load, gravity; the same height of home in all runs */
-    const gough_control *control;         /**< the same choice of feed-forward in all runs */
+    const gough_machine *machine; /**< joints, load, gravity; the same height of home in all runs */
+    const gough_control *control; /**< the same choice of feed-forward in all runs */
     const gough_disturbance *disturbance;
     const gough_initial *initial;
 } gough_batch_run;
 
 /** What a run leaves. Peaks and deviations are those of the output times, as in gough_summary. Angles in radians. */
 typedef struct gough_outcome {
-    gough_cause cause;         /**< GOUGH_END_DONE, or why this run alone ended */
-    int leg;                   /**< 1 … 6 where one leg is the cause, else 0 */
-    double time;               /**< of the end */
-    double position[3];        /**< top-frame origin at the last output time met */
-    double angles[3];          /**< roll, pitch, yaw there */
-    double velocity[3];        /**< of the origin */
+    gough_cause cause;  /**< GOUGH_END_DONE, or why this run alone ended */
+    int leg;            /**< 1 … 6 where one leg is the cause, else 0 */
+    double time;        /**< of the end */
+    double position[3]; /**< top-frame origin at the last output time met */
+    double angles[3];   /**< roll, pitch, yaw there */
+    double velocity[3]; /**< of the origin */
     double angular_velocity[3];
     double position_deviation; /**< largest distance from the program */
     double angle_deviation;    /**< largest angle from the program */
@@ -42,7 +42,7 @@ typedef struct gough_outcome {
 
 /** How to run a batch; start from gough_batch_options_default(). */
 typedef struct gough_batch_options {
-    int lanes;   /**< 0: the widest that the processor has; else 1, 2, 4 or 8 (more than it has is an error) */
+    int lanes; /**< 0: the widest that the processor has; else 1, 2, 4 or 8 (more than it has is an error) */
     int threads; /**< 0: one per processor that the process may use */
     /** Called now and then from one thread at a time with the number of runs done; nonzero stops. May be NULL. */
     int (*progress)(void *context, size_t done);
@@ -66,8 +66,9 @@ GOUGH_API size_t gough_batch_size(const gough_batch_options *options);
  *  do not fit; GOUGH_ERROR_NUMERICAL if the progress function stopped it (outcomes of runs not done have rows 0);
  *  GOUGH_ERROR_FILE if a thread could not be started. */
 GOUGH_API gough_status gough_batch(const gough_motion *motion, const gough_simulation *simulation,
-                                   const gough_batch_run *runs, size_t count, const gough_batch_options *options,
-                                   gough_outcome *outcomes, void *memory, gough_error *error);
+                                   const gough_batch_run *runs, size_t count,
+                                   const gough_batch_options *options, gough_outcome *outcomes,
+                                   void *memory, gough_error *error);
 
 /** Number of the draw @p draw of run @p run under a seed, uniform in [0, 1): counter-based (Philox 4×32, ten rounds), so that any draw
  *  is had without those before it. */

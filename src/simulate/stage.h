@@ -190,22 +190,27 @@ static inline void run_disturbances(run *r, real t, stage *s) {
     s->turn.z = run_disturbance(r, moment + 2 * one, "disturbance.moment", t);
 }
 
-/* all of a stage from its own formulas */
-static inline void run_evaluate(run *r, real t, stage *s) {
-    jet component[GOUGH_COMPONENTS];
-    number vertical = number_of(0);
-
+/* the program's motion in a stage, no forces yet */
+static inline void run_program(run *r, const jet component[GOUGH_COMPONENTS], stage *s) {
     for (int v = 0; v < LEGS; v++) s->force[v] = number_of(0);
     s->singularity = (elimination){number_of(1), number_of(1)};
-    run_components(r, t, component);
     coordinates_of_motion(&r->h, r->height, r->motion->about, component, s->x);
     legs_at(&r->h, &s->x[0], &s->program);
     legs_rates(&r->h, &s->x[1], &s->program);
-    if (r->share) {
-        vertical = run_disturbance(r, offsetof(gough_disturbance, vertical_force),
-                                   "disturbance.vertical_force", t);
-    }
-    if (r->solves) run_program_forces(r, vertical, s);
+}
+
+static inline number run_vertical(run *r, real t) {
+    return run_disturbance(r, offsetof(gough_disturbance, vertical_force),
+                           "disturbance.vertical_force", t);
+}
+
+/* all of a stage from its own formulas */
+static inline void run_evaluate(run *r, real t, stage *s) {
+    jet component[GOUGH_COMPONENTS];
+
+    run_components(r, t, component);
+    run_program(r, component, s);
+    if (r->solves) run_program_forces(r, r->share ? run_vertical(r, t) : number_of(0), s);
     run_disturbances(r, t, s);
 }
 

@@ -3,7 +3,7 @@
 #ifndef GOUGH_SIMULATE_WALK_H
 #define GOUGH_SIMULATE_WALK_H
 
-#include "simulate/limits.h"
+#include "simulate/ends.h"
 #include "simulate/row.h"
 
 /* looks at the limits between two rows */
