@@ -16,7 +16,7 @@ CMAKE_FLAGS  ?=
 .PHONY: all configure test demo install package fuzz bench lint docs clean
 
 all: configure
-	@cmake --build $(BUILD) --target gough_command gough_core gough_shared gough_files_shared
+	@cmake --build $(BUILD) --target gough_command gough_archive gough_shared gough_files_shared
 
 configure:
 	@scripts/install-packages.sh build

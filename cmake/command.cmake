@@ -10,3 +10,10 @@ add_custom_command(OUTPUT ${GOUGH_EMBEDDED}
 add_executable(gough_command ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED})
 set_target_properties(gough_command PROPERTIES OUTPUT_NAME gough)
 target_link_libraries(gough_command PRIVATE gough_files PkgConfig::JANSSON)
+
+# for the tests of the command
+if(GOUGH_TESTS_SANITIZED)
+    add_executable(gough_command_sanitized ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED})
+    set_target_properties(gough_command_sanitized PROPERTIES RUNTIME_OUTPUT_DIRECTORY sanitized OUTPUT_NAME gough)
+    target_link_libraries(gough_command_sanitized PRIVATE gough_files_sanitized gough_sanitizers PkgConfig::JANSSON)
+endif()

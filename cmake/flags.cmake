@@ -3,7 +3,7 @@ add_library(gough_flags INTERFACE)
 target_compile_options(gough_flags INTERFACE
     -ffp-contract=off -fno-math-errno -fvisibility=hidden
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
-    $<$<C_COMPILER_ID:GNU>:-Wno-psabi>) # lanes are inlined: how a call would pass them does not matter
+    -Wno-psabi) # lanes are inlined: how a call would pass them does not matter
 target_include_directories(gough_flags INTERFACE
     ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include ${PROJECT_SOURCE_DIR}/src)
 if(GOUGH_WERROR)

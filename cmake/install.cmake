@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS gough_command RUNTIME)
-install(TARGETS gough_core ARCHIVE)
+install(FILES ${PROJECT_BINARY_DIR}/libgough.a DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS gough_shared gough_files_shared EXPORT gough-targets LIBRARY)
 install(DIRECTORY include/gough DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 install(FILES ${PROJECT_BINARY_DIR}/include/gough/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gough)
@@ -54,6 +54,7 @@ else()
 endif()
 install(FILES completions/gough.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "man" EXCLUDE)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "man" EXCLUDE
+    PATTERN "images" EXCLUDE)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)

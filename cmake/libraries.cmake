@@ -34,8 +34,20 @@ endfunction()
 
 gough_room_libraries("")
 
-# installed under these names: libgough.a, libgough.so, libgough-files.so
-set_target_properties(gough_core PROPERTIES OUTPUT_NAME gough)
+if(GOUGH_TESTS_SANITIZED)
+    gough_room_libraries(_sanitized gough_sanitizers)
+endif()
+
+# Installed: libgough.a, libgough.so, libgough-files.so. The archive is one object whose inner names are made local, so
+# that a user's program sees only what GOUGH_API shows, as in the shared libraries.
+add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/libgough.a
+    COMMAND ${CMAKE_C_COMPILER} -r -nostdlib -o gough-core.o $<TARGET_OBJECTS:gough_core_objects>
+    COMMAND ${CMAKE_OBJCOPY} --localize-hidden gough-core.o
+    COMMAND ${CMAKE_COMMAND} -E rm -f libgough.a
+    COMMAND ${CMAKE_AR} rcs libgough.a gough-core.o
+    DEPENDS gough_core_objects $<TARGET_OBJECTS:gough_core_objects>
+    WORKING_DIRECTORY ${PROJECT_BINARY_DIR} COMMAND_EXPAND_LISTS VERBATIM)
+add_custom_target(gough_archive ALL DEPENDS ${PROJECT_BINARY_DIR}/libgough.a)
 add_library(gough_shared SHARED $<TARGET_OBJECTS:gough_core_objects>)
 add_library(gough_files_shared SHARED $<TARGET_OBJECTS:gough_files_objects>)
 set_target_properties(gough_shared PROPERTIES OUTPUT_NAME gough EXPORT_NAME gough)

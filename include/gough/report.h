@@ -12,12 +12,13 @@ extern "C" {
 
 /** What to draw. */
 typedef struct gough_figure {
-    const char *kind;    /**< NULL: chosen by the table; else one of gough_figure_kinds() */
+    const char
+        *kind; /**< NULL: chosen by the table; else the name of one of gough_figure_kinds() */
     const char *title;   /**< NULL: the table's title */
     const char *columns; /**< NULL, or names separated by commas, for kind "columns" */
     double from;         /**< first t; NaN: from the beginning */
     double to;           /**< last t; NaN: to the end */
-    bool logarithmic;    /**< logarithmic ordinate (magnitudes) */
+    bool logarithmic;    /**< logarithmic ordinate, of magnitudes */
 } gough_figure;
 
 /** Everything from the tables, nothing chosen. */
@@ -26,8 +27,11 @@ GOUGH_API gough_figure gough_figure_default(void);
 /** Kinds of figure, terminated by NULL, each "name — sentence". */
 GOUGH_API const char *const *gough_figure_kinds(void);
 
-/** Draws one figure of one or several tables (compared in the same panels) to .png, .svg or .pdf. Complete or absent.
- *  @param labels  what each table is called in the key; NULL: its title or file name
+/** Draws one figure of one or several tables (compared in the same panels) to .png, .svg or .pdf. Complete or absent, the same
+ *  bytes each time. Legs that coincide within 1e-9 are one line; lines of many rows are thinned, their peaks kept; components
+ *  of the pose that hardly move beside the others are left out of the motion. Kind "gain" draws columns G and
+ *  position_deviation, and rings points whose column `ended`, if there is one, is 1.
+ *  @param labels  what each table is called in the key; NULL, or one of them NULL: its title
  *  @return GOUGH_OK, GOUGH_ERROR_INPUT (extension, kind or column unknown, the nearest named) or GOUGH_ERROR_FILE (gnuplot is
  *  missing or failed, the folder does not exist, the disk is full). Text of the tables is never executed. */
 GOUGH_API gough_status gough_figure_draw(const gough_figure *figure,

@@ -1,5 +1,6 @@
 /** @file result.h
  *  What a run leaves: tables in memory, written as HDF5 or CSV, complete or not at all. This room allocates and writes files.
+ *  Functions on distinct tables are safe to call concurrently, but for HDF5, whose library may be built for one thread only.
  */
 #ifndef GOUGH_RESULT_H
 #define GOUGH_RESULT_H
@@ -34,14 +35,17 @@ GOUGH_API gough_status gough_units_of_study(const gough_study *study, bool dimen
 GOUGH_API gough_result *gough_result_new(const gough_study *study, const char *verb,
                                          const gough_units *units);
 
-/** A gough_sink: @p result is a gough_result. Returns nonzero when memory is out. */
+/** A gough_sink: @p result is a gough_result. Quads are kept if the first row has them.
+ *  @return nonzero when memory is out, or when the table would take more than a quarter of the machine's. */
 GOUGH_API int gough_result_add(void *result, const gough_row *row);
 
-/** How the run ended: attributes end_time and end_cause (and end_message). */
+/** How the run ended, its time in units of the run: attributes end_time, end_cause and end_message of HDF5. */
 GOUGH_API void gough_result_set_end(gough_result *result, const gough_end *end);
 
-/** Writes the table: .h5 (HDF5) or .csv by extension, "-" CSV on standard output. Complete or absent: written beside, synced,
- *  renamed. @return GOUGH_OK, GOUGH_ERROR_INPUT (unknown extension), GOUGH_ERROR_FILE. */
+/** Writes the table: .h5 (HDF5) or .csv by extension, "-" CSV on standard output. CSV has 17 significant digits, 36 where the
+ *  rows came as quads; HDF5 has doubles, on a dimension scale t, and opens as netCDF-4. The same table gives the same bytes, in
+ *  every locale. Complete or absent, as by gough_write_file().
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT (unknown extension), GOUGH_ERROR_FILE. */
 GOUGH_API gough_status gough_result_write(const gough_result *result, const char *path,
                                           gough_error *error);
 
@@ -61,7 +65,10 @@ typedef struct gough_table {
     double end_time; /**< NaN where unknown */
 } gough_table;
 
-/** Reads a table. @return GOUGH_OK, GOUGH_ERROR_INPUT (not such a file, with the place: `file:line:column: …`), GOUGH_ERROR_FILE.
+/** Reads a table; HDF5 is told from CSV by its first bytes, "-" is CSV on standard input. A child process reads HDF5, within
+ *  limits of time and memory, so that a file which breaks the HDF5 library ends in a message too.
+ *  @param[out] table  set on GOUGH_OK, else NULL
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT (not such a file; of CSV with the place: `file:line:column: …`), GOUGH_ERROR_FILE.
  *  Any bytes end in one of these. */
 GOUGH_API gough_status gough_table_read(const char *path, gough_table **table, gough_error *error);
 /** Frees a table; NULL is allowed. */
@@ -70,7 +77,9 @@ GOUGH_API void gough_table_free(gough_table *table);
 /** Column by name; NULL if absent. */
 GOUGH_API const double *gough_table_column(const gough_table *table, const char *name);
 
-/** Writes bytes to a file complete or not at all: beside it, write, fsync, close, each checked, then rename. "-" is stdout. */
+/** Writes bytes to a file complete or not at all: beside it, write, fsync, close, each checked, then rename. A file that is
+ *  replaced keeps its permissions, a link stays a link. "-" is standard output; it, devices and FIFOs are written in place.
+ *  @return GOUGH_OK, or GOUGH_ERROR_FILE with a sentence that names the path. */
 GOUGH_API gough_status gough_write_file(const char *path, const void *bytes, size_t length,
                                         gough_error *error);
 

@@ -29,14 +29,14 @@ typedef struct gough_setting {
     const char *value; /**< YAML of the value */
 } gough_setting;
 
-/** Everything that is wrong with a study: a text of one or more messages of the form
- *  `file:line:column: error: sentence` with the line and a caret below. Free with gough_study_free_messages(). */
-
 /** Reads, checks and prepares a study.
+ *
+ *  All that is wrong is said at once, up to a hundred messages in the order of the file: `file:line:column: error: sentence`,
+ *  the line and a caret below; about an override `--set KEY: error: sentence`. Columns count characters from 1.
  *  @param path      file; "-" reads standard input
- *  @param settings  overrides, applied before the checks
- *  @param[out] study     set on GOUGH_OK only
- *  @param[out] messages  allocated text with every error found (or NULL if none)
+ *  @param settings  overrides, applied in order and before the checks; an empty value takes a key away
+ *  @param[out] study     set on GOUGH_OK only; free with gough_study_free()
+ *  @param[out] messages  text with every error found, NULL if none; free with gough_study_free_messages()
  *  @return GOUGH_OK, GOUGH_ERROR_INPUT (the text or the machine it describes is wrong) or GOUGH_ERROR_FILE (it or its samples
  *  cannot be read). At most 64 KiB, UTF-8, one document, no anchors, aliases or tags. Any bytes end in one of these. */
 GOUGH_API gough_status gough_study_read(const char *path, const gough_setting *settings,
@@ -53,9 +53,10 @@ GOUGH_API void gough_study_free(gough_study *study);
 /** Frees messages; NULL is allowed. */
 GOUGH_API void gough_study_free_messages(char *messages);
 
-/** One key that a study file may have; the table that the reader checks against and the guide is generated from. */
+/** One key that a study file may have; the table that the reader checks against and the guide repeats. */
 typedef struct gough_key {
-    const char *path;     /**< "platform.base.radius" */
+    const char
+        *path; /**< "platform.base.radius"; "motion.moves.N.start" for each element of a list */
     const char *type;     /**< "number", "formula", "choice", … */
     const char *unit;     /**< "length", "angle [degrees]", "force/length", "" … */
     const char *range;    /**< "> 0" … */

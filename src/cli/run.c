@@ -102,13 +102,12 @@ static void explain_end(const command_line *line, const run_report *report) {
 }
 
 static gough_status write_table(const command_line *line, gough_result *result,
-                                const run_report *report, const gough_end *end) {
+                                const gough_end *end) {
     gough_error error = {0};
     fflush(stdout);
     gough_result_set_end(result, end);
     const gough_status status = gough_result_write(result, line->output, &error);
     if (status) complain(line->verb, "%s", error.message);
-    (void)report;
     return status;
 }
 
@@ -170,8 +169,7 @@ static gough_status run_study(const command_line *line, const gough_study *study
         status = GOUGH_ERROR_FILE;
     } else if (status == GOUGH_OK || status == GOUGH_ERROR_NUMERICAL) {
         run_report_scale(report);
-        const gough_status written =
-            run.result ? write_table(line, run.result, report, &end) : GOUGH_OK;
+        const gough_status written = run.result ? write_table(line, run.result, &end) : GOUGH_OK;
         report->output =
             written || !line->output || strcmp(line->output, "-") == 0 ? NULL : line->output;
         const gough_status printed = print_summary(line, report);

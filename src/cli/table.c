@@ -41,7 +41,7 @@ static int display_width(const char *text) {
 
 static int lay_out(const table_column *column, bool with_all, column_layout *layout) {
     int count = 0;
-    while (column[count].head && count < MOST_COLUMNS) count++;
+    while (count < MOST_COLUMNS && column[count].head) count++;
     for (int first = 0, last; first < count; first = last + 1) {
         last = first;
         while (last + 1 < count && strcmp(column[last + 1].group, column[first].group) == 0) last++;

@@ -24,9 +24,18 @@ gough_status builder_fail(builder *b, gough_status status, const char *sentence)
 
 bool builder_compares(const builder *b) { return b->table_count > 1; }
 
-const char *builder_label(const builder *b, size_t table) {
+const char *builder_label(builder *b, size_t table) {
     if (b->labels != NULL && b->labels[table] != NULL) return b->labels[table];
-    return b->tables[table]->title;
+    const char *title = b->tables[table]->title;
+    int same = 0;
+    for (size_t t = 0; t < b->table_count; t++) same += strcmp(b->tables[t]->title, title) == 0;
+    if (title[0] == '\0')
+        snprintf(b->label, sizeof b->label, "table %zu", table + 1);
+    else if (same > 1)
+        snprintf(b->label, sizeof b->label, "%.100s (%zu)", title, table + 1);
+    else
+        snprintf(b->label, sizeof b->label, "%.150s", title);
+    return b->label;
 }
 
 const double *builder_column(builder *b, size_t table, const char *name) {

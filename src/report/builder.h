@@ -14,11 +14,13 @@ typedef struct builder {
     size_t table_count;
     gough_error *error;
     gough_status status;
+    char label[SHEET_TEXT]; /* of builder_label() */
 } builder;
 
 /* Several tables are compared: a colour then means a table. */
 bool builder_compares(const builder *b);
-const char *builder_label(const builder *b, size_t table);
+/* What a table is called: its label, its title, with its number where that is another's too. Valid until the next call. */
+const char *builder_label(builder *b, size_t table);
 
 /* The column, or NULL with a sentence that names it. */
 const double *builder_column(builder *b, size_t table, const char *name);

@@ -55,17 +55,15 @@ static void remove_folder(char *folder) {
     free(folder);
 }
 
-/* Blanks the date in a PDF, so that the same figure is the same bytes. It is optional there, and offsets stay. */
-static void blank_date(char *bytes, size_t length) {
-    static const char key[] = "/CreationDate (";
-    enum { LONGEST = 60 };
-    const size_t key_length = sizeof key - 1;
-    for (size_t i = 0; i + LONGEST < length; i++) {
-        if (bytes[i] != '/' || memcmp(bytes + i, key, key_length) != 0) continue;
-        const char *end = memchr(bytes + i, ')', LONGEST);
-        if (end != NULL) memset(bytes + i, ' ', (size_t)(end + 1 - (bytes + i)));
-        return;
-    }
+static gough_status finish_picture(char *bytes, size_t length, sheet_format format,
+                                   const char *path, gough_error *error) {
+    if (format == SHEET_PDF) sheet_blank_date(bytes, length);
+    if (format != SHEET_SVG) return gough_write_file(path, bytes, length, error);
+    char *named = sheet_name_fonts(bytes, &length);
+    if (named == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
+    const gough_status status = gough_write_file(path, named, length, error);
+    free(named);
+    return status;
 }
 
 /* Copies the picture that gnuplot left to where it is wanted. */
@@ -81,12 +79,10 @@ static gough_status take_picture(const char *folder, sheet_format format, const 
     if (fseek(file, 0, SEEK_END) == 0) length = ftell(file);
     rewind(file);
     char *bytes = length > 0 ? malloc((size_t)length) : NULL;
-    if (bytes != NULL && fread(bytes, 1, (size_t)length, file) == (size_t)length) {
-        if (format == SHEET_PDF) blank_date(bytes, (size_t)length);
-        status = gough_write_file(path, bytes, (size_t)length, error);
-    } else {
+    if (bytes != NULL && fread(bytes, 1, (size_t)length, file) == (size_t)length)
+        status = finish_picture(bytes, (size_t)length, format, path, error);
+    else
         status = gough_fail(error, status, "%s: gnuplot left no figure", path);
-    }
     free(bytes);
     fclose(file);
     return status;

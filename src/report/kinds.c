@@ -515,7 +515,7 @@ static void note_end(builder *b) {
 
 gough_status sheet_fill(sheet *s, const gough_figure *figure, const gough_table *const *tables,
                         const char *const *labels, size_t table_count, gough_error *error) {
-    builder b = {s, figure, tables, labels, table_count, error, GOUGH_OK};
+    builder b = {s, figure, tables, labels, table_count, error, GOUGH_OK, ""};
     const char *kind = figure->kind;
     if (kind == NULL) kind = figure->columns != NULL ? "columns" : sheet_default_kind(tables[0]);
     const int k = find_kind(&b, kind);

@@ -96,6 +96,18 @@ static range abscissa_range(const sheet *s) {
     return r;
 }
 
+/* What is drawn of an ordinate: its magnitude on a logarithmic axis. */
+static double drawn(const panel *p, double y) { return p->logarithmic ? fabs(y) : y; }
+
+static bool has_negative(const panel *p) {
+    for (int i = 0; i < p->count; i++) {
+        for (size_t k = 0; k < p->series[i].count; k++) {
+            if (p->series[i].y[k] < 0.0) return true;
+        }
+    }
+    return false;
+}
+
 static int compare_numbers(const void *a, const void *b) {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
@@ -108,7 +120,8 @@ static double logarithmic_low(const series *line) {
     if (sorted == NULL) return NAN;
     size_t count = 0;
     for (size_t k = 0; k < line->count; k++) {
-        if (isfinite(line->y[k]) && line->y[k] > 0.0) sorted[count++] = line->y[k];
+        const double size = fabs(line->y[k]);
+        if (isfinite(size) && size > 0.0) sorted[count++] = size;
     }
     qsort(sorted, count, sizeof *sorted, compare_numbers);
     const double low = count > 0 ? sorted[count / 25] : NAN;
@@ -122,7 +135,7 @@ static range ordinate_range(const panel *p) {
         const series *line = &p->series[i];
         const double low = p->logarithmic ? logarithmic_low(line) : -INFINITY;
         for (size_t k = 0; k < line->count; k++) {
-            if (line->y[k] >= low) widen(&r, line->y[k]);
+            if (drawn(p, line->y[k]) >= low) widen(&r, drawn(p, line->y[k]));
         }
     }
     return r;
@@ -157,7 +170,7 @@ static range padded(const panel *p, range r) {
 
 static bool drawable(const sheet *s, const panel *p, double x, double y) {
     return isfinite(x) && isfinite(y) && (!s->logarithmic_abscissa || x > 0.0) &&
-           (!p->logarithmic || y > 0.0);
+           drawn(p, y) > (p->logarithmic ? 0.0 : -INFINITY);
 }
 
 /* One line's points, thinned; a blank line where it is interrupted. Points that ended early have a 1 behind them. */
@@ -167,19 +180,19 @@ static bool write_data(const sheet *s, const panel *p, const series *line, doubl
     FILE *file = fopen(path, "w");
     bool good = index != NULL && file != NULL;
     const size_t kept = good ? sheet_thin(line->x, line->y, line->count, BUCKETS, index) : 0;
-    size_t drawn = 0;
+    size_t points = 0;
     for (size_t k = 0; k < kept; k++) {
         const size_t i = index[k];
         if (drawable(s, p, line->x[i], line->y[i])) {
-            fprintf(file, "%.9g %.7g %d\n", line->x[i], line->y[i] / scale,
+            fprintf(file, "%.9g %.7g %d\n", line->x[i], drawn(p, line->y[i]) / scale,
                     line->ended != NULL && line->ended[i] > 0.5);
-            drawn++;
+            points++;
         } else {
             fprintf(file, "\n");
         }
     }
     /* gnuplot takes a file without a point for an error */
-    if (good && drawn == 0) fprintf(file, "NaN NaN 0\n");
+    if (good && points == 0) fprintf(file, "NaN NaN 0\n");
     if (file != NULL) {
         good = ferror(file) == 0 && good;
         good = fclose(file) == 0 && good;
@@ -220,12 +233,12 @@ static void write_terminal(const drawing *pen) {
     else if (pen->format == SHEET_SVG)
         fprintf(pen->file,
                 "set terminal svg size %d,%d enhanced font 'DejaVu Sans,%.4g' background rgb "
-                "'white' rounded\n",
+                "'white' butt\n",
                 l->width, l->height, size);
     else
         fprintf(pen->file,
                 "set terminal pdfcairo size %.2fin,%.2fin enhanced font 'DejaVu Sans,%.4g' "
-                "linewidth 1 background rgb 'white' rounded\n",
+                "fontscale 0.75 linewidth 1.5 pointscale 0.75 background rgb 'white' butt\n",
                 l->width / 100.0, l->height / 100.0, size);
 }
 
@@ -331,7 +344,8 @@ static void write_axes(const drawing *pen, int number, range x, range y, int pow
     write_scale(file, 'y', p->logarithmic, y, l->panel_height / 30);
 
     sheet_unit_label(unit, sizeof unit, p->unit, power);
-    snprintf(heading, sizeof heading, "%s%s", p->heading, unit);
+    snprintf(heading, sizeof heading, "%s%s%s", p->heading,
+             p->logarithmic && has_negative(p) ? ", magnitude" : "", unit);
     sheet_quote(quoted, sizeof quoted, heading, 80);
     fprintf(file,
             "set label 2 '%s' at graph 0,graph 1 left offset character 0,character 0.75 "

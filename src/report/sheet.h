@@ -75,6 +75,11 @@ void sheet_quote(char *quoted, size_t size, const char *text, size_t characters)
 /* "m/s2" with a power of 1000 as a label: " (mm/s²)", " (10⁻⁶ °)"; power is the exponent of 1000. */
 void sheet_unit_label(char *label, size_t size, const char *unit, int power);
 
+/* Last touches to what gnuplot drew (touch.c): a PDF without its date, so that the same figure is the same bytes; an SVG whose
+ * fonts have substitutes where DejaVu is not installed, as a new text for the caller to free. */
+void sheet_blank_date(char *bytes, size_t length);
+char *sheet_name_fonts(const char *bytes, size_t *length);
+
 /* Runs gnuplot on "script" in the folder (gnuplot.c). */
 gough_status sheet_run_gnuplot(const char *folder, gough_error *error);
 

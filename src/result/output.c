@@ -22,15 +22,16 @@ static size_t folder_length(const char *path) {
     return slash == NULL ? 0 : (size_t)(slash - path) + 1;
 }
 
-/* Creates ".NAME.PID-N.part" in the final path's folder: never over something that is there. */
+/* Creates ".gough-PID-N.part" in the final path's folder: never over something that is there, and short, so that a name
+ * of any length that the folder allows has room beside it. */
 static gough_status create_beside(result_output *output, gough_error *error) {
-    const size_t folder = folder_length(output->final), size = strlen(output->final) + 48;
+    const size_t folder = folder_length(output->final), size = folder + 64;
     output->beside = malloc(size);
     if (output->beside == NULL)
         return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", output->path);
     for (int attempt = 0; attempt < 1000; attempt++) {
-        snprintf(output->beside, size, "%.*s.%s.%ld-%d.part", (int)folder, output->final,
-                 output->final + folder, (long)getpid(), attempt);
+        snprintf(output->beside, size, "%.*s.gough-%ld-%d.part", (int)folder, output->final,
+                 (long)getpid(), attempt);
         output->file =
             open(output->beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
         if (output->file >= 0 || errno != EEXIST) break;

@@ -26,13 +26,15 @@ static char *copy_text(const char *text) {
     return copy;
 }
 
-/* √(length/g) beyond the double that `units` holds, by one step of Newton; the double itself where the unit of time is
- * not the machine's. */
+/* √(length/g) beyond the double that `units` holds: each step of Newton doubles the digits, 16 to 32 to all. The double itself
+ * where the unit of time is not the machine's. */
 static gough_quad unit_of_time(const gough_units *units, const gough_machine *machine) {
     const double length = machine->base_radius, gravity = machine->gravity_magnitude;
-    const gough_quad time = units->time;
+    gough_quad time = units->time;
     if (!(fabs(units->time * units->time * gravity / length - 1.0) <= 1e-15)) return time;
-    return time + ((gough_quad)length / gravity - time * time) / (2 * time);
+    for (int step = 0; step < 2; step++)
+        time += ((gough_quad)length / gravity - time * time) / (2 * time);
+    return time;
 }
 
 static gough_quad power_of(gough_quad base, int exponent) {

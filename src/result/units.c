@@ -32,7 +32,7 @@ static const struct {
 static void append_power(char label[RESULT_UNIT_SIZE], const char *unit, int power) {
     if (power == 0) return;
     const size_t used = strlen(label);
-    char number[8] = "";
+    char number[12] = "";
     if (power != 1) snprintf(number, sizeof number, "%d", power);
     snprintf(label + used, RESULT_UNIT_SIZE - used, "%s%s%s", used > 0 ? " " : "", unit, number);
 }

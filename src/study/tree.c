@@ -268,6 +268,23 @@ static size_t offset_of_line(const builder *build, int line, int column) {
     return at;
 }
 
+/* What a complaint of libfyaml means to someone who wrote a study; NULL: as it stands. */
+static const char *meaning(const char *complaint) {
+    static const char *const known[][2] = {
+        {"quoted scalar", "these quotes are not closed, or lines between them are not indented"},
+        {"wrongly indented", "what stands in braces or brackets, the closing one included, must be "
+                             "indented further than its key"},
+        {"tab character", "indent with spaces: YAML takes no tabs here"},
+        {"invalid multiline plain key", "a colon and a space are missing after a key"},
+        {"could not find expected ':'", "a colon and a space are missing after this key"},
+        {"invalid indentation", "this line is indented neither as the keys before it nor as a part "
+                                "of them"},
+        {"nested block mapping", "two keys in one line: put quotes around a text with a colon"}};
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (strstr(complaint, known[i][0])) return known[i][1];
+    return NULL;
+}
+
 /* What libfyaml complains of; a bracket left open is shown where it was opened. */
 static void say_syntax_error(builder *build, struct fy_diag *diagnostics) {
     void *iterator = NULL;
@@ -275,14 +292,16 @@ static void say_syntax_error(builder *build, struct fy_diag *diagnostics) {
     while ((error = fy_diag_errors_iterate(diagnostics, &iterator))) {
         if (!error->msg || error->type < FYET_ERROR) continue;
         const size_t at = offset_of_line(build, error->line, error->column);
-        if (build->open && build->open->in_flow && at + 1 >= build->source->length) {
+        const bool at_end = at + 1 >= build->source->length;
+        if (build->open && build->open->in_flow && at_end)
             fail(build, build->open->place.offset,
                  build->open->kind == STUDY_LIST ? "this bracket is not closed"
                                                  : "this brace is not closed");
-        } else if (!build->failed) {
+        else if (meaning(error->msg))
+            fail(build, at, meaning(error->msg));
+        else if (!build->failed)
             study_say(build->messages, GOUGH_ERROR_INPUT, (study_place){build->source, at},
                       "this is not YAML: %s", study_printable(build->arena, error->msg));
-        }
         build->failed = true;
     }
     fail(build, build->last, "this is not YAML");

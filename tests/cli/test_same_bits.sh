@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The same bits from GCC and Clang, without and with optimisation, run to run, in any locale, time zone and folder.
+# The same bits from GCC and Clang, without and with optimisation, run to run, in any locale, time zone and folder; and no
+# compiler has a warning.
 source "$(dirname "$0")/support.sh"
 
 "$GOUGH" example all-six >"$scratch/six.yaml"
@@ -21,7 +22,7 @@ digest() { # digest COMMAND: of tables that between them use every stepper and b
 build() { # build NAME FLAG…: the command alone, from another compiler or at another level
     local folder=$BUILD/bits-$1
     shift
-    cmake -S "$SOURCE" -B "$folder" -G Ninja -DGOUGH_TESTS=OFF -DCMAKE_BUILD_TYPE=Release "$@" >"$scratch/log" 2>&1 &&
+    cmake -S "$SOURCE" -B "$folder" -G Ninja -DGOUGH_TESTS=OFF -DGOUGH_WERROR=ON -DCMAKE_BUILD_TYPE=Release "$@" >"$scratch/log" 2>&1 &&
         cmake --build "$folder" --target gough_command >>"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
     other=$folder/gough
 }
@@ -48,7 +49,6 @@ build gcc-O3 -DCMAKE_C_COMPILER=gcc -DCMAKE_C_FLAGS_RELEASE="-O3 -DNDEBUG"
 if command -v clang >/dev/null; then
     build clang-O2 -DCMAKE_C_COMPILER=clang
     [[ $(digest "$other") == "$reference" ]] || fail "Clang -O2 differs"
-    ! grep -q 'warning:' "$scratch/log" || fail "Clang warns: $(grep -m 3 'warning:' "$scratch/log")"
 else
     echo "Clang not tried: it is missing"
 fi

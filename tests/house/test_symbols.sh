@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The core neither allocates nor prints, opens, exits or asks the time: its objects need no such symbol. The shared
+# The core neither allocates nor prints, opens, exits or asks the time: its objects need no such symbol. The
 # libraries show only names that begin with gough_.
 set -euo pipefail
 : "${BUILD:?}"
@@ -17,6 +17,8 @@ done < <(nm -u "$archive" | awk 'NF == 2 { print $2 }' | sort -u)
 # tables of addresses are constant too, but for the loader: .data.rel.ro
 writable=$(nm -f sysv "$archive" | awk -F'|' '$NF ~ /^ *(\.data|\.bss|\*COM\*|COMMON)/ && $NF !~ /\.data\.rel\.ro/ { print $1 }' | sort -u)
 [[ -z $writable ]] || { echo "libgough.a has variables:" $writable; failed=1; }
+foreign=$(nm -g --defined-only "$archive" | awk 'NF == 3 && $3 !~ /^gough_/ { print $3 }')
+[[ -z $foreign ]] || { echo "libgough.a shows" $foreign; failed=1; }
 for library in "$BUILD"/libgough.so "$BUILD"/libgough-files.so; do
     [[ -e $library ]] || { echo "$library is missing"; failed=1; continue; }
     foreign=$(nm -D --defined-only "$library" | awk '$3 !~ /^gough_/ { print $3 }')

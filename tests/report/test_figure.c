@@ -219,6 +219,25 @@ START_TEST(tables_are_compared_by_their_labels) {
 }
 END_TEST
 
+START_TEST(fonts_of_an_svg_have_substitutes) {
+    gough_table *run = run_table(20, 0.2);
+    const gough_table *table = run;
+    const gough_figure figure = gough_figure_default();
+    char *text = svg_of(&figure, &table, NULL, 1);
+    const char *plain = "font-family=\"DejaVu Sans, Verdana, sans-serif\"";
+    int plain_count = 0, all_count = 0;
+    for (const char *at = text; (at = strstr(at, "font-family=")) != NULL; at++) {
+        all_count++;
+        plain_count += strncmp(at, plain, strlen(plain)) == 0;
+    }
+    ck_assert_int_gt(all_count, 10);
+    ck_assert_int_eq(plain_count, all_count);
+    ck_assert(strstr(text, "font-weight=\"bold\"") != NULL);
+    free(text);
+    gough_table_free(run);
+}
+END_TEST
+
 START_TEST(an_early_end_is_told) {
     gough_table *run = run_table(101, 0.2);
     free(run->end_cause);
@@ -433,11 +452,12 @@ START_TEST(any_numbers_are_drawn) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN(
-        "report/figure", 200, every_kind_is_drawn, the_kind_is_chosen_by_the_table,
-        every_format_is_complete_and_the_same_each_time, a_comma_locale_changes_no_byte,
-        legs_that_coincide_are_one_line, tables_are_compared_by_their_labels, an_early_end_is_told,
-        long_tables_stay_small_files, study_text_runs_nothing,
-        wrong_wishes_are_answered_with_what_would_be_right, files_that_cannot_be_written_are_named,
-        a_missing_or_failing_gnuplot_is_told, nothing_is_left_behind, any_numbers_are_drawn);
+    return SUITE_RUN("report/figure", 200, every_kind_is_drawn, the_kind_is_chosen_by_the_table,
+                     every_format_is_complete_and_the_same_each_time,
+                     a_comma_locale_changes_no_byte, legs_that_coincide_are_one_line,
+                     tables_are_compared_by_their_labels, fonts_of_an_svg_have_substitutes,
+                     an_early_end_is_told, long_tables_stay_small_files, study_text_runs_nothing,
+                     wrong_wishes_are_answered_with_what_would_be_right,
+                     files_that_cannot_be_written_are_named, a_missing_or_failing_gnuplot_is_told,
+                     nothing_is_left_behind, any_numbers_are_drawn);
 }

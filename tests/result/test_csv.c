@@ -170,6 +170,31 @@ START_TEST(a_quad_run_prints_36_digits) {
 }
 END_TEST
 
+/* √(R_b/g) = 2/3 is no double: a row at t = 1 stands at 1.5 to all 33 digits only if the unit of time has them too. */
+START_TEST(a_quad_run_has_a_quad_unit_of_time) {
+    char folder[PATH_SIZE], path[PATH_SIZE];
+    make_folder(folder);
+    path_in(folder, "a.csv", path);
+    gough_study *study = study_by_hand("", false);
+    gough_units units;
+    gough_error error;
+    ck_assert_int_eq(gough_units_of_study(study, true, &units, &error), GOUGH_OK);
+    gough_result *result = gough_result_new(study, "forces", &units);
+    gough_quad quad[GOUGH_COLUMNS] = {1};
+    gough_row row = {.value = {1.0}, .quad = quad};
+    ck_assert_int_eq(gough_result_add(result, &row), 0);
+    ck_assert_int_eq(gough_result_write(result, path, &error), GOUGH_OK);
+    size_t length;
+    char *text = read_bytes(path, &length);
+    const gough_quad off = quad_of(strchr(text, '\n') + 1) - (gough_quad)3 / 2;
+    ck_assert((off < 0 ? -off : off) <= (gough_quad)1e-33);
+    free(text);
+    gough_result_free(result);
+    free_study_by_hand(study);
+    remove_folder(folder);
+}
+END_TEST
+
 START_TEST(an_unknown_extension_is_named) {
     gough_study *study = study_by_hand("", false);
     gough_result *result = result_by_hand(study, "forces", 1, &own_units);
@@ -185,5 +210,6 @@ int main(void) {
     return SUITE_RUN("result/csv", 60, every_bit_is_in_the_text,
                      header_names_the_columns_of_the_verb, numbers_read_back_bit_for_bit,
                      a_comma_locale_changes_no_byte, what_is_no_number_is_written_as_nan_and_inf,
-                     a_quad_run_prints_36_digits, an_unknown_extension_is_named);
+                     a_quad_run_prints_36_digits, a_quad_run_has_a_quad_unit_of_time,
+                     an_unknown_extension_is_named);
 }

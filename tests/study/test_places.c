@@ -171,11 +171,40 @@ START_TEST(points_at_what_the_parser_dislikes) {
                     "study.yaml:2:9: error: this brace is not closed\n"
                     "  base: {radius: 1\n"
                     "        ^\n");
+    expect_messages("title: 'x\nunits: si\n", NULL,
+                    "study.yaml:1:8: error: these quotes are not closed, or lines between them are "
+                    "not indented\n"
+                    "title: 'x\n"
+                    "       ^\n");
+    expect_messages("load:\n\tmass: 1\n", NULL,
+                    "study.yaml:2:1: error: indent with spaces: YAML takes no tabs here\n"
+                    "\tmass: 1\n"
+                    "^\n");
     expect_messages("title: a: b\n", NULL,
-                    "study.yaml:1:9: error: this is not YAML: invalid nested block mapping on the "
-                    "same line\n"
+                    "study.yaml:1:9: error: two keys in one line: put quotes around a text with a "
+                    "colon\n"
                     "title: a: b\n"
                     "        ^\n");
+    expect_messages("load: {\n  mass: 1\n}\n", NULL,
+                    "study.yaml:3:1: error: what stands in braces or brackets, the closing one "
+                    "included, must be indented further than its key\n"
+                    "}\n"
+                    "^\n");
+    expect_messages(
+        "load:\n  mass: 1\n inertia: [1, 1, 1]\n", NULL,
+        "study.yaml:3:2: error: this line is indented neither as the keys before it nor "
+        "as a part of them\n"
+        " inertia: [1, 1, 1]\n"
+        " ^\n");
+    expect_messages("title: x\nload\nunits: si\n", NULL,
+                    "study.yaml:2:1: error: a colon and a space are missing after this key\n"
+                    "load\n"
+                    "^\n");
+    expect_messages("title: x\nload: {mass: @1}\n", NULL,
+                    "study.yaml:2:14: error: this is not YAML: plain scalar cannot start with "
+                    "'@'\n"
+                    "load: {mass: @1}\n"
+                    "             ^\n");
 }
 END_TEST
 

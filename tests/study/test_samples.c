@@ -1,8 +1,10 @@
 /* Recorded motion: what is read of a CSV file, and every way in which one can be wrong, with its place. */
+#define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "study/helpers.h"
 #include "support/suite.h"
@@ -196,6 +198,15 @@ START_TEST(refuses_a_run_beyond_the_record) {
 }
 END_TEST
 
+START_TEST(refuses_more_than_64_mib) {
+    char *path = write_file("motion.csv", "t,heave\n", 8), text[1000];
+    ck_assert_int_eq(truncate(path, 64 * 1024 * 1024 + 1), 0);
+    snprintf(text, sizeof text, "%smotion:\n  samples: '%s'\n", good_study, path);
+    expect_said(text, "is larger than the 65536 KiB that such a file may have");
+    forget_file(path);
+}
+END_TEST
+
 START_TEST(a_hundred_thousand_rows_are_read) {
     const size_t rows = 100000, capacity = 40 * rows;
     char *csv = malloc(capacity), *path;
@@ -213,10 +224,11 @@ START_TEST(a_hundred_thousand_rows_are_read) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN(
-        "study/samples", 60, reads_columns_in_any_order, accepts_cr_lf_and_byte_order_mark,
-        path_starts_from_the_folder_of_the_study, a_missing_file_is_a_file_error_at_the_key,
-        refuses_wrong_headers, refuses_wrong_rows_all_at_once, refuses_times_that_do_not_increase,
-        refuses_fewer_than_two_rows, refuses_nul_bytes_and_garbage, stops_after_twenty_errors,
-        refuses_a_run_beyond_the_record, a_hundred_thousand_rows_are_read);
+    return SUITE_RUN("study/samples", 60, reads_columns_in_any_order,
+                     accepts_cr_lf_and_byte_order_mark, path_starts_from_the_folder_of_the_study,
+                     a_missing_file_is_a_file_error_at_the_key, refuses_wrong_headers,
+                     refuses_wrong_rows_all_at_once, refuses_times_that_do_not_increase,
+                     refuses_fewer_than_two_rows, refuses_nul_bytes_and_garbage,
+                     stops_after_twenty_errors, refuses_a_run_beyond_the_record,
+                     refuses_more_than_64_mib, a_hundred_thousand_rows_are_read);
 }
