@@ -62,16 +62,16 @@ GOUGH_API size_t gough_batch_size(const gough_batch_options *options);
  *  @param simulation  fixed step: in lanes. Adaptive dop853 and quadruple precision: one by one, over the threads
  *  @param[out] outcomes  one a run, in the order of the runs
  *  @param memory      gough_batch_size() bytes, aligned to 64; nothing else is allocated while stepping
- *  @return GOUGH_OK also where runs ended early (their outcomes tell); GOUGH_ERROR_INPUT for options, heights or feed-forward that
- *  do not fit; GOUGH_ERROR_NUMERICAL if the progress function stopped it (outcomes of runs not done have rows 0);
+ *  @return GOUGH_OK also where runs ended early (their outcomes tell); GOUGH_ERROR_INPUT for options,
+ *  heights or feed-forward that do not fit; GOUGH_ERROR_NUMERICAL if the progress function stopped it (outcomes of runs not done have rows 0);
  *  GOUGH_ERROR_FILE if a thread could not be started. */
 GOUGH_API gough_status gough_batch(const gough_motion *motion, const gough_simulation *simulation,
                                    const gough_batch_run *runs, size_t count,
                                    const gough_batch_options *options, gough_outcome *outcomes,
                                    void *memory, gough_error *error);
 
-/** Number of the draw @p draw of run @p run under a seed, uniform in [0, 1): counter-based (Philox 4×32, ten rounds), so that any draw
- *  is had without those before it. */
+/** Number of the draw @p draw of run @p run under a seed, uniform in [0, 1):
+ *  counter-based (Philox 4×32, ten rounds), so that any draw is had without those before it. */
 GOUGH_API double gough_random_uniform(uint64_t seed, uint64_t run, uint64_t draw);
 
 /** The same, standard normal (by the inverse of its distribution function, one draw each). */

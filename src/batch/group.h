@@ -1,5 +1,6 @@
-/* A group of runs side by side, one a lane: fixed steps, constraints kept, peaks at the output times, each lane's own end. A lane that
- * has ended goes on being computed, unheard. Text over the number type. */
+/* A group of runs side by side, one a lane: fixed steps, constraints kept, peaks at the output
+ * times, each lane's own end. A lane that has ended goes on being computed, unheard. Text over the
+ * number type. */
 #ifndef GOUGH_BATCH_GROUP_H
 #define GOUGH_BATCH_GROUP_H
 

@@ -1,5 +1,6 @@
-/* Random numbers by counting: Philox 4×32 with ten rounds (Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3",
- * SC 2011), so that any draw of any run is had without those before it. */
+/* Random numbers by counting: Philox 4×32 with ten rounds (Salmon, Moraes, Dror, Shaw, "Parallel
+ * random numbers: as easy as 1, 2, 3", SC 2011), so that any draw of any run is had without those
+ * before it. */
 #include <math.h>
 
 #include "gough/batch.h"
