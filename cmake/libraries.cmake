@@ -1,4 +1,4 @@
-# Two libraries: the core (kernel to simulate: no dependency but the C library and libquadmath) and, over it, files and
+# Two libraries: the core (kernel to batch: no dependency but the C library and libquadmath) and, over it, files and
 # figures (study, result, report). Each is compiled once, as position-independent code with only GOUGH_API visible, and
 # serves as a static library (command, tests) and as a shared one (installed).
 configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/gough/version.h @ONLY)
@@ -7,6 +7,14 @@ file(GLOB GOUGH_HEADERS CONFIGURE_DEPENDS include/gough/*.h)
 file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
     src/kernel/*.c src/model/*.c src/dynamics/*.c src/integrate/*.c src/simulate/*.c src/batch/*.c src/analyse/*.c)
 file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS src/study/*.c src/result/*.c src/report/*.c)
+
+# Lanes of 4 and 8 have the instructions they need, in files of their own; which of them runs is chosen by the processor.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    set_source_files_properties(src/batch/batch_lanes_4.c PROPERTIES COMPILE_OPTIONS "-mavx2")
+    set_source_files_properties(src/batch/batch_lanes_8.c PROPERTIES COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl")
+else()
+    list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "batch_lanes_[48]\\.c$")
+endif()
 
 # gough_room_libraries(SUFFIX [FLAGS…]): the two static libraries gough_core<SUFFIX> and gough_files<SUFFIX>.
 function(gough_room_libraries suffix)

@@ -6,6 +6,7 @@
 #include "kernel/principal.h"
 #include "kernel/top.h"
 
+/* the same machine in every lane */
 static inline void hexapod_of_machine(hexapod *h, const gough_machine *machine) {
     number axes[3][3], moments[3];
 
@@ -28,6 +29,18 @@ static inline void hexapod_of_machine(hexapod *h, const gough_machine *machine) 
 #endif
     hexapod_setup(h, machine->platform.base, machine->platform.top, machine->load.mass,
                   machine->load.center_of_mass, axes, moments, machine->gravity);
+}
+
+/* a machine in one lane: a hexapod is numbers throughout */
+static inline void hexapod_put_machine(hexapod *h, int lane, const gough_machine *machine) {
+    hexapod one;
+    const number *from = (const number *)&one;
+    number *to = (number *)h;
+
+    hexapod_of_machine(&one, machine);
+    for (size_t i = 0; i < sizeof one / sizeof(number); i++) {
+        number_put(&to[i], lane, number_lane(from[i], lane));
+    }
 }
 
 #endif

@@ -79,6 +79,9 @@ static inline number number_select(mask m, number a, number b) { return m ? a : 
 
 #elif defined(NUMBER_LANES)
 
+#if defined(__SSE2__)
+#include <immintrin.h> /* the root of a vector has no operator: the one instruction asked for by name */
+#endif
 typedef double number __attribute__((vector_size(8 * NUMBER_LANES)));
 typedef double real;
 typedef long long mask __attribute__((vector_size(8 * NUMBER_LANES)));
@@ -89,11 +92,19 @@ enum { NUMBER_SWEEPS = 4, NUMBER_NEWTON = 8 };
 
 static inline number number_of_real(real x) { return x - (number){0}; }
 static inline real number_first(number x) { return x[0]; }
+#if NUMBER_LANES == 8 && defined(__AVX512F__)
+static inline number number_root(number x) { return (number)_mm512_sqrt_pd((__m512d)x); }
+#elif NUMBER_LANES == 4 && defined(__AVX__)
+static inline number number_root(number x) { return (number)_mm256_sqrt_pd((__m256d)x); }
+#elif NUMBER_LANES == 2 && defined(__SSE2__)
+static inline number number_root(number x) { return (number)_mm_sqrt_pd((__m128d)x); }
+#else
 static inline number number_root(number x) {
     number r;
     for (int i = 0; i < NUMBER_LANES; i++) r[i] = sqrt(x[i]);
     return r;
 }
+#endif
 static inline mask number_greater(number a, number b) { return a > b; }
 static inline number number_select(mask m, number a, number b) {
     return (number)((m & (mask)a) | (~m & (mask)b));
@@ -101,6 +112,24 @@ static inline number number_select(mask m, number a, number b) {
 
 #else
 #error "define NUMBER_DOUBLE, NUMBER_QUAD, NUMBER_COMPLEX or NUMBER_LANES first"
+#endif
+
+/* ---- lanes one by one, for what stands around the kernels ---- */
+
+#if defined(NUMBER_LANES)
+enum { NUMBER_WIDTH = NUMBER_LANES };
+static inline void number_put(number *x, int lane, real value) { (*x)[lane] = value; }
+static inline real number_lane(number x, int lane) { return x[lane]; }
+#else
+enum { NUMBER_WIDTH = 1 };
+static inline void number_put(number *x, int lane, real value) {
+    (void)lane;
+    *x = value;
+}
+static inline real number_lane(number x, int lane) {
+    (void)lane;
+    return number_first(x);
+}
 #endif
 
 /* ---- what follows from the vocabulary, for every type alike ---- */

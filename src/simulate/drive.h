@@ -5,14 +5,16 @@
 
 #include "integrate/dop853.h"
 #include "integrate/rk4.h"
-#include "simulate/limits.h"
+#include "simulate/ends.h"
 #include "simulate/row.h"
+#include "simulate/simulate.h"
 
 /* halvings of a bracket around an end: to round-off of the step */
 enum { DRIVE_HALVINGS = 64 };
 
 typedef struct {
     run r;
+    const gough_initial *initial;
     gough_sink sink;
     void *context;
     gough_end *end;
@@ -50,8 +52,8 @@ static inline void drive_note_drift(drive *d, const number *y) {
 
 /* (x, ρ̇, ω) at the beginning: the program's, or what the study gives */
 static inline void drive_start(drive *d) {
-    const gough_initial *initial = &d->r.model->initial;
-    const gough_motion *motion = &d->r.model->motion;
+    const gough_initial *initial = d->initial;
+    const gough_motion *motion = d->r.motion;
     const hexapod *h = &d->r.h;
     const vector about = vector_of(motion->about);
     jet component[GOUGH_COMPONENTS];
@@ -59,7 +61,7 @@ static inline void drive_start(drive *d) {
     vector velocity, omega;
 
     motion_components(motion, 0, component);
-    coordinates_of_motion(h, d->r.model->machine.platform.height, motion->about, component, x);
+    coordinates_of_motion(h, d->r.height, motion->about, component, x);
     velocity = (vector){component[0].d, component[1].d, component[2].d};
     omega = triad_angular_velocity(&x[0].q, &x[1].q);
     if (initial->velocity_given) velocity = vector_of(initial->velocity);
@@ -68,7 +70,7 @@ static inline void drive_start(drive *d) {
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         if (initial->given[c]) component[c] = jet_constant(initial->component[c]);
     }
-    coordinates_of_motion(h, d->r.model->machine.platform.height, motion->about, component, x);
+    coordinates_of_motion(h, d->r.height, motion->about, component, x);
     const vector arm = out_of(&x[0].q, onto(&h->axes, subtract(h->center, about)));
     rate = (coordinates){add(velocity, cross(omega, arm)), triad_rate(&x[0].q, omega)};
     coordinates_project(&x[0], &rate);
@@ -237,24 +239,44 @@ static inline gough_status drive_not_finite(drive *d, real t) {
     return drive_stop(d, GOUGH_END_NOT_FINITE, t, "the motion ceases to be finite");
 }
 
-/* what follows each step: drift, projection, limits, rows; d->raw is the step's outcome. until: end of the valid part */
-static inline gough_status drive_accept(drive *d, int inside) {
-    gough_status ended, status;
-    real until;
-
+/* what follows each step, d->raw being its outcome: drift, projection, the end if there is one. *until: end of the valid part */
+static inline gough_status drive_settle(drive *d, int inside, real *until) {
+    *until = d->t0;
     drive_note_drift(d, d->raw);
     for (int i = 0; i < STATE; i++) d->y[i] = d->raw[i];
     drive_project(d, d->y);
     run_rates(&d->r, d->t, d->y, d->rate);
     if (d->r.fault.what) return limits_fault(&d->r, d->end);
     if (!drive_finite(d->y) || !drive_finite(d->rate)) return drive_not_finite(d, d->t);
+    return drive_watch(d, inside, until);
+}
 
-    ended = drive_watch(d, inside, &until);
+/* the same with the rows that are due */
+static inline gough_status drive_accept(drive *d, int inside) {
+    real until;
+    const gough_status ended = drive_settle(d, inside, &until);
     const gough_end end = *d->end;
-    status = drive_rows(d, until);
+    const gough_status status = drive_rows(d, until);
+
     if (ended == GOUGH_OK) return status;
     *d->end = end; /* rows before the end do not change its cause */
     return ended;
+}
+
+/* whether an implicit step came to a solution */
+static inline gough_status drive_converged(drive *d, number residual) {
+    if (d->r.fault.what) return limits_fault(&d->r, d->end);
+    if (residual <= (real)1e-6) return GOUGH_OK;
+    return drive_stop(d, GOUGH_END_NO_CONVERGENCE, d->t0,
+                      "the step is too long for the turn of the load; a shorter step would do:");
+}
+
+/* one fixed step looked at by itself */
+static inline gough_status drive_check(drive *d, number residual) {
+    const gough_status status = drive_converged(d, residual);
+    real until;
+
+    return status == GOUGH_OK ? drive_settle(d, 0, &until) : status;
 }
 
 /* (step-2): a first step from the size of the rates and of their change over a small explicit step */
@@ -288,7 +310,7 @@ static inline real drive_first_step(drive *d, const real *size, real tolerance, 
 
 /* adaptive dop853 */
 static inline gough_status drive_adaptive(drive *d) {
-    const gough_machine *machine = &d->r.model->machine;
+    const gough_machine *machine = d->r.lane[0].machine;
     const real tolerance = d->r.options->tolerance, duration = d->r.options->duration;
     const real length = machine->base_radius, gravity = machine->gravity_magnitude;
     const real unit = gravity > 0 ? real_root(length / gravity) : 1;
@@ -371,8 +393,6 @@ static inline gough_status drive_fixed(drive *d) {
     rattle_state state;
     dop853 work;
 
-    d->dense = NULL;
-    d->prepared = 0;
     d->h = h;
     if (rattling) {
         const coordinates rate = coordinates_load(d->y + COORDINATES);
@@ -389,12 +409,8 @@ static inline gough_status drive_fixed(drive *d) {
             const real residual =
                 rattle_compose(&method, (int)o->method - (int)GOUGH_RATTLE2, d->t0, h, &state);
             drive_rattle_read(&state, d->raw);
-            if (d->r.fault.what) return limits_fault(&d->r, d->end);
-            if (!(residual <= (real)1e-6)) {
-                return drive_stop(d, GOUGH_END_NO_CONVERGENCE, d->t0,
-                                  "the step is too long for the turn of the load; a shorter step "
-                                  "would do:");
-            }
+            const gough_status converged = drive_converged(d, residual);
+            if (converged != GOUGH_OK) return converged;
         } else {
             drive_explicit_step(d, &work);
         }
@@ -405,16 +421,28 @@ static inline gough_status drive_fixed(drive *d) {
     return GOUGH_OK;
 }
 
-static inline gough_status drive_run(const gough_model *model, const gough_simulation *options,
+/* a run that is ready to begin */
+static inline void drive_open(drive *d, const simulate_parts *parts,
+                              const gough_simulation *options, gough_sink sink, void *context,
+                              gough_end *end) {
+    const run_lane lane = {parts->machine, parts->control, parts->disturbance};
+
+    run_begin(&d->r, parts->motion, options, &lane);
+    d->initial = parts->initial;
+    d->sink = sink;
+    d->context = context;
+    d->end = end;
+    d->rows = (long long)floor(options->duration / options->output_step + 1e-9) + 1;
+    d->dense = NULL;
+    d->prepared = 0;
+}
+
+static inline gough_status drive_run(const simulate_parts *parts, const gough_simulation *options,
                                      gough_sink sink, void *context, gough_end *end) {
     gough_status status;
     drive d;
 
-    run_begin(&d.r, model, options);
-    d.sink = sink;
-    d.context = context;
-    d.end = end;
-    d.rows = (long long)floor(options->duration / options->output_step + 1e-9) + 1;
+    drive_open(&d, parts, options, sink, context, end);
     drive_start(&d);
     status = drive_begin(&d);
     if (status == GOUGH_OK) {

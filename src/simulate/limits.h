@@ -1,18 +1,11 @@
-/* What ends a run: limits of the legs, a leg of no length, singular poses. Each is a margin that is positive while all is
- * well, so that its end is a root. For scalar number types. */
+/* How far legs and pose are from where a run ends: margins that are positive while all is well, over the number type. */
 #ifndef GOUGH_SIMULATE_LIMITS_H
 #define GOUGH_SIMULATE_LIMITS_H
 
-#include <stdio.h>
-
 #include "simulate/stage.h"
 
-/* a shorter leg, in base radii, has no direction worth the name */
-static const double leg_no_length = 1e-9;
 /* what round-off may take from a limit that is just met, relative */
 static const double limit_slack = 1e-12;
-/* beyond this condition eight digits of the forces are gone */
-static const double greatest_condition = 1e8;
 /* pivots further apart than this call for a look at the condition */
 static const double suspicious_pivots = 1e-6;
 
@@ -27,137 +20,20 @@ enum {
     MARGINS
 };
 
-/* signs of the determinants at the beginning: a run that changes them has passed a singular pose */
-typedef struct {
-    real pose, program;
-} limits_side;
-
-static inline real limits_sign(real determinant) { return determinant < 0 ? -1 : 1; }
-
 static inline elimination limits_pose(const run *r, const instant *m) {
     return legs_determinant(&r->h, &m->x, &m->g);
 }
 
-static inline limits_side limits_begin(const run *r, const stage *s, const instant *m) {
-    return (limits_side){limits_sign(limits_pose(r, m).determinant),
-                         limits_sign(s->singularity.determinant)};
-}
-
-/* relative margins; 1 where there is no limit */
-static inline void limits_margins(const run *r, const stage *s, const instant *m,
-                                  const limits_side *side, real margin[MARGINS]) {
-    const gough_platform *p = &r->model->machine.platform;
-    const real nothing = leg_no_length * (real)r->model->machine.base_radius;
-    const real least = p->length_min > nothing ? (real)p->length_min : nothing;
+/* margins of the legs, relative; 1 where there is no limit */
+static inline void limits_legs(const run *r, const instant *m, number margin[MARGIN_POSE]) {
+    const number one = number_of(1), slack = number_of(limit_slack);
 
     for (int v = 0; v < LEGS; v++) {
-        margin[MARGIN_SHORT + v] = m->g.length[v] / least - 1;
-        margin[MARGIN_LONG + v] =
-            isinf(p->length_max) ? 1 : 1 - m->g.length[v] / (real)p->length_max;
-        margin[MARGIN_SPEED + v] =
-            isinf(p->speed_max) ? 1 : 1 - real_magnitude(m->g.rate[v]) / (real)p->speed_max;
-        margin[MARGIN_FORCE + v] =
-            isinf(p->force_max) ? 1 : 1 - real_magnitude(m->u[v]) / (real)p->force_max;
-        for (int kind = 0; kind < MARGIN_POSE; kind += LEGS) {
-            margin[kind + v] = margin[kind + v] + (real)limit_slack;
-        }
+        margin[MARGIN_SHORT + v] = m->g.length[v] / r->least - one + slack;
+        margin[MARGIN_LONG + v] = one - m->g.length[v] / r->most + slack;
+        margin[MARGIN_SPEED + v] = one - number_magnitude(m->g.rate[v]) / r->fastest + slack;
+        margin[MARGIN_FORCE + v] = one - number_magnitude(m->u[v]) / r->strongest + slack;
     }
-    margin[MARGIN_POSE] = side->pose * limits_pose(r, m).determinant;
-    margin[MARGIN_PROGRAM] = side->program * s->singularity.determinant;
-}
-
-/* first margin that is gone (not finite counts), or -1 */
-static inline int limits_broken(const real margin[MARGINS], int from, int to) {
-    for (int e = from; e < to; e++) {
-        if (!(margin[e] >= 0)) return e;
-    }
-    return -1;
-}
-
-/* whether the pose, or the pose of a program whose forces are asked for, is nearly singular */
-static inline int limits_nearly_singular(const run *r, const stage *s, const instant *m) {
-    const real worst = greatest_condition;
-
-    if (limits_pose(r, m).pivot_ratio < (real)suspicious_pivots &&
-        !(legs_condition(&r->h, &m->x, &m->g) <= worst)) {
-        return 1;
-    }
-    return s->singularity.pivot_ratio < (real)suspicious_pivots &&
-           !(legs_condition(&r->h, &s->x[0], &s->program) <= worst);
-}
-
-static inline gough_cause limits_cause(const run *r, int margin) {
-    const gough_machine *machine = &r->model->machine;
-
-    if (margin >= MARGIN_POSE) return GOUGH_END_SINGULAR;
-    if (margin >= MARGIN_FORCE) return GOUGH_END_LEG_FORCE;
-    if (margin >= MARGIN_SPEED) return GOUGH_END_LEG_SPEED;
-    if (margin >= MARGIN_LONG) return GOUGH_END_LEG_LONG;
-    return machine->platform.length_min > leg_no_length * machine->base_radius
-               ? GOUGH_END_LEG_SHORT
-               : GOUGH_END_LEG_NO_LENGTH;
-}
-
-static inline void limits_say(const run *r, gough_cause cause, int leg, double t, gough_end *end) {
-    const gough_platform *p = &r->model->machine.platform;
-
-    end->cause = cause;
-    end->time = t;
-    end->leg = leg;
-    switch (cause) {
-    case GOUGH_END_LEG_SHORT:
-        snprintf(end->message, sizeof end->message,
-                 "leg %d gets shorter than its least length %.9g at t = %.9g", leg, p->length_min,
-                 t);
-        break;
-    case GOUGH_END_LEG_LONG:
-        snprintf(end->message, sizeof end->message,
-                 "leg %d gets longer than its greatest length %.9g at t = %.9g", leg, p->length_max,
-                 t);
-        break;
-    case GOUGH_END_LEG_SPEED:
-        snprintf(end->message, sizeof end->message,
-                 "leg %d exceeds its greatest speed %.9g at t = %.9g", leg, p->speed_max, t);
-        break;
-    case GOUGH_END_LEG_FORCE:
-        snprintf(end->message, sizeof end->message,
-                 "leg %d exceeds its greatest force %.9g at t = %.9g", leg, p->force_max, t);
-        break;
-    case GOUGH_END_LEG_NO_LENGTH:
-        snprintf(end->message, sizeof end->message,
-                 "leg %d has no length at t = %.9g: its joints meet, so it has no direction", leg,
-                 t);
-        break;
-    default:
-        snprintf(end->message, sizeof end->message, "the run ends at t = %.9g", t);
-    }
-}
-
-static inline void limits_say_singular(int of_program, double t, gough_end *end) {
-    end->cause = GOUGH_END_SINGULAR;
-    end->time = t;
-    end->leg = 0;
-    snprintf(end->message, sizeof end->message,
-             "%s is singular at t = %.9g: there the six legs cannot hold the load in every "
-             "direction, and no leg forces are defined",
-             of_program ? "the program's pose" : "the pose", t);
-}
-
-static inline void limits_end(const run *r, int margin, real t, gough_end *end) {
-    if (margin >= MARGIN_POSE) {
-        limits_say_singular(margin == MARGIN_PROGRAM, (double)t, end);
-    } else {
-        limits_say(r, limits_cause(r, margin), margin % LEGS + 1, (double)t, end);
-    }
-}
-
-static inline gough_status limits_fault(const run *r, gough_end *end) {
-    end->cause = GOUGH_END_NOT_FINITE;
-    end->time = (double)r->fault.time;
-    end->leg = 0;
-    snprintf(end->message, sizeof end->message,
-             "%s (value or derivatives) is not finite at t = %.9g", r->fault.what, end->time);
-    return GOUGH_ERROR_INPUT;
 }
 
 #endif

@@ -95,12 +95,12 @@ static gough_status check_constraints(const gough_simulation *s, gough_error *er
     return GOUGH_OK;
 }
 
-static gough_status check_samples(const gough_model *model, const gough_simulation *s,
+static gough_status check_samples(const gough_motion *motion, const gough_simulation *s,
                                   gough_error *error) {
-    const gough_samples *samples = &model->motion.samples;
+    const gough_samples *samples = &motion->samples;
     double first, last;
 
-    if (model->motion.kind != GOUGH_MOTION_SAMPLES) return GOUGH_OK;
+    if (motion->kind != GOUGH_MOTION_SAMPLES) return GOUGH_OK;
     first = samples->time[0];
     last = samples->time[samples->count - 1];
     if (first > 0 || last < s->duration * (1 - division_slack)) {
@@ -114,6 +114,11 @@ static gough_status check_samples(const gough_model *model, const gough_simulati
 
 gough_status gough_simulation_check(const gough_model *model, const gough_simulation *simulation,
                                     gough_error *error) {
+    return simulate_check(&model->motion, simulation, error);
+}
+
+gough_status simulate_check(const gough_motion *motion, const gough_simulation *simulation,
+                            gough_error *error) {
     const gough_simulation *s = simulation;
     gough_status status = check_times(s, error);
 
@@ -127,7 +132,7 @@ gough_status gough_simulation_check(const gough_model *model, const gough_simula
         status = check_step(s, error);
     }
     if (status == GOUGH_OK) status = check_constraints(s, error);
-    if (status == GOUGH_OK) status = check_samples(model, s, error);
+    if (status == GOUGH_OK) status = check_samples(motion, s, error);
     return status;
 }
 
@@ -159,6 +164,8 @@ gough_status gough_simulate(const gough_model *model, const gough_simulation *si
 
     *end = (gough_end){.cause = GOUGH_END_DONE};
     if (checked != GOUGH_OK) return checked;
-    return finish(table_of(simulation)->simulate(model, simulation, sink, context, end), end,
+    const simulate_parts parts = {&model->motion, &model->machine, &model->control,
+                                  &model->disturbance, &model->initial};
+    return finish(table_of(simulation)->simulate(&parts, simulation, sink, context, end), end,
                   error);
 }

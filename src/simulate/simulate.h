@@ -4,11 +4,24 @@
 
 #include "gough/simulate.h"
 
+/* what a run of forward dynamics is made of */
+typedef struct {
+    const gough_motion *motion;
+    const gough_machine *machine;
+    const gough_control *control;
+    const gough_disturbance *disturbance;
+    const gough_initial *initial;
+} simulate_parts;
+
+/* gough_simulation_check() for a motion */
+gough_status simulate_check(const gough_motion *motion, const gough_simulation *simulation,
+                            gough_error *error);
+
 struct simulate_table {
     gough_status (*forces)(const gough_model *model, const gough_simulation *options,
                            gough_sink sink, void *context, gough_crossing_sink crossings,
                            void *crossings_context, gough_end *end);
-    gough_status (*simulate)(const gough_model *model, const gough_simulation *options,
+    gough_status (*simulate)(const simulate_parts *parts, const gough_simulation *options,
                              gough_sink sink, void *context, gough_end *end);
 };
 

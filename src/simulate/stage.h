@@ -27,18 +27,30 @@ typedef struct {
     real time;
 } stage_fault;
 
+/* What one lane of a run has of its own. */
 typedef struct {
-    const gough_model *model;
+    const gough_machine *machine;
+    const gough_control *control;
+    const gough_disturbance *disturbance;
+} run_lane;
+
+typedef struct run {
+    const gough_motion *motion;
     const gough_simulation *options;
+    double height; /* of home, the same in every lane */
+    run_lane lane[NUMBER_WIDTH];
     hexapod h;
     number G[LEGS], D[LEGS];
-    int feeds;          /* F^p is fed forward */
-    int solves;         /* the six equations of the program are needed */
-    int damped;         /* some D > 0 */
-    int share;          /* a vertical force is shared by the legs */
-    int loaded;         /* force or moment on the load */
-    int shaken[LEGS];   /* leg disturbances present */
-    number alpha, beta; /* Baumgarte, or 0 */
+    int feeds;                              /* F^p is fed forward */
+    int solves;                             /* the six equations of the program are needed */
+    int damped;                             /* some D > 0 */
+    int share;                              /* a vertical force is shared by the legs */
+    int loaded;                             /* force or moment on the load */
+    int shaken[LEGS];                       /* leg disturbances present */
+    number alpha, beta;                     /* Baumgarte, or 0 */
+    number least, most, fastest, strongest; /* limits of the legs, 0 or infinite without */
+    void (*replay)(struct run *r, real t); /* fills `now` from what another run recorded, or NULL */
+    void *tape;                            /* its context */
 
     stage now; /* the stage at `time`, kept since steppers come back to it */
     real time;
@@ -46,29 +58,54 @@ typedef struct {
     stage_fault fault;
 } run;
 
-static inline void run_begin(run *r, const gough_model *model, const gough_simulation *options) {
-    const gough_disturbance *d = &model->disturbance;
+/* a shorter leg, in base radii, has no direction worth the name */
+static const double leg_no_length = 1e-9;
 
-    r->model = model;
-    r->options = options;
-    hexapod_of_machine(&r->h, &model->machine);
-    r->damped = 0;
+/* gains, limits and disturbances of a lane */
+static inline void run_add_lane(run *r, int lane) {
+    const gough_control *control = r->lane[lane].control;
+    const gough_disturbance *d = r->lane[lane].disturbance;
+    const gough_platform *p = &r->lane[lane].machine->platform;
+    const double nothing = leg_no_length * r->lane[lane].machine->base_radius;
+
+    number_put(&r->least, lane, p->length_min > nothing ? p->length_min : nothing);
+    number_put(&r->most, lane, p->length_max);
+    number_put(&r->fastest, lane, p->speed_max);
+    number_put(&r->strongest, lane, p->force_max);
+
     for (int v = 0; v < LEGS; v++) {
-        r->G[v] = number_of(model->control.stiffness[v]);
-        r->D[v] = number_of(model->control.damping[v]);
-        r->damped = r->damped || model->control.damping[v] > 0;
-        r->shaken[v] = !gough_formula_is_zero(&d->leg_force[v]);
+        number_put(&r->G[v], lane, control->stiffness[v]);
+        number_put(&r->D[v], lane, control->damping[v]);
+        r->damped = r->damped || control->damping[v] > 0;
+        r->shaken[v] = r->shaken[v] || !gough_formula_is_zero(&d->leg_force[v]);
     }
-    r->share = !gough_formula_is_zero(&d->vertical_force);
-    r->loaded = 0;
+    r->share = r->share || !gough_formula_is_zero(&d->vertical_force);
     for (int c = 0; c < 3; c++) {
         r->loaded = r->loaded || !gough_formula_is_zero(&d->force[c]) ||
                     !gough_formula_is_zero(&d->moment[c]);
     }
-    r->feeds = model->control.feedforward;
+}
+
+/* Lanes that move by one motion, with one height of home and one choice of feed-forward; each has its own machine otherwise,
+ * gains and disturbances. */
+static inline void run_begin(run *r, const gough_motion *motion, const gough_simulation *options,
+                             const run_lane lane[NUMBER_WIDTH]) {
+    r->motion = motion;
+    r->options = options;
+    r->height = lane[0].machine->platform.height;
+    r->damped = r->share = r->loaded = 0;
+    for (int v = 0; v < LEGS; v++) r->shaken[v] = 0;
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        r->lane[i] = lane[i];
+        hexapod_put_machine(&r->h, i, lane[i].machine);
+        run_add_lane(r, i);
+    }
+    r->feeds = lane[0].control->feedforward;
     r->solves = r->feeds || r->share;
     r->alpha = number_of(options->constraints == GOUGH_BAUMGARTE ? options->baumgarte[0] : 0);
     r->beta = number_of(options->constraints == GOUGH_BAUMGARTE ? options->baumgarte[1] : 0);
+    r->replay = NULL;
+    r->tape = NULL;
     r->valid = 0;
     r->fault = (stage_fault){NULL, 0};
 }
@@ -84,34 +121,35 @@ static inline void run_blame(run *r, const char *what, real t) {
     if (r->fault.what == NULL || t < r->fault.time) r->fault = (stage_fault){what, t};
 }
 
-/* value of a disturbance's formula */
-static inline real run_value(run *r, const gough_formula *formula, const char *what, real t) {
-    const real value = formula_jet(formula, t).v;
-
-    if (!real_finite(value)) run_blame(r, what, t);
-    return value;
-}
-
-/* the program at t, with its formulas checked */
-static inline void run_program(run *r, real t, stage *s) {
+/* jets of the program at t, checked */
+static inline void run_components(run *r, real t, jet component[GOUGH_COMPONENTS]) {
     static const char *const name[GOUGH_COMPONENTS] = {
         "motion.surge", "motion.sway", "motion.heave", "motion.roll", "motion.pitch", "motion.yaw"};
-    const gough_motion *motion = &r->model->motion;
-    jet component[GOUGH_COMPONENTS];
 
-    motion_components(motion, t, component);
+    motion_components(r->motion, t, component);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         if (!real_finite(component[c].v + component[c].d + component[c].dd)) {
             run_blame(r, name[c], t);
         }
     }
-    coordinates_of_motion(&r->h, r->model->machine.platform.height, motion->about, component, s->x);
-    legs_at(&r->h, &s->x[0], &s->program);
-    legs_rates(&r->h, &s->x[1], &s->program);
+}
+
+/* the formula of a disturbance, by its place in gough_disturbance, in every lane */
+static inline number run_disturbance(run *r, size_t place, const char *what, real t) {
+    number sum = number_of(0);
+
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        const gough_formula *formula =
+            (const gough_formula *)(const void *)((const char *)r->lane[i].disturbance + place);
+        const real value = formula_jet(formula, t).v;
+        if (!real_finite(value)) run_blame(r, what, t);
+        number_put(&sum, i, value);
+    }
+    return sum;
 }
 
 /* F^p, and the share of each leg in a vertical force: solutions of the same six equations, (law-2) */
-static inline void run_program_forces(run *r, real t, stage *s) {
+static inline void run_program_forces(run *r, number vertical, stage *s) {
     const number zero = number_of(0);
     const vector none = {zero, zero, zero};
     number wrench[2][6];
@@ -122,10 +160,8 @@ static inline void run_program_forces(run *r, real t, stage *s) {
         required_wrench(&r->h, &s->x[0], &s->x[1], &s->x[2], none, none, wrench[program]);
     }
     if (r->share) {
-        const real force =
-            run_value(r, &r->model->disturbance.vertical_force, "disturbance.vertical_force", t);
         share = count++;
-        central_wrench(&s->x[0], (vector){zero, zero, number_of_real(force)}, wrench[share]);
+        central_wrench(&s->x[0], (vector){zero, zero, vertical}, wrench[share]);
     }
     if (count > 0) s->singularity = leg_forces_of(&r->h, &s->x[0], &s->program, wrench, count);
     for (int v = 0; v < LEGS; v++) {
@@ -134,32 +170,57 @@ static inline void run_program_forces(run *r, real t, stage *s) {
     }
 }
 
+/* what disturbs legs and load */
 static inline void run_disturbances(run *r, real t, stage *s) {
-    const gough_disturbance *d = &r->model->disturbance;
-    real force[3] = {0, 0, 0}, moment[3] = {0, 0, 0};
+    const size_t force = offsetof(gough_disturbance, force),
+                 moment = offsetof(gough_disturbance, moment), one = sizeof(gough_formula);
 
     for (int v = 0; v < LEGS; v++) {
+        const size_t place = offsetof(gough_disturbance, leg_force) + (size_t)v * one;
         if (!r->shaken[v]) continue;
-        const real value = run_value(r, &d->leg_force[v], "disturbance.leg_force", t);
-        s->force[v] = s->force[v] + number_of_real(value);
+        s->force[v] = s->force[v] + run_disturbance(r, place, "disturbance.leg_force", t);
     }
-    for (int c = 0; r->loaded && c < 3; c++) {
-        force[c] = run_value(r, &d->force[c], "disturbance.force", t);
-        moment[c] = run_value(r, &d->moment[c], "disturbance.moment", t);
-    }
-    s->push =
-        (vector){number_of_real(force[0]), number_of_real(force[1]), number_of_real(force[2])};
-    s->turn =
-        (vector){number_of_real(moment[0]), number_of_real(moment[1]), number_of_real(moment[2])};
+    s->push = s->turn = (vector){number_of(0), number_of(0), number_of(0)};
+    if (!r->loaded) return;
+    s->push.x = run_disturbance(r, force, "disturbance.force", t);
+    s->push.y = run_disturbance(r, force + one, "disturbance.force", t);
+    s->push.z = run_disturbance(r, force + 2 * one, "disturbance.force", t);
+    s->turn.x = run_disturbance(r, moment, "disturbance.moment", t);
+    s->turn.y = run_disturbance(r, moment + one, "disturbance.moment", t);
+    s->turn.z = run_disturbance(r, moment + 2 * one, "disturbance.moment", t);
+}
+
+/* the program's motion in a stage, no forces yet */
+static inline void run_program(run *r, const jet component[GOUGH_COMPONENTS], stage *s) {
+    for (int v = 0; v < LEGS; v++) s->force[v] = number_of(0);
+    s->singularity = (elimination){number_of(1), number_of(1)};
+    coordinates_of_motion(&r->h, r->height, r->motion->about, component, s->x);
+    legs_at(&r->h, &s->x[0], &s->program);
+    legs_rates(&r->h, &s->x[1], &s->program);
+}
+
+static inline number run_vertical(run *r, real t) {
+    return run_disturbance(r, offsetof(gough_disturbance, vertical_force),
+                           "disturbance.vertical_force", t);
+}
+
+/* all of a stage from its own formulas */
+static inline void run_evaluate(run *r, real t, stage *s) {
+    jet component[GOUGH_COMPONENTS];
+
+    run_components(r, t, component);
+    run_program(r, component, s);
+    if (r->solves) run_program_forces(r, r->share ? run_vertical(r, t) : number_of(0), s);
+    run_disturbances(r, t, s);
 }
 
 static inline const stage *run_stage(run *r, real t) {
     if (r->valid && !(t < r->time) && !(t > r->time)) return &r->now;
-    for (int v = 0; v < LEGS; v++) r->now.force[v] = number_of(0);
-    r->now.singularity = (elimination){number_of(1), number_of(1)};
-    run_program(r, t, &r->now);
-    if (r->solves) run_program_forces(r, t, &r->now);
-    run_disturbances(r, t, &r->now);
+    if (r->replay) {
+        r->replay(r, t);
+    } else {
+        run_evaluate(r, t, &r->now);
+    }
     r->time = t;
     r->valid = 1;
     return &r->now;

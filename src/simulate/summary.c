@@ -4,9 +4,10 @@
 
 #include "gough/dynamics.h"
 #include "gough/simulate.h"
+#include "simulate/quadrature.h"
 
 /* columns of the window: time, then per leg the square of the force and the power */
-enum { WINDOW = 4, SQUARE = 1, POWER = 1 + GOUGH_LEGS };
+enum { WINDOW = QUADRATURE_ROWS, SQUARE = 1, POWER = 1 + GOUGH_LEGS };
 
 void gough_summary_begin(gough_summary *summary) {
     memset(summary, 0, sizeof *summary);
@@ -99,11 +100,6 @@ static void add_interval(gough_summary *summary, double h, const double weight[W
     }
 }
 
-/* Cubics through four rows, equally spaced: the middle interval, and the outer ones at both ends of a run */
-static const double middle_weight[WINDOW] = {-1.0 / 24, 13.0 / 24, 13.0 / 24, -1.0 / 24};
-static const double first_weight[WINDOW] = {9.0 / 24, 19.0 / 24, -5.0 / 24, 1.0 / 24};
-static const double last_weight[WINDOW] = {1.0 / 24, -5.0 / 24, 19.0 / 24, 9.0 / 24};
-
 static void add_to_window(gough_summary *summary, const double *value) {
     double *newest = summary->window_[WINDOW - 1];
 
@@ -115,8 +111,8 @@ static void add_to_window(gough_summary *summary, const double *value) {
     }
     if (summary->rows < WINDOW) return;
     const double h = (newest[0] - summary->window_[0][0]) / (WINDOW - 1);
-    if (summary->rows == WINDOW) add_interval(summary, h, first_weight);
-    add_interval(summary, h, middle_weight);
+    if (summary->rows == WINDOW) add_interval(summary, h, quadrature_first);
+    add_interval(summary, h, quadrature_middle);
 }
 
 void gough_summary_add(gough_summary *summary, const gough_machine *machine, const gough_row *row) {
@@ -150,7 +146,7 @@ void gough_summary_end(gough_summary *summary) {
     if (summary->rows >= WINDOW) {
         add_interval(summary,
                      (summary->window_[WINDOW - 1][0] - summary->window_[0][0]) / (WINDOW - 1),
-                     last_weight);
+                     quadrature_last);
     } else if (summary->rows >= 2) {
         /* too few rows for a cubic: the trapezium between the two or three there are */
         for (size_t i = WINDOW - summary->rows; i + 1 < WINDOW; i++) {

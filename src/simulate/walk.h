@@ -3,7 +3,7 @@
 #ifndef GOUGH_SIMULATE_WALK_H
 #define GOUGH_SIMULATE_WALK_H
 
-#include "simulate/limits.h"
+#include "simulate/ends.h"
 #include "simulate/row.h"
 
 /* looks at the limits between two rows */
@@ -107,7 +107,7 @@ static inline void walk_look(walk *a, real before, real t, const instant *m,
 static inline gough_status walk_hard(walk *a, real before, real t, const instant *m,
                                      const real margin[MARGINS]) {
     const stage *s = run_stage(&a->r, t);
-    const double nothing = leg_no_length * a->r.model->machine.base_radius;
+    const double nothing = leg_no_length * a->r.lane[0].machine->base_radius;
 
     if (a->r.fault.what) return limits_fault(&a->r, a->end);
     for (int v = 0; v < LEGS; v++) {
@@ -179,10 +179,11 @@ static inline gough_status walk_looks(walk *a) {
 static inline gough_status walk_run(const gough_model *model, const gough_simulation *options,
                                     gough_sink sink, void *context, gough_crossing_sink crossings,
                                     void *crossings_context, gough_end *end) {
+    const run_lane lane = {&model->machine, &model->control, &model->disturbance};
     gough_status status;
     walk a;
 
-    run_begin(&a.r, model, options);
+    run_begin(&a.r, &model->motion, options, &lane);
     run_program_only(&a.r);
     a.sink = sink;
     a.context = context;

@@ -7,32 +7,8 @@
 #include "kernel/law.h"
 #include "support/kernel.h"
 
-static inline void put(number *x, int lane, double value) {
-#if defined(NUMBER_LANES)
-    (*x)[lane] = value;
-#else
-    (void)lane;
-    *x = value;
-#endif
-}
-
-static inline double get(number x, int lane) {
-#if defined(NUMBER_LANES)
-    return x[lane];
-#else
-    (void)lane;
-    return x;
-#endif
-}
-
-#if defined(NUMBER_LANES)
-enum { NUMBER_WIDTH = NUMBER_LANES };
-#else
-enum { NUMBER_WIDTH = 1 };
-#endif
-
-static inline void evaluate(const gough_machine *machine, int count, const double (*state)[24],
-                            const double (*acceleration)[12], double (*out)[KERNEL_RESULTS]) {
+static inline void evaluate(const gough_machine *machine, int count, double (*state)[24],
+                            double (*acceleration)[12], double (*out)[KERNEL_RESULTS]) {
     hexapod h;
 
     hexapod_of_machine(&h, machine);
@@ -45,11 +21,11 @@ static inline void evaluate(const gough_machine *machine, int count, const doubl
 
         for (int i = 0; i < 24; i++) {
             y[i] = number_of(0);
-            for (int k = 0; k < NUMBER_WIDTH; k++) put(&y[i], k, state[first + k][i]);
+            for (int k = 0; k < NUMBER_WIDTH; k++) number_put(&y[i], k, state[first + k][i]);
         }
         for (int i = 0; i < 12; i++) {
             a[i] = number_of(0);
-            for (int k = 0; k < NUMBER_WIDTH; k++) put(&a[i], k, acceleration[first + k][i]);
+            for (int k = 0; k < NUMBER_WIDTH; k++) number_put(&a[i], k, acceleration[first + k][i]);
         }
         x = coordinates_load(y);
         v = coordinates_load(y + 12);
@@ -68,11 +44,11 @@ static inline void evaluate(const gough_machine *machine, int count, const doubl
         coordinates_store(&acc, rate);
         for (int k = 0; k < NUMBER_WIDTH; k++) {
             double *o = out[first + k];
-            for (int i = 0; i < 12; i++) o[i] = get(rate[i], k);
-            for (int n = 0; n < 6; n++) o[12 + n] = get(wrench[0][n], k);
-            o[18] = get(e.determinant, k);
-            o[19] = get(triad_violation(&x.q), k);
-            o[20] = get(legs_condition(&h, &x, &g), k);
+            for (int i = 0; i < 12; i++) o[i] = number_lane(rate[i], k);
+            for (int n = 0; n < 6; n++) o[12 + n] = number_lane(wrench[0][n], k);
+            o[18] = number_lane(e.determinant, k);
+            o[19] = number_lane(triad_violation(&x.q), k);
+            o[20] = number_lane(legs_condition(&h, &x, &g), k);
         }
     }
 }

@@ -2,9 +2,9 @@
 #define NUMBER_LANES 4
 #include "kernel/lanes.h"
 
-void evaluate_lanes_4(const gough_machine *machine, int count, const double (*state)[24],
-                      const double (*acceleration)[12], double (*out)[KERNEL_RESULTS]);
-void evaluate_lanes_4(const gough_machine *machine, int count, const double (*state)[24],
-                      const double (*acceleration)[12], double (*out)[KERNEL_RESULTS]) {
+void evaluate_lanes_4(const gough_machine *machine, int count, double (*state)[24],
+                      double (*acceleration)[12], double (*out)[KERNEL_RESULTS]);
+void evaluate_lanes_4(const gough_machine *machine, int count, double (*state)[24],
+                      double (*acceleration)[12], double (*out)[KERNEL_RESULTS]) {
     evaluate(machine, count, state, acceleration, out);
 }

@@ -5,14 +5,14 @@
 #include "support/machines.h"
 #include "support/suite.h"
 
-void evaluate_scalar(const gough_machine *machine, int count, const double (*state)[24],
-                     const double (*acceleration)[12], double (*out)[KERNEL_RESULTS]);
-void evaluate_lanes_2(const gough_machine *machine, int count, const double (*state)[24],
-                      const double (*acceleration)[12], double (*out)[KERNEL_RESULTS]);
-void evaluate_lanes_4(const gough_machine *machine, int count, const double (*state)[24],
-                      const double (*acceleration)[12], double (*out)[KERNEL_RESULTS]);
-void evaluate_lanes_8(const gough_machine *machine, int count, const double (*state)[24],
-                      const double (*acceleration)[12], double (*out)[KERNEL_RESULTS]);
+void evaluate_scalar(const gough_machine *machine, int count, double (*state)[24],
+                     double (*acceleration)[12], double (*out)[KERNEL_RESULTS]);
+void evaluate_lanes_2(const gough_machine *machine, int count, double (*state)[24],
+                      double (*acceleration)[12], double (*out)[KERNEL_RESULTS]);
+void evaluate_lanes_4(const gough_machine *machine, int count, double (*state)[24],
+                      double (*acceleration)[12], double (*out)[KERNEL_RESULTS]);
+void evaluate_lanes_8(const gough_machine *machine, int count, double (*state)[24],
+                      double (*acceleration)[12], double (*out)[KERNEL_RESULTS]);
 
 enum { POSES = 256 };
 

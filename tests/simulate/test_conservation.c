@@ -50,11 +50,9 @@ START_TEST(projection_holds_over_a_million_steps) {
     s.output_step = 0.05;
     s.step = 0.001;
     s.method = GOUGH_RK4;
-    run_begin(&d.r, model, &s);
-    d.sink = look;
-    d.context = &p;
-    d.end = &end;
-    d.rows = 20001;
+    const simulate_parts parts = {&model->motion, &model->machine, &model->control,
+                                  &model->disturbance, &model->initial};
+    drive_open(&d, &parts, &s, look, &p, &end);
     drive_start(&d);
     ck_assert_int_eq(drive_begin(&d), GOUGH_OK);
     ck_assert_int_eq(drive_fixed(&d), GOUGH_OK);

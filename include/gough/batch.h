@@ -1,0 +1,83 @@
+/** @file batch.h
+ *  Many runs of forward dynamics at once: runs that share a program side by side in the lanes of vector registers, and over
+ *  threads. The same bits for any number of lanes and threads, and as gough_simulate() where the step is fixed.
+ */
+#ifndef GOUGH_BATCH_H
+#define GOUGH_BATCH_H
+
+#include <stdint.h>
+
+#include "gough/simulate.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What one run has of its own; the pointers may be shared by many runs. All runs of a batch move by one program. */
+typedef struct gough_batch_run {
+    const gough_machine *machine; /**< joints, load, gravity; the same height of home in all runs */
+    const gough_control *control; /**< the same choice of feed-forward in all runs */
+    const gough_disturbance *disturbance;
+    const gough_initial *initial;
+} gough_batch_run;
+
+/** What a run leaves. Peaks and deviations are those of the output times, as in gough_summary. Angles in radians. */
+typedef struct gough_outcome {
+    gough_cause cause;  /**< GOUGH_END_DONE, or why this run alone ended */
+    int leg;            /**< 1 … 6 where one leg is the cause, else 0 */
+    double time;        /**< of the end */
+    double position[3]; /**< top-frame origin at the last output time met */
+    double angles[3];   /**< roll, pitch, yaw there */
+    double velocity[3]; /**< of the origin */
+    double angular_velocity[3];
+    double position_deviation; /**< largest distance from the program */
+    double angle_deviation;    /**< largest angle from the program */
+    double force;              /**< largest |leg force| */
+    double speed;              /**< largest |leg rate| */
+    double power;              /**< largest power of a leg, positive */
+    double energy;             /**< net work of all legs */
+    double drift;              /**< largest violation of (1.2) before projection */
+    double rows;               /**< output times met */
+} gough_outcome;
+
+/** How to run a batch; start from gough_batch_options_default(). */
+typedef struct gough_batch_options {
+    int lanes; /**< 0: the widest that the processor has; else 1, 2, 4 or 8 (more than it has is an error) */
+    int threads; /**< 0: one per processor that the process may use */
+    /** Called now and then from one thread at a time with the number of runs done; nonzero stops. May be NULL. */
+    int (*progress)(void *context, size_t done);
+    void *context;
+} gough_batch_options;
+
+GOUGH_API gough_batch_options gough_batch_options_default(void);
+
+/** Widest lanes of this processor: 8 (AVX-512), 4 (AVX2) or 2. */
+GOUGH_API int gough_batch_lanes(void);
+
+/** Bytes of memory that gough_batch() needs, aligned to 64, for any number of runs. */
+GOUGH_API size_t gough_batch_size(const gough_batch_options *options);
+
+/** Runs all of them.
+ *  @param motion      the program of all runs
+ *  @param simulation  fixed step: in lanes. Adaptive dop853 and quadruple precision: one by one, over the threads
+ *  @param[out] outcomes  one a run, in the order of the runs
+ *  @param memory      gough_batch_size() bytes, aligned to 64; nothing else is allocated while stepping
+ *  @return GOUGH_OK also where runs ended early (their outcomes tell); GOUGH_ERROR_INPUT for options,
+ *  heights or feed-forward that do not fit; GOUGH_ERROR_NUMERICAL if the progress function stopped it (outcomes of runs not done have rows 0);
+ *  GOUGH_ERROR_FILE if a thread could not be started. */
+GOUGH_API gough_status gough_batch(const gough_motion *motion, const gough_simulation *simulation,
+                                   const gough_batch_run *runs, size_t count,
+                                   const gough_batch_options *options, gough_outcome *outcomes,
+                                   void *memory, gough_error *error);
+
+/** Number of the draw @p draw of run @p run under a seed, uniform in [0, 1):
+ *  counter-based (Philox 4×32, ten rounds), so that any draw is had without those before it. */
+GOUGH_API double gough_random_uniform(uint64_t seed, uint64_t run, uint64_t draw);
+
+/** The same, standard normal (by the inverse of its distribution function, one draw each). */
+GOUGH_API double gough_random_normal(uint64_t seed, uint64_t run, uint64_t draw);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,279 @@
+/* Many runs: checks, threads, and which runs stand side by side. Each thread takes a handful of groups and walks them through the
+ * same block of steps, so that stages recorded by the first serve the others while they are near at hand. */
+#define _GNU_SOURCE
+#include <math.h>
+#include <pthread.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <string.h>
+
+#include "batch/width.h"
+#include "simulate/simulate.h"
+
+/* groups that a thread walks together; steps of a block; records of its tape: at most 18 stages a step */
+enum { GROUPS = 32, BLOCK = 32, RECORDS = 18 * BLOCK + 8, MOST_THREADS = 256 };
+
+gough_batch_options gough_batch_options_default(void) {
+    return (gough_batch_options){.lanes = 0, .threads = 0, .progress = NULL, .context = NULL};
+}
+
+int gough_batch_lanes(void) {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return 8;
+    if (__builtin_cpu_supports("avx2")) return 4;
+#endif
+    return 2;
+}
+
+static const struct batch_width *width_of(int lanes) {
+    switch (lanes) {
+    case 1:
+        return &batch_width_1;
+    case 2:
+        return &batch_width_2;
+#if defined(__x86_64__)
+    case 4:
+        return &batch_width_4;
+    case 8:
+        return &batch_width_8;
+#endif
+    default:
+        return NULL;
+    }
+}
+
+static int threads_of(const gough_batch_options *options) {
+    int threads = options->threads;
+
+    if (threads <= 0) {
+        cpu_set_t set;
+        threads = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+    }
+    return threads < 1 ? 1 : threads > MOST_THREADS ? MOST_THREADS : threads;
+}
+
+/* ---- one thread's memory ---- */
+
+static size_t rounded(size_t bytes) { return (bytes + 63) / 64 * 64; }
+
+static size_t room_of(const struct batch_width *width) {
+    return rounded(sizeof(stage_tape)) + rounded(RECORDS * sizeof(tape_record)) +
+           batch_recorder_size() + GROUPS * width->group_size;
+}
+
+size_t gough_batch_size(const gough_batch_options *options) {
+    size_t most = 0;
+
+    for (int lanes = 1; lanes <= gough_batch_lanes(); lanes *= 2) {
+        const size_t room = room_of(width_of(lanes));
+        if (room > most) most = room;
+    }
+    return (size_t)threads_of(options) * most + 64;
+}
+
+/* ---- the work ---- */
+
+typedef struct {
+    batch_job job;
+    const struct batch_width *width; /* NULL: one by one */
+    size_t count, chunk;
+    int machine_shared, disturbance_shared;
+    atomic_size_t next;
+    atomic_int stopped;
+    pthread_mutex_t lock;
+    size_t done;
+    const gough_batch_options *options;
+} work;
+
+typedef struct {
+    work *work;
+    char *memory;
+} worker;
+
+static void report(work *w, size_t runs) {
+    pthread_mutex_lock(&w->lock);
+    w->done += runs;
+    if (w->options->progress && w->options->progress(w->options->context, w->done)) {
+        atomic_store(&w->stopped, 1);
+    }
+    pthread_mutex_unlock(&w->lock);
+}
+
+/* all steps of the runs from `first` on, in blocks */
+static void walk_chunk(work *w, char *memory, size_t first, size_t count) {
+    const batch_job *job = &w->job;
+    const size_t lanes = (size_t)w->width->lanes, groups = (count + lanes - 1) / lanes;
+    stage_tape *t = (stage_tape *)(void *)memory;
+    char *group[GROUPS];
+    int going[GROUPS];
+
+    memory += rounded(sizeof *t);
+    t->record = (tape_record *)(void *)memory;
+    memory += rounded(RECORDS * sizeof(tape_record));
+    t->room = RECORDS;
+    t->count = 0;
+    t->machine_shared = w->machine_shared;
+    t->disturbance_shared = w->disturbance_shared;
+    batch_recorder_begin(t, job, memory);
+    memory += batch_recorder_size();
+
+    for (size_t g = 0; g < groups; g++) {
+        const size_t left = count - g * lanes;
+        group[g] = memory + g * w->width->group_size;
+        t->cursor = 0;
+        w->width->begin(group[g], job, first + g * lanes, (int)(left < lanes ? left : lanes), t);
+        going[g] = 1;
+    }
+    for (long long k = 0; k < job->steps && !atomic_load(&w->stopped); k += BLOCK) {
+        const long long end = k + BLOCK < job->steps ? k + BLOCK : job->steps;
+        t->count = 0;
+        for (size_t g = 0; g < groups; g++) {
+            if (!going[g]) continue;
+            t->cursor = 0;
+            going[g] = w->width->advance(group[g], job, k, end);
+        }
+    }
+    if (atomic_load(&w->stopped)) {
+        for (size_t i = first; i < first + count; i++) job->outcomes[i].rows = 0;
+        return;
+    }
+    for (size_t g = 0; g < groups; g++) w->width->finish(group[g], job);
+    report(w, count);
+}
+
+static void *work_on(void *context) {
+    const worker *self = context;
+    work *w = self->work;
+
+    while (!atomic_load(&w->stopped)) {
+        const size_t first = atomic_fetch_add(&w->next, w->chunk);
+        if (first >= w->count) break;
+        const size_t count = first + w->chunk < w->count ? w->chunk : w->count - first;
+        if (w->width) {
+            walk_chunk(w, self->memory, first, count);
+        } else {
+            batch_alone(&w->job, first);
+            report(w, 1);
+        }
+    }
+    return NULL;
+}
+
+/* ---- checks ---- */
+
+static gough_status check_runs(const gough_motion *motion, const gough_simulation *simulation,
+                               const gough_batch_run *runs, size_t count, gough_error *error) {
+    for (size_t i = 1; i < count; i++) {
+        const double height = runs[i].machine->platform.height;
+        if (runs[i].control->feedforward != runs[0].control->feedforward) {
+            return gough_fail(error, GOUGH_ERROR_INPUT,
+                              "run %zu feeds forward otherwise than run 0; all runs of a batch do "
+                              "alike",
+                              i);
+        }
+        if (height < runs[0].machine->platform.height ||
+            height > runs[0].machine->platform.height) {
+            return gough_fail(error, GOUGH_ERROR_INPUT,
+                              "run %zu has another height of home than run 0; all runs of a batch "
+                              "have one",
+                              i);
+        }
+    }
+    return simulate_check(motion, simulation, error);
+}
+
+/* whether all runs have the same thing in a place of their description, by address or by content */
+static int all_same(const gough_batch_run *runs, size_t count, size_t place, size_t size) {
+    const void *first, *other;
+
+    memcpy(&first, (const char *)&runs[0] + place, sizeof first);
+    for (size_t i = 1; i < count; i++) {
+        memcpy(&other, (const char *)&runs[i] + place, sizeof other);
+        if (other != first && memcmp(other, first, size) != 0) return 0;
+    }
+    return 1;
+}
+
+/* a vertical force is shared by the legs in the same equations as F^p */
+static int any_vertical(const gough_batch_run *runs, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        if (!gough_formula_is_zero(&runs[i].disturbance->vertical_force)) return 1;
+    }
+    return 0;
+}
+
+static void plan(work *w, const gough_simulation *s, int lanes, int threads) {
+    const int fixed = s->step > 0 && s->precision == GOUGH_DOUBLE;
+    size_t share = (w->count + 2 * (size_t)threads - 1) / (2 * (size_t)threads);
+
+    w->width = fixed ? width_of(lanes) : NULL;
+    w->chunk = 1;
+    if (!fixed) return;
+    w->job.steps = (long long)floor(s->duration / s->step + 1e-9);
+    w->job.per_row = llround(s->output_step / s->step);
+    /* whole groups, at most as many as a thread has room for, and work for every thread */
+    share = (share + (size_t)lanes - 1) / (size_t)lanes * (size_t)lanes;
+    w->chunk = share < (size_t)lanes * GROUPS ? share : (size_t)lanes * GROUPS;
+}
+
+static gough_status run_threads(work *w, int threads, char *memory, gough_error *error) {
+    const size_t room = w->width ? room_of(w->width) : 0;
+    pthread_t thread[MOST_THREADS];
+    worker workers[MOST_THREADS];
+    int started = 1;
+
+    for (int i = 0; i < threads; i++) workers[i] = (worker){w, memory + (size_t)i * room};
+    while (started < threads &&
+           pthread_create(&thread[started], NULL, work_on, &workers[started]) == 0) {
+        started++;
+    }
+    work_on(&workers[0]); /* the caller's own thread works too */
+    for (int i = 1; i < started; i++) pthread_join(thread[i], NULL);
+    if (started < threads && w->done == 0) {
+        return gough_fail(error, GOUGH_ERROR_FILE, "no thread could be started");
+    }
+    if (atomic_load(&w->stopped)) {
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "the batch was stopped after %zu of %zu "
+                          "runs",
+                          w->done, w->count);
+    }
+    return GOUGH_OK;
+}
+
+gough_status gough_batch(const gough_motion *motion, const gough_simulation *simulation,
+                         const gough_batch_run *runs, size_t count,
+                         const gough_batch_options *options, gough_outcome *outcomes, void *memory,
+                         gough_error *error) {
+    const int widest = gough_batch_lanes(), lanes = options->lanes ? options->lanes : widest;
+    const int threads = threads_of(options);
+    gough_status status;
+    work w;
+
+    if (count == 0) return GOUGH_OK;
+    if (width_of(lanes) == NULL || lanes > widest) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%d lanes: this processor runs 1%s%s or %d side by side", lanes,
+                          widest > 2 ? ", 2" : "", widest > 4 ? ", 4" : "", widest);
+    }
+    status = check_runs(motion, simulation, runs, count, error);
+    if (status != GOUGH_OK) return status;
+
+    w = (work){.job = {motion, simulation, runs, outcomes, 0, 0},
+               .count = count,
+               .options = options,
+               .done = 0};
+    atomic_init(&w.next, 0);
+    atomic_init(&w.stopped, 0);
+    pthread_mutex_init(&w.lock, NULL);
+    w.disturbance_shared =
+        all_same(runs, count, offsetof(gough_batch_run, disturbance), sizeof(gough_disturbance));
+    w.machine_shared =
+        all_same(runs, count, offsetof(gough_batch_run, machine), sizeof(gough_machine)) &&
+        (w.disturbance_shared || !any_vertical(runs, count));
+    plan(&w, simulation, lanes, threads);
+    for (size_t i = 0; i < count; i++) outcomes[i].rows = 0;
+    status = run_threads(&w, threads, memory, error);
+    pthread_mutex_destroy(&w.lock);
+    return status;
+}

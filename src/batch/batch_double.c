@@ -1,0 +1,182 @@
+/* What one lane does alone: groups of a single run, beginnings and ends as in gough_simulate(), recorded stages, adaptive runs. */
+#define NUMBER_DOUBLE
+#include "batch/group.h"
+#include "simulate/drive.h"
+
+const struct batch_width batch_width_1 = {1, (sizeof(group) + 63) / 64 * 64, group_begin,
+                                          group_advance, group_finish};
+
+static simulate_parts parts_of(const batch_job *job, size_t which) {
+    const gough_batch_run *r = &job->runs[which];
+
+    return (simulate_parts){job->motion, r->machine, r->control, r->disturbance, r->initial};
+}
+
+/* ---- outcomes from rows ---- */
+
+typedef struct {
+    const gough_machine *machine;
+    gough_summary summary;
+    gough_outcome *outcome;
+} listener;
+
+static int listen(void *context, const gough_row *row) {
+    listener *l = context;
+    gough_outcome *out = l->outcome;
+
+    gough_summary_add(&l->summary, l->machine, row);
+    out->rows += 1;
+    for (int c = 0; c < 3; c++) {
+        out->position[c] = row->value[GOUGH_X + c];
+        out->angles[c] = row->value[GOUGH_ROLL_ANGLE + c];
+        out->velocity[c] = row->value[GOUGH_VX + c];
+        out->angular_velocity[c] = row->value[GOUGH_WX + c];
+    }
+    return 0;
+}
+
+static void listen_begin(listener *l, const batch_job *job, size_t which) {
+    l->machine = job->runs[which].machine;
+    l->outcome = &job->outcomes[which];
+    *l->outcome = (gough_outcome){.cause = GOUGH_END_DONE};
+    gough_summary_begin(&l->summary);
+}
+
+static void listen_end(listener *l, const gough_end *end) {
+    gough_outcome *out = l->outcome;
+
+    out->cause = end->cause;
+    out->leg = end->leg;
+    out->time = end->time;
+    gough_summary_end(&l->summary);
+    if (l->summary.rows == 0) return;
+    out->position_deviation = l->summary.position_deviation;
+    out->angle_deviation = l->summary.angle_deviation;
+    out->drift = l->summary.drift;
+    for (int v = 0; v < LEGS; v++) {
+        const gough_leg_summary *leg = &l->summary.leg[v];
+        out->force = fmax(out->force, fmax(fabs(leg->force_min), fabs(leg->force_max)));
+        out->speed = fmax(out->speed, leg->speed);
+        out->power = fmax(out->power, leg->power_max);
+        out->energy += leg->energy;
+    }
+}
+
+void batch_alone(const batch_job *job, size_t which) {
+    const simulate_parts parts = parts_of(job, which);
+    const struct simulate_table *table =
+        job->simulation->precision == GOUGH_QUADRUPLE ? &simulate_quad : &simulate_double;
+    gough_end end = {.cause = GOUGH_END_DONE};
+    listener l;
+
+    listen_begin(&l, job, which);
+    (void)table->simulate(&parts, job->simulation, listen, &l, &end);
+    listen_end(&l, &end);
+}
+
+/* ---- beginnings and ends ---- */
+
+int batch_start(const batch_job *job, size_t which, double state[24], double side[2]) {
+    const simulate_parts parts = parts_of(job, which);
+    gough_end end = {.cause = GOUGH_END_DONE};
+    listener l;
+    drive d;
+
+    listen_begin(&l, job, which);
+    drive_open(&d, &parts, job->simulation, listen, &l, &end);
+    drive_start(&d);
+    d.side = (limits_side){1, 1};
+    const gough_status status = drive_begin(&d);
+    for (int i = 0; i < STATE; i++) state[i] = d.y[i];
+    side[0] = d.side.pose;
+    side[1] = d.side.program;
+    if (status == GOUGH_OK) return 1;
+    listen_end(&l, &end);
+    return 0;
+}
+
+int batch_locate(const batch_job *job, size_t which, const batch_step *step) {
+    const simulate_parts parts = parts_of(job, which);
+    gough_outcome *out = &job->outcomes[which];
+    gough_end end = {.cause = GOUGH_END_DONE};
+    drive d;
+
+    drive_open(&d, &parts, job->simulation, NULL, NULL, &end);
+    d.side = (limits_side){step->side[0], step->side[1]};
+    d.t0 = step->t0;
+    d.t = step->t;
+    d.h = job->simulation->step;
+    d.row = d.rows = 0;
+    d.drift = 0;
+    for (int i = 0; i < STATE; i++) {
+        d.y0[i] = step->y0[i];
+        d.rate0[i] = step->rate0[i];
+        d.raw[i] = step->raw[i];
+    }
+    if (drive_check(&d, step->residual) == GOUGH_OK) return 0;
+    out->cause = end.cause;
+    out->leg = end.leg;
+    out->time = end.time;
+    return 1;
+}
+
+void batch_last_row(const batch_job *job, size_t which, const double state[24]) {
+    gough_outcome *out = &job->outcomes[which];
+    const coordinates x = coordinates_load(state), rate = coordinates_load(state + COORDINATES);
+    real value[GOUGH_COLUMNS];
+    hexapod h;
+
+    hexapod_of_machine(&h, job->runs[which].machine);
+    row_pose(&h, &x, value, GOUGH_X, GOUGH_ROLL_ANGLE);
+    row_rates(&h, &x, &rate, value, GOUGH_VX, GOUGH_WX);
+    for (int c = 0; c < 3; c++) {
+        out->position[c] = value[GOUGH_X + c];
+        out->angles[c] = value[GOUGH_ROLL_ANGLE + c];
+        out->velocity[c] = value[GOUGH_VX + c];
+        out->angular_velocity[c] = value[GOUGH_WX + c];
+    }
+}
+
+/* ---- recorded stages ---- */
+
+static void record_stage(stage_tape *tape, double t, tape_record *record) {
+    run *r = tape->recorder;
+    jet component[GOUGH_COMPONENTS];
+    stage s;
+
+    record->time = t;
+    run_components(r, t, component);
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        record->component[c][0] = component[c].v;
+        record->component[c][1] = component[c].d;
+        record->component[c][2] = component[c].dd;
+    }
+    run_program(r, component, &s);
+    record->vertical = r->share ? run_vertical(r, t) : 0;
+    if (tape->machine_shared && r->solves) run_program_forces(r, record->vertical, &s);
+    for (int v = 0; v < LEGS; v++) {
+        record->force[v] = s.force[v];
+        record->length[v] = s.program.length[v];
+        record->rate[v] = s.program.rate[v];
+        s.force[v] = 0; /* what the disturbances add comes by itself */
+    }
+    coordinates_store(&s.x[0], record->pose);
+    record->determinant = s.singularity.determinant;
+    record->pivot_ratio = s.singularity.pivot_ratio;
+    run_disturbances(r, t, &s);
+    for (int v = 0; v < LEGS; v++) record->leg[v] = s.force[v];
+    vector_store(s.push, record->push);
+    vector_store(s.turn, record->turn);
+}
+
+size_t batch_recorder_size(void) { return (sizeof(run) + 63) / 64 * 64; }
+
+void batch_recorder_begin(stage_tape *tape, const batch_job *job, void *recorder) {
+    run *r = recorder;
+    const gough_batch_run *one = &job->runs[0];
+    const run_lane lane = {one->machine, one->control, one->disturbance};
+
+    run_begin(r, job->motion, job->simulation, &lane);
+    tape->recorder = r;
+    tape->write = record_stage;
+}

@@ -1,0 +1,383 @@
+/* A group of runs side by side, one a lane: fixed steps, constraints kept, peaks at the output
+ * times, each lane's own end. A lane that has ended goes on being computed, unheard. Text over the
+ * number type. */
+#ifndef GOUGH_BATCH_GROUP_H
+#define GOUGH_BATCH_GROUP_H
+
+#include "batch/width.h"
+#include "integrate/dop853.h"
+#include "integrate/rk4.h"
+#include "simulate/limits.h"
+#include "simulate/quadrature.h"
+
+/* the determinant is looked at each step while it is not this many times its change since the row before */
+static const double group_ease = 8;
+
+typedef struct {
+    run r;
+    size_t first;
+    int count;
+    int going[NUMBER_WIDTH]; /* lanes still under way */
+    int rows;
+    number going_mask; /* 1 where going, else 0 */
+    number side_pose, side_program;
+
+    number y[STATE], rate[STATE]; /* at the end of the last step, constraints kept */
+    rattle_state body;
+    number determinant; /* of the pose at the last row */
+    int watchful;
+
+    /* since the row before */
+    number drift;
+    /* since the beginning, at rows */
+    number last[STATE];
+    number distance2, force, speed, power, worst_drift;
+    number window[QUADRATURE_ROWS], energy;
+    double angle[NUMBER_WIDTH];
+} group;
+
+/* ---- lanes and scalars ---- */
+
+static inline void group_lane(const number *y, int lane, double *out, int count) {
+    for (int i = 0; i < count; i++) out[i] = number_lane(y[i], lane);
+}
+
+static inline number group_heard(const group *g, number x, number otherwise) {
+    return number_select(number_greater(g->going_mask, number_of(0.5)), x, otherwise);
+}
+
+static inline size_t group_run(const group *g, int lane) {
+    return g->first + (size_t)(lane < g->count ? lane : g->count - 1);
+}
+
+static inline void group_end_lane(group *g, int lane) {
+    g->going[lane] = 0;
+    number_put(&g->going_mask, lane, 0);
+}
+
+/* ---- stages from the tape ---- */
+
+static inline number group_broadcast(double x) { return number_of(x); }
+
+static inline vector group_vector(const double v[3]) {
+    return (vector){group_broadcast(v[0]), group_broadcast(v[1]), group_broadcast(v[2])};
+}
+
+/* own machine in each lane: the equations from the jets on */
+static inline void group_solve(run *r, real t, const stage_tape *tape, const tape_record *record) {
+    jet component[GOUGH_COMPONENTS];
+    number vertical = number_of(record->vertical);
+
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        component[c] =
+            (jet){record->component[c][0], record->component[c][1], record->component[c][2]};
+    }
+    run_program(r, component, &r->now);
+    if (r->share && !tape->disturbance_shared) vertical = run_vertical(r, t);
+    if (r->solves) run_program_forces(r, vertical, &r->now);
+}
+
+static inline void group_replay(run *r, real t) {
+    stage_tape *tape = r->tape;
+    const tape_record *record = tape_at(tape, t);
+    stage *s = &r->now;
+
+    if (tape->machine_shared) {
+        for (int v = 0; v < LEGS; v++) {
+            s->force[v] = number_of(record->force[v]);
+            s->program.length[v] = number_of(record->length[v]);
+            s->program.rate[v] = number_of(record->rate[v]);
+        }
+        s->x[0].rho = group_vector(record->pose);
+        s->x[0].q.i = group_vector(record->pose + 3);
+        s->x[0].q.j = group_vector(record->pose + 6);
+        s->x[0].q.k = group_vector(record->pose + 9);
+        s->singularity =
+            (elimination){number_of(record->determinant), number_of(record->pivot_ratio)};
+    } else {
+        group_solve(r, t, tape, record);
+    }
+    if (!tape->disturbance_shared) {
+        run_disturbances(r, t, s);
+        return;
+    }
+    for (int v = 0; v < LEGS; v++) {
+        if (r->shaken[v]) s->force[v] = s->force[v] + number_of(record->leg[v]);
+    }
+    s->push = group_vector(record->push);
+    s->turn = group_vector(record->turn);
+}
+
+/* ---- rows ---- */
+
+/* deviation, peaks and work at an output time */
+static inline void group_row(group *g, const stage *s, const instant *m) {
+    const triad back = transpose(&g->r.h.axes);
+    const triad actual = compose(&m->x.q, &back), program = compose(&s->x[0].q, &back);
+    const vector a = subtract(m->x.rho, out_of(&actual, g->r.h.center));
+    const vector b = subtract(s->x[0].rho, out_of(&program, g->r.h.center));
+    const vector apart = subtract(a, b);
+    const vector turn = add(add(cross(actual.i, program.i), cross(actual.j, program.j)),
+                            cross(actual.k, program.k));
+    const number sine = norm(turn), cosine = dot(actual.i, program.i) + dot(actual.j, program.j) +
+                                             dot(actual.k, program.k) - number_of(1);
+    number power = number_of(0);
+
+    g->distance2 = group_heard(g, number_larger(g->distance2, dot(apart, apart)), g->distance2);
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        if (!g->going[i]) continue;
+        const double angle = atan2(number_lane(sine, i), number_lane(cosine, i));
+        if (angle > g->angle[i]) g->angle[i] = angle;
+    }
+    for (int v = 0; v < LEGS; v++) {
+        const number p = m->u[v] * m->g.rate[v];
+        power = power + p;
+        g->force = group_heard(g, number_larger(g->force, number_magnitude(m->u[v])), g->force);
+        g->speed =
+            group_heard(g, number_larger(g->speed, number_magnitude(m->g.rate[v])), g->speed);
+        g->power = group_heard(g, number_larger(g->power, p), g->power);
+    }
+    g->worst_drift = group_heard(g, number_larger(g->worst_drift, g->drift), g->worst_drift);
+    g->drift = number_of(0);
+    for (int i = 0; i < STATE; i++) g->last[i] = group_heard(g, g->y[i], g->last[i]);
+
+    /* ∫ power, of fourth order */
+    for (int i = 0; i + 1 < QUADRATURE_ROWS; i++) {
+        g->window[i] = group_heard(g, g->window[i + 1], g->window[i]);
+    }
+    g->window[QUADRATURE_ROWS - 1] = group_heard(g, power, g->window[QUADRATURE_ROWS - 1]);
+    g->rows++;
+    if (g->rows >= QUADRATURE_ROWS) {
+        const number h = number_of(g->r.options->output_step);
+        number sum = number_of(0);
+        for (int i = 0; i < QUADRATURE_ROWS; i++) {
+            const double weight =
+                quadrature_middle[i] + (g->rows == QUADRATURE_ROWS ? quadrature_first[i] : 0);
+            sum = sum + number_of(weight) * g->window[i];
+        }
+        g->energy = group_heard(g, g->energy + h * sum, g->energy);
+    }
+}
+
+/* the last interval of a lane's work; the trapezium where there are too few rows for a cubic */
+static inline double group_work(const group *g, int lane, int rows) {
+    const double h = g->r.options->output_step;
+    double sum = number_lane(g->energy, lane), window[QUADRATURE_ROWS];
+
+    group_lane(g->window, lane, window, QUADRATURE_ROWS);
+    if (rows >= QUADRATURE_ROWS) {
+        for (int i = 0; i < QUADRATURE_ROWS; i++) sum += h * quadrature_last[i] * window[i];
+    } else {
+        for (int i = QUADRATURE_ROWS - rows; i + 1 < QUADRATURE_ROWS; i++) {
+            sum += h * (window[i] + window[i + 1]) / 2;
+        }
+    }
+    return sum;
+}
+
+/* a lane's numbers into its outcome; its end is there already, or done */
+static inline void group_write(const group *g, const batch_job *job, int lane) {
+    const size_t which = group_run(g, lane);
+    gough_outcome *out = &job->outcomes[which];
+    double last[STATE];
+
+    group_lane(g->last, lane, last, STATE);
+    batch_last_row(job, which, last);
+    out->position_deviation = sqrt(number_lane(g->distance2, lane));
+    out->angle_deviation = g->angle[lane];
+    out->force = number_lane(g->force, lane);
+    out->speed = number_lane(g->speed, lane);
+    out->power = number_lane(g->power, lane);
+    out->drift = number_lane(g->worst_drift, lane);
+    out->rows = g->rows;
+    out->energy = group_work(g, lane, g->rows);
+}
+
+/* ---- a group's life ---- */
+
+static inline void group_begin(void *memory, const batch_job *job, size_t first, int count,
+                               stage_tape *tape) {
+    group *g = memory;
+    run_lane lane[NUMBER_WIDTH];
+    instant m;
+
+    g->first = first;
+    g->count = count;
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        const gough_batch_run *one = &job->runs[group_run(g, i)];
+        lane[i] = (run_lane){one->machine, one->control, one->disturbance};
+    }
+    run_begin(&g->r, job->motion, job->simulation, lane);
+    g->r.replay = group_replay;
+    g->r.tape = tape;
+    g->rows = 0;
+    g->watchful = 1;
+    g->going_mask = g->determinant = g->drift = g->energy = number_of(0);
+    g->distance2 = g->force = g->speed = g->power = g->worst_drift = number_of(0);
+    for (int i = 0; i < QUADRATURE_ROWS; i++) g->window[i] = number_of(0);
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        double state[STATE], side[2];
+        const int starts = batch_start(job, group_run(g, i), state, side);
+        g->angle[i] = 0;
+        g->going[i] = i < count && starts;
+        number_put(&g->going_mask, i, g->going[i]);
+        number_put(&g->side_pose, i, side[0]);
+        number_put(&g->side_program, i, side[1]);
+        for (int k = 0; k < STATE; k++) number_put(&g->y[k], i, state[k]);
+    }
+    for (int k = 0; k < STATE; k++) g->last[k] = g->y[k];
+
+    run_instant(&g->r, 0, g->y, &m);
+    coordinates_store(&m.rate, g->rate);
+    coordinates_store(&m.acceleration, g->rate + COORDINATES);
+    g->drift = triad_violation(&m.x.q);
+    group_row(g, run_stage(&g->r, 0), &m);
+    g->determinant = limits_pose(&g->r, &m).determinant;
+    if (job->simulation->method >= GOUGH_RATTLE2) {
+        const rattle method = {&g->r.h.load, run_wrench, &g->r, g->r.damped};
+        g->body.x = coordinates_load(g->y);
+        g->body.velocity = m.rate.rho;
+        g->body.omega = onto(&g->body.x.q, triad_angular_velocity(&g->body.x.q, &m.rate.q));
+        rattle_begin(&method, 0, &g->body);
+    }
+}
+
+/* the stepper's step; returns the residual of an implicit one */
+static inline number group_step(group *g, real t, real h, number raw[STATE]) {
+    const gough_method method = g->r.options->method;
+
+    if (method == GOUGH_RK4) {
+        rk4_step(run_rates, &g->r, STATE, t, h, g->y, g->rate, raw);
+    } else if (method == GOUGH_DOP853) {
+        dop853 work;
+        for (int i = 0; i < STATE; i++) work.slope[0][i] = g->rate[i];
+        dop853_step(&work, run_rates, &g->r, STATE, t, h, g->y, raw);
+    } else {
+        const rattle rule = {&g->r.h.load, run_wrench, &g->r, g->r.damped};
+        const number residual =
+            rattle_compose(&rule, (int)method - (int)GOUGH_RATTLE2, t, h, &g->body);
+        const coordinates rate = {g->body.velocity,
+                                  triad_rate(&g->body.x.q, out_of(&g->body.x.q, g->body.omega))};
+        coordinates_store(&g->body.x, raw);
+        coordinates_store(&rate, raw + COORDINATES);
+        return residual;
+    }
+    return number_of(0);
+}
+
+/* 1 in lanes where something may have ended the run; cheap, and never wrong on the safe side */
+static inline number group_trouble(group *g, const stage *s, const instant *m, number residual) {
+    const number zero = number_of(0), one = number_of(1);
+    number margin[MARGIN_POSE], least = one, sum = zero;
+    mask fine;
+
+    limits_legs(&g->r, m, margin);
+    for (int e = 0; e < MARGIN_POSE; e++) {
+        least = number_select(number_greater(least, margin[e]), margin[e], least);
+        sum = sum + margin[e];
+    }
+    for (int i = 0; i < STATE; i++) {
+        sum = sum + number_magnitude(g->y[i]) + number_magnitude(g->rate[i]);
+    }
+    number suspicion = number_select(number_greater(zero, least), one, zero);
+    fine = number_greater(number_of(1e300), number_magnitude(sum));
+    suspicion = suspicion + number_select(fine, zero, one);
+    fine = number_greater(number_of(1e-6), residual);
+    suspicion = suspicion + number_select(fine, zero, one);
+    fine = number_greater(g->side_program * s->singularity.determinant, zero);
+    suspicion = suspicion + number_select(fine, zero, one);
+    fine = number_greater(s->singularity.pivot_ratio, number_of(suspicious_pivots));
+    suspicion = suspicion + number_select(fine, zero, one);
+    if (g->watchful) {
+        const elimination e = limits_pose(&g->r, m);
+        fine = number_greater(g->side_pose * e.determinant, zero);
+        suspicion = suspicion + number_select(fine, zero, one);
+        fine = number_greater(e.pivot_ratio, number_of(suspicious_pivots));
+        suspicion = suspicion + number_select(fine, zero, one);
+    }
+    return group_heard(g, suspicion, zero);
+}
+
+/* looks at the lanes in trouble one by one, as gough_simulate() would */
+static inline void group_inspect(group *g, const batch_job *job, number trouble, real t0, real t,
+                                 number residual, const number *y0, const number *rate0,
+                                 const number *raw) {
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        batch_step step = {.t0 = t0,
+                           .t = t,
+                           .residual = number_lane(residual, i),
+                           .side = {number_lane(g->side_pose, i), number_lane(g->side_program, i)}};
+        if (!(number_lane(trouble, i) > 0)) continue;
+        group_lane(y0, i, step.y0, STATE);
+        group_lane(rate0, i, step.rate0, STATE);
+        group_lane(raw, i, step.raw, STATE);
+        if (!batch_locate(job, group_run(g, i), &step)) continue;
+        group_write(g, job, i);
+        group_end_lane(g, i);
+    }
+}
+
+static inline int group_going(const group *g) {
+    int sum = 0;
+
+    for (int i = 0; i < NUMBER_WIDTH; i++) sum += g->going[i];
+    return sum;
+}
+
+static inline int group_advance(void *memory, const batch_job *job, long long from, long long to) {
+    group *g = memory;
+    const double h = job->simulation->step;
+    const int projecting = job->simulation->constraints == GOUGH_PROJECTION;
+    number raw[STATE], y0[STATE], rate0[STATE];
+    instant m;
+
+    for (long long k = from; k < to && group_going(g) > 0; k++) {
+        const double t0 = (double)k * h, t = (double)(k + 1) * h;
+        const number residual = group_step(g, t0, h, raw);
+        coordinates x = coordinates_load(raw), v = coordinates_load(raw + COORDINATES);
+
+        g->drift = number_larger(g->drift, triad_violation(&x.q));
+        if (projecting) coordinates_project(&x, &v);
+        for (int i = 0; i < STATE; i++) y0[i] = g->y[i], rate0[i] = g->rate[i];
+        coordinates_store(&x, g->y);
+        coordinates_store(&v, g->y + COORDINATES);
+        run_instant(&g->r, t, g->y, &m);
+        coordinates_store(&m.rate, g->rate);
+        coordinates_store(&m.acceleration, g->rate + COORDINATES);
+
+        const stage *s = run_stage(&g->r, t);
+        const number trouble = group_trouble(g, s, &m, residual);
+        double sum = 0;
+        for (int i = 0; i < NUMBER_WIDTH; i++) sum += number_lane(trouble, i);
+        if (sum > 0) group_inspect(g, job, trouble, t0, t, residual, y0, rate0, raw);
+
+        if ((k + 1) % job->per_row == 0 && group_going(g) > 0) {
+            const number before = g->determinant;
+            group_row(g, s, &m);
+            g->determinant = limits_pose(&g->r, &m).determinant;
+            const number slack = number_magnitude(g->determinant) -
+                                 number_of(group_ease) * number_magnitude(g->determinant - before);
+            g->watchful = 0;
+            for (int i = 0; i < NUMBER_WIDTH; i++) {
+                g->watchful |= g->going[i] && !(number_lane(slack, i) > 0);
+            }
+        }
+    }
+    return group_going(g);
+}
+
+static inline void group_finish(void *memory, const batch_job *job) {
+    group *g = memory;
+
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        if (!g->going[i]) continue;
+        gough_outcome *out = &job->outcomes[group_run(g, i)];
+        out->cause = GOUGH_END_DONE;
+        out->leg = 0;
+        out->time = job->simulation->duration;
+        group_write(g, job, i);
+        group_end_lane(g, i);
+    }
+}
+
+#endif

@@ -1,0 +1,126 @@
+/* The end of a run: which limit is left, whether the pose is singular, and the sentence that says so. For scalar number types. */
+#ifndef GOUGH_SIMULATE_ENDS_H
+#define GOUGH_SIMULATE_ENDS_H
+
+#include <stdio.h>
+
+#include "simulate/limits.h"
+
+/* beyond this condition eight digits of the forces are gone */
+static const double greatest_condition = 1e8;
+
+/* signs of the determinants at the beginning: a run that changes them has passed a singular pose */
+typedef struct {
+    real pose, program;
+} limits_side;
+
+static inline real limits_sign(real determinant) { return determinant < 0 ? -1 : 1; }
+
+static inline limits_side limits_begin(const run *r, const stage *s, const instant *m) {
+    return (limits_side){limits_sign(limits_pose(r, m).determinant),
+                         limits_sign(s->singularity.determinant)};
+}
+
+/* all margins; for scalar number types, whose reals are numbers */
+static inline void limits_margins(const run *r, const stage *s, const instant *m,
+                                  const limits_side *side, real margin[MARGINS]) {
+    limits_legs(r, m, margin);
+    margin[MARGIN_POSE] = side->pose * limits_pose(r, m).determinant;
+    margin[MARGIN_PROGRAM] = side->program * s->singularity.determinant;
+}
+
+/* first margin that is gone (not finite counts), or -1 */
+static inline int limits_broken(const real margin[MARGINS], int from, int to) {
+    for (int e = from; e < to; e++) {
+        if (!(margin[e] >= 0)) return e;
+    }
+    return -1;
+}
+
+/* whether the pose, or the pose of a program whose forces are asked for, is nearly singular */
+static inline int limits_nearly_singular(const run *r, const stage *s, const instant *m) {
+    const real worst = greatest_condition;
+
+    if (limits_pose(r, m).pivot_ratio < (real)suspicious_pivots &&
+        !(legs_condition(&r->h, &m->x, &m->g) <= worst)) {
+        return 1;
+    }
+    return s->singularity.pivot_ratio < (real)suspicious_pivots &&
+           !(legs_condition(&r->h, &s->x[0], &s->program) <= worst);
+}
+
+static inline gough_cause limits_cause(const run *r, int margin) {
+    const gough_machine *machine = r->lane[0].machine;
+
+    if (margin >= MARGIN_POSE) return GOUGH_END_SINGULAR;
+    if (margin >= MARGIN_FORCE) return GOUGH_END_LEG_FORCE;
+    if (margin >= MARGIN_SPEED) return GOUGH_END_LEG_SPEED;
+    if (margin >= MARGIN_LONG) return GOUGH_END_LEG_LONG;
+    return machine->platform.length_min > leg_no_length * machine->base_radius
+               ? GOUGH_END_LEG_SHORT
+               : GOUGH_END_LEG_NO_LENGTH;
+}
+
+static inline void limits_say(const run *r, gough_cause cause, int leg, double t, gough_end *end) {
+    const gough_platform *p = &r->lane[0].machine->platform;
+
+    end->cause = cause;
+    end->time = t;
+    end->leg = leg;
+    switch (cause) {
+    case GOUGH_END_LEG_SHORT:
+        snprintf(end->message, sizeof end->message,
+                 "leg %d gets shorter than its least length %.9g at t = %.9g", leg, p->length_min,
+                 t);
+        break;
+    case GOUGH_END_LEG_LONG:
+        snprintf(end->message, sizeof end->message,
+                 "leg %d gets longer than its greatest length %.9g at t = %.9g", leg, p->length_max,
+                 t);
+        break;
+    case GOUGH_END_LEG_SPEED:
+        snprintf(end->message, sizeof end->message,
+                 "leg %d exceeds its greatest speed %.9g at t = %.9g", leg, p->speed_max, t);
+        break;
+    case GOUGH_END_LEG_FORCE:
+        snprintf(end->message, sizeof end->message,
+                 "leg %d exceeds its greatest force %.9g at t = %.9g", leg, p->force_max, t);
+        break;
+    case GOUGH_END_LEG_NO_LENGTH:
+        snprintf(end->message, sizeof end->message,
+                 "leg %d has no length at t = %.9g: its joints meet, so it has no direction", leg,
+                 t);
+        break;
+    default:
+        snprintf(end->message, sizeof end->message, "the run ends at t = %.9g", t);
+    }
+}
+
+static inline void limits_say_singular(int of_program, double t, gough_end *end) {
+    end->cause = GOUGH_END_SINGULAR;
+    end->time = t;
+    end->leg = 0;
+    snprintf(end->message, sizeof end->message,
+             "%s is singular at t = %.9g: there the six legs cannot hold the load in every "
+             "direction, and no leg forces are defined",
+             of_program ? "the program's pose" : "the pose", t);
+}
+
+static inline void limits_end(const run *r, int margin, real t, gough_end *end) {
+    if (margin >= MARGIN_POSE) {
+        limits_say_singular(margin == MARGIN_PROGRAM, (double)t, end);
+    } else {
+        limits_say(r, limits_cause(r, margin), margin % LEGS + 1, (double)t, end);
+    }
+}
+
+static inline gough_status limits_fault(const run *r, gough_end *end) {
+    end->cause = GOUGH_END_NOT_FINITE;
+    end->time = (double)r->fault.time;
+    end->leg = 0;
+    snprintf(end->message, sizeof end->message,
+             "%s (value or derivatives) is not finite at t = %.9g", r->fault.what, end->time);
+    return GOUGH_ERROR_INPUT;
+}
+
+#endif

@@ -1,0 +1,346 @@
+/* Batches: the bits of one run alone, whatever stands beside it; each run's own end; random numbers by counting. */
+#include <stdio.h>
+
+#include "gough/batch.h"
+#include "gough/dynamics.h"
+#include "support/machines.h"
+#include "support/suite.h"
+
+enum { RUNS = 37 }; /* fills no width evenly */
+
+typedef struct {
+    gough_model model;
+    gough_machine machine[RUNS];
+    gough_control control[RUNS];
+    gough_disturbance disturbance[RUNS];
+    gough_initial initial[RUNS];
+    gough_batch_run run[RUNS];
+    gough_outcome outcome[RUNS], other[RUNS];
+} fixture;
+
+/* which parts differ from run to run */
+enum { LOADS = 1, DISTURBANCES = 2, VERTICAL = 4 };
+
+static fixture *new_fixture(int differing, double damping) {
+    fixture *f = calloc(1, sizeof *f);
+    dice d = {41};
+
+    skew_machine(&f->model.machine);
+    f->model.control.feedforward = true;
+    set_gains(&f->model, 30, damping);
+    set_all_axes(&f->model);
+    set_formula(&f->model.disturbance.leg_force[1], "0.05*sin(2*t)");
+    set_formula(&f->model.disturbance.force[0], "0.1*cos(t)");
+    if (differing & VERTICAL) set_formula(&f->model.disturbance.vertical_force, "0.02*sin(t)");
+    for (int i = 0; i < RUNS; i++) {
+        f->machine[i] = f->model.machine;
+        f->control[i] = f->model.control;
+        f->initial[i] = f->model.initial;
+        for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+            f->initial[i].given[c] = true;
+            f->initial[i].component[c] = dice_between(&d, -0.02, 0.02);
+        }
+        for (int v = 0; v < 6; v++) f->control[i].stiffness[v] = dice_between(&d, 20, 60);
+        if (differing & LOADS) {
+            gough_load load = f->model.machine.load;
+            gough_platform platform = f->model.machine.platform;
+            load.mass = dice_between(&d, 1, 2);
+            load.center_of_mass[2] = dice_between(&d, 0, 0.3);
+            ck_assert_int_eq(gough_machine_init(&f->machine[i], &platform, &load,
+                                                f->model.machine.gravity, NULL),
+                             GOUGH_OK);
+        }
+        if (differing & DISTURBANCES) {
+            char text[64];
+            f->disturbance[i] = f->model.disturbance;
+            snprintf(text, sizeof text, "%.17g*sin(3*t)", dice_between(&d, 0, 0.1));
+            set_formula(&f->disturbance[i].moment[2], text);
+        }
+        f->run[i] = (gough_batch_run){
+            differing & LOADS ? &f->machine[i] : &f->model.machine, &f->control[i],
+            differing & DISTURBANCES ? &f->disturbance[i] : &f->model.disturbance, &f->initial[i]};
+    }
+    return f;
+}
+
+static gough_simulation fixed(gough_method method, double step, double duration) {
+    gough_simulation s = gough_simulation_default();
+
+    s.method = method;
+    s.step = step;
+    s.duration = duration;
+    s.output_step = 0.1;
+    return s;
+}
+
+static void run_batch(fixture *f, const gough_simulation *s, int lanes, int threads,
+                      gough_outcome *outcome) {
+    gough_batch_options options = gough_batch_options_default();
+    gough_error error = {0};
+    void *memory;
+
+    options.lanes = lanes;
+    options.threads = threads;
+    memory = aligned_alloc(64, (gough_batch_size(&options) + 63) / 64 * 64);
+    memset(outcome, 0xff, RUNS * sizeof *outcome);
+    ck_assert_msg(gough_batch(&f->model.motion, s, f->run, RUNS, &options, outcome, memory,
+                              &error) == GOUGH_OK,
+                  "%s", error.message);
+    free(memory);
+}
+
+static int keep(void *context, const gough_row *row) {
+    memcpy(context, row->value, sizeof row->value);
+    return 0;
+}
+
+/* outcomes against gough_simulate() of each run: the last row's bits, the same end */
+static void check_alone(const fixture *f, const gough_simulation *s) {
+    for (int i = 0; i < RUNS; i++) {
+        gough_model *model = malloc(sizeof *model);
+        double row[GOUGH_COLUMNS];
+        gough_end end;
+        *model = f->model;
+        model->machine = *f->run[i].machine;
+        model->control = *f->run[i].control;
+        model->disturbance = *f->run[i].disturbance;
+        model->initial = *f->run[i].initial;
+        (void)gough_simulate(model, s, keep, row, &end, NULL);
+        const gough_outcome *out = &f->outcome[i];
+        ck_assert_int_eq(out->cause, end.cause);
+        ck_assert_int_eq(out->leg, end.leg);
+        ck_assert(memcmp(&out->time, &end.time, sizeof(double)) == 0);
+        ck_assert(memcmp(out->position, row + GOUGH_X, sizeof out->position) == 0);
+        ck_assert(memcmp(out->angles, row + GOUGH_ROLL_ANGLE, sizeof out->angles) == 0);
+        ck_assert(memcmp(out->velocity, row + GOUGH_VX, sizeof out->velocity) == 0);
+        ck_assert(memcmp(out->angular_velocity, row + GOUGH_WX, sizeof out->angular_velocity) == 0);
+        ck_assert(out->rows >= 1);
+        free(model);
+    }
+}
+
+static void check_everything_alike(int differing, gough_method method, double step,
+                                   double damping) {
+    fixture *f = new_fixture(differing, damping);
+    const gough_simulation s = fixed(method, step, 3);
+
+    run_batch(f, &s, 1, 1, f->outcome);
+    check_alone(f, &s);
+    for (int lanes = 2; lanes <= gough_batch_lanes(); lanes *= 2) {
+        for (int threads = 1; threads <= 3; threads++) {
+            run_batch(f, &s, lanes, threads, f->other);
+            ck_assert_msg(memcmp(f->outcome, f->other, sizeof f->outcome) == 0,
+                          "%s: %d lanes, %d threads", gough_method_name((int)method), lanes,
+                          threads);
+        }
+    }
+    free(f);
+}
+
+START_TEST(lanes_and_threads_change_no_bit) {
+    check_everything_alike(0, GOUGH_RK4, 0.01, 2);
+    check_everything_alike(0, GOUGH_DOP853, 0.05, 2);
+    check_everything_alike(0, GOUGH_RATTLE2, 0.01, 2);
+    check_everything_alike(0, GOUGH_RATTLE4, 0.02, 0);
+    check_everything_alike(0, GOUGH_RATTLE8, 0.02, 2);
+}
+END_TEST
+
+START_TEST(runs_may_differ_in_everything_but_the_program) {
+    check_everything_alike(LOADS, GOUGH_RK4, 0.01, 2);
+    check_everything_alike(DISTURBANCES, GOUGH_RK4, 0.01, 2);
+    check_everything_alike(LOADS | DISTURBANCES | VERTICAL, GOUGH_DOP853, 0.05, 2);
+    check_everything_alike(VERTICAL, GOUGH_RATTLE4, 0.02, 2);
+}
+END_TEST
+
+START_TEST(adaptive_runs_go_one_by_one) {
+    fixture *f = new_fixture(LOADS, 2);
+    gough_simulation s = fixed(GOUGH_DOP853, 0, 3);
+
+    run_batch(f, &s, 0, 2, f->outcome);
+    check_alone(f, &s);
+    run_batch(f, &s, 0, 1, f->other);
+    ck_assert(memcmp(f->outcome, f->other, sizeof f->outcome) == 0);
+    free(f);
+}
+END_TEST
+
+/* some runs fall without force, some leave a limit at once, some later, the rest reach the end */
+START_TEST(each_run_has_its_own_end) {
+    fixture *f = new_fixture(LOADS, 2);
+    const gough_simulation s = fixed(GOUGH_RK4, 0.01, 3);
+    int causes[GOUGH_END_STOPPED + 1] = {0};
+
+    f->model.control.feedforward = false;
+    for (int i = 0; i < RUNS; i++) {
+        f->control[i].feedforward = false;
+        for (int v = 0; v < 6; v++) {
+            if (i % 5 == 1) f->control[i].stiffness[v] = f->control[i].damping[v] = 0;
+        }
+        if (i % 5 == 2) f->machine[i].platform.length_max = f->machine[i].home_length[0] * 1.04;
+        if (i % 5 == 3) f->machine[i].platform.length_min = f->machine[i].home_length[0] * 1.2;
+        if (i % 5 == 4) f->machine[i].platform.force_max = 0.4;
+    }
+    run_batch(f, &s, 1, 1, f->outcome);
+    check_alone(f, &s);
+    for (int lanes = 2; lanes <= gough_batch_lanes(); lanes *= 2) {
+        run_batch(f, &s, lanes, 2, f->other);
+        ck_assert(memcmp(f->outcome, f->other, sizeof f->outcome) == 0);
+    }
+    for (int i = 0; i < RUNS; i++) causes[f->outcome[i].cause]++;
+    ck_assert_int_gt(causes[GOUGH_END_DONE], 0);
+    ck_assert_int_gt(causes[GOUGH_END_SINGULAR], 0);
+    ck_assert_int_gt(causes[GOUGH_END_LEG_SHORT], 0);
+    ck_assert_int_gt(causes[GOUGH_END_LEG_FORCE], 0);
+    free(f);
+}
+END_TEST
+
+/* peaks and work are those of gough_summary over the same run */
+typedef struct {
+    const gough_machine *machine;
+    gough_summary summary;
+} summing;
+
+static int sum_row(void *context, const gough_row *row) {
+    summing *s = context;
+
+    gough_summary_add(&s->summary, s->machine, row);
+    return 0;
+}
+
+START_TEST(outcomes_are_summaries) {
+    fixture *f = new_fixture(0, 2);
+    const gough_simulation s = fixed(GOUGH_RK4, 0.01, 3);
+
+    run_batch(f, &s, 0, 2, f->outcome);
+    for (int i = 0; i < RUNS; i += 6) {
+        summing sum = {.machine = f->run[i].machine};
+        gough_model *model = malloc(sizeof *model);
+        double force = 0, speed = 0, power = 0, energy = 0;
+        gough_end end;
+        *model = f->model;
+        model->control = f->control[i];
+        model->initial = f->initial[i];
+        gough_summary_begin(&sum.summary);
+        ck_assert_int_eq(gough_simulate(model, &s, sum_row, &sum, &end, NULL), GOUGH_OK);
+        gough_summary_end(&sum.summary);
+        for (int v = 0; v < 6; v++) {
+            const gough_leg_summary *leg = &sum.summary.leg[v];
+            force = fmax(force, fmax(fabs(leg->force_min), fabs(leg->force_max)));
+            speed = fmax(speed, leg->speed);
+            power = fmax(power, leg->power_max);
+            energy += leg->energy;
+        }
+        const gough_outcome *out = &f->outcome[i];
+        ck_assert(fabs(out->position_deviation - sum.summary.position_deviation) <= 1e-15);
+        ck_assert(fabs(out->angle_deviation - sum.summary.angle_deviation) <= 1e-14);
+        ck_assert(fabs(out->force - force) <= 1e-15);
+        ck_assert(fabs(out->speed - speed) <= 1e-15);
+        ck_assert(fabs(out->power - power) <= 1e-15);
+        ck_assert(fabs(out->energy - energy) <= 1e-13);
+        ck_assert(fabs(out->drift - sum.summary.drift) <= 0);
+        ck_assert(fabs(out->rows - 31) <= 0);
+        free(model);
+    }
+    free(f);
+}
+END_TEST
+
+static int stop_at_once(void *context, size_t done) {
+    *(size_t *)context = done;
+    return 1;
+}
+
+START_TEST(progress_may_stop_a_batch) {
+    fixture *f = new_fixture(0, 2);
+    const gough_simulation s = fixed(GOUGH_DOP853, 0, 1);
+    gough_batch_options options = gough_batch_options_default();
+    gough_error error = {0};
+    size_t done = 0;
+    int finished = 0;
+    void *memory;
+
+    options.threads = 1;
+    options.progress = stop_at_once;
+    options.context = &done;
+    memory = aligned_alloc(64, (gough_batch_size(&options) + 63) / 64 * 64);
+    ck_assert_int_eq(
+        gough_batch(&f->model.motion, &s, f->run, RUNS, &options, f->outcome, memory, &error),
+        GOUGH_ERROR_NUMERICAL);
+    for (int i = 0; i < RUNS; i++) finished += f->outcome[i].rows > 0;
+    ck_assert_int_eq(finished, (int)done);
+    ck_assert_int_lt(finished, RUNS);
+    free(memory);
+    free(f);
+}
+END_TEST
+
+START_TEST(misfits_are_refused) {
+    fixture *f = new_fixture(LOADS, 2);
+    const gough_simulation s = fixed(GOUGH_RK4, 0.01, 1);
+    gough_batch_options options = gough_batch_options_default();
+    gough_error error = {0};
+    void *memory;
+
+    options.threads = 1;
+    memory = aligned_alloc(64, (gough_batch_size(&options) + 63) / 64 * 64);
+    options.lanes = 3;
+    ck_assert_int_eq(
+        gough_batch(&f->model.motion, &s, f->run, RUNS, &options, f->outcome, memory, &error),
+        GOUGH_ERROR_INPUT);
+    options.lanes = 0;
+    f->control[5].feedforward = false;
+    ck_assert_int_eq(
+        gough_batch(&f->model.motion, &s, f->run, RUNS, &options, f->outcome, memory, &error),
+        GOUGH_ERROR_INPUT);
+    ck_assert(strstr(error.message, "run 5") != NULL);
+    f->control[5].feedforward = true;
+    f->machine[7].platform.height = 9;
+    ck_assert_int_eq(
+        gough_batch(&f->model.motion, &s, f->run, RUNS, &options, f->outcome, memory, &error),
+        GOUGH_ERROR_INPUT);
+    ck_assert(strstr(error.message, "run 7") != NULL);
+    free(memory);
+    free(f);
+}
+END_TEST
+
+/* known answers of Philox 4×32-10, published with Random123: words 1 and 0 */
+START_TEST(random_numbers_are_philox) {
+    ck_assert(
+        !(fabs(gough_random_uniform(0, 0, 0) - (double)(0xe169c58d6627e8d5u >> 11) * 0x1p-53) > 0));
+    ck_assert(!(fabs(gough_random_uniform(UINT64_MAX, UINT64_MAX, UINT64_MAX) -
+                     (double)(0x41c83b0e408f276du >> 11) * 0x1p-53) > 0));
+    ck_assert(
+        !(fabs(gough_random_uniform(0x299f31d0a4093822u, 0x0370734413198a2eu, 0x85a308d3243f6a88u) -
+               (double)(0x94fdccebd16cfe09u >> 11) * 0x1p-53) > 0));
+}
+END_TEST
+
+/* moments of a hundred thousand draws, and the normal distribution's own function of each */
+START_TEST(normal_numbers_are_normal) {
+    double mean = 0, square = 0, fourth = 0;
+    const int n = 100000;
+
+    for (int i = 0; i < n; i++) {
+        const double z = gough_random_normal(5, (uint64_t)i, 3),
+                     u = gough_random_uniform(5, (uint64_t)i, 3);
+        ck_assert(fabs(0.5 * erfc(-z * sqrt(0.5)) - u) <= 1e-14);
+        mean += z / n;
+        square += z * z / n;
+        fourth += z * z * z * z / n;
+    }
+    ck_assert(fabs(mean) <= 0.01);
+    ck_assert(fabs(square - 1) <= 0.02);
+    ck_assert(fabs(fourth - 3) <= 0.15);
+}
+END_TEST
+
+int main(void) {
+    return SUITE_RUN("batch", 120, lanes_and_threads_change_no_bit,
+                     runs_may_differ_in_everything_but_the_program, adaptive_runs_go_one_by_one,
+                     each_run_has_its_own_end, outcomes_are_summaries, progress_may_stop_a_batch,
+                     misfits_are_refused, random_numbers_are_philox, normal_numbers_are_normal);
+}
