@@ -63,8 +63,8 @@ GOUGH_API size_t gough_batch_size(const gough_batch_options *options);
  *  @param[out] outcomes  one a run, in the order of the runs
  *  @param memory      gough_batch_size() bytes, aligned to 64; nothing else is allocated while stepping
  *  @return GOUGH_OK also where runs ended early (their outcomes tell); GOUGH_ERROR_INPUT for options,
- *  heights or feed-forward that do not fit; GOUGH_ERROR_NUMERICAL if the progress function stopped it (outcomes of runs not done have rows 0);
- *  GOUGH_ERROR_FILE if a thread could not be started. */
+ *  heights or feed-forward that do not fit; GOUGH_ERROR_NUMERICAL if the progress function stopped it
+ *  (outcomes of runs not done have rows 0); GOUGH_ERROR_FILE if no thread could be started. */
 GOUGH_API gough_status gough_batch(const gough_motion *motion, const gough_simulation *simulation,
                                    const gough_batch_run *runs, size_t count,
                                    const gough_batch_options *options, gough_outcome *outcomes,
