@@ -206,7 +206,7 @@ static void name_group(const int group[GOUGH_LEGS], int number, char *label, siz
 static void add_legs_of_table(builder *b, panel *p, size_t t, const char *prefix) {
     const double *column[GOUGH_LEGS];
     int group[GOUGH_LEGS];
-    char name[8], label[SHEET_TEXT];
+    char name[16], label[SHEET_TEXT];
     for (int leg = 0; leg < GOUGH_LEGS; leg++) {
         snprintf(name, sizeof name, "%s%d", prefix, leg + 1);
         column[leg] = builder_column(b, t, name);
