@@ -259,17 +259,12 @@ static void read_constraints(const study_node *node, gough_simulation *run) {
 static void check_method(study_build *build, study_node *node) {
     study_node *method = study_node_child(node, "method");
     const study_node *step = study_node_child(node, "step");
-    study_node *tolerance = study_node_child(node, "tolerance");
     study_node *constraints = study_node_child(node, "constraints");
     const bool adaptive = !method || strcmp(method->text, "dop853") == 0;
     if (!adaptive && !step)
         study_node_say(build->messages, method, study_node_place(method, false),
                        "`%s` has a fixed step: give `simulation.step`, a divisor of output_step",
                        method->text);
-    if (tolerance && (step || !adaptive))
-        study_node_say(build->messages, tolerance, study_node_place(tolerance, true),
-                       "`simulation.tolerance` is for dop853 without step; remove it, or %s",
-                       adaptive ? "remove `simulation.step`" : "choose method dop853");
     if (constraints && constraints->kind == STUDY_MAPPING &&
         !study_node_child(constraints, "baumgarte"))
         study_say_shape(build->messages, constraints, "projection, none or {baumgarte: [α, β]}");

@@ -1,5 +1,6 @@
 /* Values that are right each by itself and wrong together: keys that exclude or need one another, impossible machines, and
  * options that do not fit; each error at the key that it is about. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -135,15 +136,28 @@ END_TEST
 
 START_TEST(steps_and_methods_fit_each_other) {
     expect_one_more("simulation: {method: rattle4}\n", "8:22", "`rattle4` has a fixed step");
-    expect_one_more("simulation: {step: 0.01, tolerance: 1e-9}\n", "8:26",
-                    "`simulation.tolerance` is for dop853 without step");
-    expect_one_more("simulation: {method: rk4, step: 0.01, tolerance: 1e-9}\n", "8:39",
-                    "choose method dop853");
     expect_one_more("simulation: {step: 0.03}\n", "8:14", "divide");
     expect_one_more("simulation: {duration: 1e9, output_step: 0.1}\n", "8:29", "rows");
     expect_one_more("simulation: {method: rattle2, step: 0.01, constraints: {baumgarte: [1, 1]}}\n",
                     "8:43", "Baumgarte");
     expect_one_more("simulation: {constraints: {}}\n", "8:27", "must be projection, none or");
+}
+END_TEST
+
+/* so that one --set tries another stepper on a study that has a tolerance */
+START_TEST(a_tolerance_beside_a_step_is_unused) {
+    static const char *const method[] = {"dop853", "rk4", "rattle2", "rattle4"};
+    for (size_t i = 0; i < sizeof method / sizeof method[0]; i++) {
+        char more[100];
+        snprintf(more, sizeof more, "simulation: {method: %s, step: 0.01, tolerance: 1e-9}\n",
+                 method[i]);
+        reading made = expect_good(more, NULL);
+        ck_assert_str_eq(gough_method_name((int)made.study->simulation.method), method[i]);
+        ck_assert(fabs(made.study->simulation.step - 0.01) <= 0);
+        reading_free(&made);
+    }
+    expect_one_more("simulation: {method: rk4, step: 0.01, tolerance: 2}\n", "8:50",
+                    "`simulation.tolerance` must be");
 }
 END_TEST
 
@@ -180,6 +194,7 @@ int main(void) {
                      impossible_machines_are_errors_at_their_part,
                      machines_with_shared_joints_are_fine, limits_of_a_leg_are_in_order,
                      motion_is_given_in_one_way, moves_follow_one_another,
-                     steps_and_methods_fit_each_other, tolerance_of_quadruple_precision_is_accepted,
+                     steps_and_methods_fit_each_other, a_tolerance_beside_a_step_is_unused,
+                     tolerance_of_quadruple_precision_is_accepted,
                      a_part_that_is_wrong_hides_no_error_of_another);
 }
