@@ -80,8 +80,7 @@ static void print_singularity(const check *c) {
     if (view->condition < 1e8)
         printf("  condition            %.6g (singular from 1e8)\n", view->condition);
     else
-        printf("  condition            %.3g: singular at home, no leg forces hold it there\n",
-               view->condition);
+        printf("  condition            over 1e8: singular at home, no leg forces hold it there\n");
     printf("  |det J|              %.6g%s%s\n", fabs(view->determinant), c->unit->length,
            *c->unit->length ? "^3" : "");
     printf("  to a singularity     %.6g: the least singular value of J, moments over %.6g%s;\n"

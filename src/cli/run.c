@@ -157,9 +157,9 @@ static gough_status run_study(const command_line *line, const gough_study *study
         return GOUGH_ERROR_FILE;
     }
     if (report->simulated && !line->quiet && open_loop(&study->model->control))
-        remark(line->verb, "open loop: legs that push with given forces leave a hexapod "
-                           "unstable at rest (some mode always "
-                           "grows), and round-off grows with it; control.stiffness holds it");
+        remark(line->verb,
+               "open loop: a hexapod at rest under given leg forces always has a growing mode, and "
+               "round-off grows with it; feedback (control.stiffness) is what holds it");
 
     status = execute(line, &run, &error);
     const gough_end end = report->end; /* the table scales by itself */

@@ -30,9 +30,18 @@ static void scale_crossing(gough_crossing *crossing, const gough_units *u) {
     crossing->worst /= unit;
 }
 
+/* Without a row there is no number, not a 0. */
+static void leave_blank(gough_summary *s) {
+    const gough_leg_summary blank = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    for (int i = 0; i < GOUGH_LEGS; i++) s->leg[i] = blank;
+    s->condition = s->condition_time = s->drift = NAN;
+    s->position_deviation = s->angle_deviation = NAN;
+}
+
 void run_report_scale(run_report *report) {
     const gough_units *u = &report->units;
     gough_summary *s = &report->summary;
+    if (s->rows == 0) leave_blank(s);
     for (int i = 0; i < GOUGH_LEGS; i++) scale_leg(&s->leg[i], u);
     s->first_time /= u->time;
     s->last_time /= u->time;
@@ -179,10 +188,15 @@ void run_report_print(FILE *stream, const run_report *report) {
     const gough_summary *s = &report->summary;
     const unit_words *unit = unit_words_of(&report->units);
     if (*report->study->title) fprintf(stream, "%s\n", report->study->title);
-    fprintf(stream, "%s: %zu rows, t = %.6g to %.6g%s\n%s\n\n",
-            report->simulated ? "Motion under control and disturbance" : "Forces along the program",
-            s->rows, s->first_time, s->last_time, unit->time,
-            units_sentence(report->study, &report->units));
+    fprintf(stream, "%s: ",
+            report->simulated ? "Motion under control and disturbance"
+                              : "Forces along the program");
+    if (s->rows > 0)
+        fprintf(stream, "%zu rows, t = %.6g to %.6g%s\n", s->rows, s->first_time, s->last_time,
+                unit->time);
+    else
+        fprintf(stream, "no rows\n");
+    fprintf(stream, "%s\n\n", units_sentence(report->study, &report->units));
     if (s->rows > 0) {
         print_strokes(stream, report, unit);
         fputc('\n', stream);

@@ -34,6 +34,13 @@ expect_code 1 "a falling platform"
 grep -qi 'singular' "$scratch/err" || fail "a fall is not called singular: $(cat "$scratch/err")"
 ! grep -qiE '(nan|inf)' "$scratch/out" "$scratch/fall.csv" || fail "a fall leaves numbers that are none"
 
+# singular from the start: no rows, and no numbers that none stand behind
+run forces "$study" --set motion.heave=0 --set motion.yaw=90 --json -o "$scratch/none.csv"
+expect_code 1 "a program singular at once"
+[[ $(wc -l <"$scratch/none.csv") == 1 ]] || fail "a program singular at once has rows"
+grep -q '"condition": null' "$scratch/out" || fail "a condition without rows: $(grep condition "$scratch/out")"
+! grep -qE '"(speed|energy|rms_force)": [0-9]' "$scratch/out" || fail "numbers without rows"
+
 run simulate "$study" --set 'motion.heave=0.1*sin(t) + 0*sqrt(5 - t)'
 expect_code 2 "a formula that ceases to be finite"
 run check "$study" --set 'motion.heave=0.1*sin(t) + 0*sqrt(5 - t)'
