@@ -276,9 +276,9 @@ static inline number group_trouble(group *g, const stage *s, const instant *m, n
         least = number_select(number_greater(least, margin[e]), margin[e], least);
         sum = sum + margin[e];
     }
-    for (int i = 0; i < STATE; i++) {
-        sum = sum + number_magnitude(g->y[i]) + number_magnitude(g->rate[i]);
-    }
+    /* not finite anywhere is not finite in the sum; velocities are among the rates */
+    for (int i = 0; i < COORDINATES; i++) sum = sum + g->y[i];
+    for (int i = 0; i < STATE; i++) sum = sum + g->rate[i];
     number suspicion = number_select(number_greater(zero, least), one, zero);
     fine = number_greater(number_of(1e300), number_magnitude(sum));
     suspicion = suspicion + number_select(fine, zero, one);
@@ -336,8 +336,8 @@ static inline int group_advance(void *memory, const batch_job *job, long long fr
         const number residual = group_step(g, t0, h, raw);
         coordinates x = coordinates_load(raw), v = coordinates_load(raw + COORDINATES);
 
-        g->drift = number_larger(g->drift, triad_violation(&x.q));
-        if (projecting) coordinates_project(&x, &v);
+        g->drift = number_larger(g->drift,
+                                 projecting ? coordinates_project(&x, &v) : triad_violation(&x.q));
         for (int i = 0; i < STATE; i++) y0[i] = g->y[i], rate0[i] = g->rate[i];
         coordinates_store(&x, g->y);
         coordinates_store(&v, g->y + COORDINATES);

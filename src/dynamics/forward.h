@@ -5,18 +5,23 @@
 
 #include "kernel/top.h"
 
-/* u: leg forces; force (at the centre of mass) and moment: what else acts on the load, base axes */
+/* p: what the legs do; force (at the centre of mass) and moment: what else acts on the load, base axes */
+static inline coordinates accelerations_under(const hexapod *h, const coordinates *x,
+                                              const coordinates *rate, const push *p, vector force,
+                                              vector moment) {
+    const vector L = add(push_moment(p, &x->q), onto(&x->q, moment));
+
+    return (coordinates){body_acceleration(&h->load, add(p->F, force), h->gravity),
+                         triad_acceleration(&h->load, &x->q, &rate->q, L)};
+}
+
+/* the same from leg forces u */
 static inline void forward_dynamics(const hexapod *h, const coordinates *x, const coordinates *rate,
                                     const legs *g, const number u[LEGS], vector force,
                                     vector moment, coordinates *acceleration) {
-    vector F, L;
+    const push p = legs_push(h, g, u);
 
-    legs_resultant(h, x, g, u, &F, &L);
-    F = add(F, force);
-    L = add(L, onto(&x->q, moment));
-
-    acceleration->rho = body_acceleration(&h->load, F, h->gravity);
-    acceleration->q = triad_acceleration(&h->load, &x->q, &rate->q, L);
+    *acceleration = accelerations_under(h, x, rate, &p, force, moment);
 }
 
 #endif

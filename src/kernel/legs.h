@@ -47,20 +47,26 @@ static inline void hexapod_setup(hexapod *h, const double base[LEGS][3], const d
     }
 }
 
-/* (legs-1), (legs-2), (legs-3): ℓ = ρ + x i + y j + z k − b, l = |ℓ|, n = ℓ/l */
-static inline void legs_at(const hexapod *h, const coordinates *x, legs *g) {
-    for (int v = 0; v < LEGS; v++) {
-        const vector l = subtract(add(x->rho, out_of(&x->q, h->arm[v])), h->base[v]);
-        g->length[v] = norm(l);
-        g->n[v] = scale(number_of(1) / g->length[v], l);
-    }
+/* (legs-1), (legs-2), (legs-3): ℓ = ρ + x i + y j + z k − b, l = |ℓ|, n = ℓ/l, of leg v */
+static inline number leg_at(const hexapod *h, const coordinates *x, int v, vector *n) {
+    const vector l = subtract(add(x->rho, out_of(&x->q, h->arm[v])), h->base[v]);
+    const number length = norm(l);
+
+    *n = scale(number_of(1) / length, l);
+    return length;
 }
 
-/* (legs-4): l̇ = n·(ρ̇ + x i̇ + y j̇ + z k̇) */
+/* (legs-4): l̇ = n·(ρ̇ + x i̇ + y j̇ + z k̇), of leg v */
+static inline number leg_rate(const hexapod *h, const coordinates *rate, int v, vector n) {
+    return dot(n, add(rate->rho, out_of(&rate->q, h->arm[v])));
+}
+
+static inline void legs_at(const hexapod *h, const coordinates *x, legs *g) {
+    for (int v = 0; v < LEGS; v++) g->length[v] = leg_at(h, x, v, &g->n[v]);
+}
+
 static inline void legs_rates(const hexapod *h, const coordinates *rate, legs *g) {
-    for (int v = 0; v < LEGS; v++) {
-        g->rate[v] = dot(g->n[v], add(rate->rho, out_of(&rate->q, h->arm[v])));
-    }
+    for (int v = 0; v < LEGS; v++) g->rate[v] = leg_rate(h, rate, v, g->n[v]);
 }
 
 /* (legs-6): ṅ = (v − l̇ n)/l, l̈ = n·a + l |ṅ|² */
@@ -77,16 +83,42 @@ static inline void legs_second_rates(const hexapod *h, const coordinates *rate,
     }
 }
 
-/* F = Σ u n in base axes, and (2.6), L_x = Σ u (y n_z − z n_y) …, in central axes */
-static inline void legs_resultant(const hexapod *h, const coordinates *x, const legs *g,
-                                  const number u[LEGS], vector *F, vector *L) {
-    const number zero = number_of(0);
+/* What the legs do to the load: F = Σ u n, and the generalised forces on i, j, k, Q_i = Σ x u n …; base axes */
+typedef struct {
+    vector F;
+    triad Q;
+} push;
 
-    *F = *L = (vector){zero, zero, zero};
-    for (int v = 0; v < LEGS; v++) {
-        *F = along(*F, u[v], g->n[v]);
-        *L = along(*L, u[v], cross(h->arm[v], onto(&x->q, g->n[v])));
-    }
+static inline push push_none(void) {
+    const vector zero = {number_of(0), number_of(0), number_of(0)};
+
+    return (push){zero, {zero, zero, zero}};
+}
+
+/* the force u of leg v in the direction n */
+static inline void push_add(push *p, const hexapod *h, int v, number u, vector n) {
+    const vector f = scale(u, n);
+
+    p->F = add(p->F, f);
+    p->Q.i = along(p->Q.i, h->arm[v].x, f);
+    p->Q.j = along(p->Q.j, h->arm[v].y, f);
+    p->Q.k = along(p->Q.k, h->arm[v].z, f);
+}
+
+/* (2.6) in central axes: L_x = Σ (y F_z − z F_y) = Q_j·k − Q_k·j … */
+static inline vector push_moment(const push *p, const triad *q) {
+    return (vector){
+        dot(p->Q.j, q->k) - dot(p->Q.k, q->j),
+        dot(p->Q.k, q->i) - dot(p->Q.i, q->k),
+        dot(p->Q.i, q->j) - dot(p->Q.j, q->i),
+    };
+}
+
+static inline push legs_push(const hexapod *h, const legs *g, const number u[LEGS]) {
+    push p = push_none();
+
+    for (int v = 0; v < LEGS; v++) push_add(&p, h, v, u[v], g->n[v]);
+    return p;
 }
 
 /* (legs-7): the matrix of (2.5) and (2.6) for the legs' forces u, central axes; moments about the point from which `arm` is
@@ -119,18 +151,14 @@ static inline elimination legs_determinant(const hexapod *h, const coordinates *
     return solve_six(a, NULL, 0);
 }
 
-/* Generalised forces on i, j, k: Q_i = Σ x F …, and a moment m on the load (base axes) as ½ m × e */
+/* Generalised forces on i, j, k with a moment m on the load (base axes) besides, as ½ m × e */
 static inline triad legs_generalised(const hexapod *h, const legs *g, const triad *q,
                                      const number u[LEGS], vector moment) {
     const vector half = scale(number_of(0.5), moment);
-    triad Q = {cross(half, q->i), cross(half, q->j), cross(half, q->k)};
+    const push p = legs_push(h, g, u);
 
-    for (int v = 0; v < LEGS; v++) {
-        Q.i = along(Q.i, h->arm[v].x * u[v], g->n[v]);
-        Q.j = along(Q.j, h->arm[v].y * u[v], g->n[v]);
-        Q.k = along(Q.k, h->arm[v].z * u[v], g->n[v]);
-    }
-    return Q;
+    return (triad){add(p.Q.i, cross(half, q->i)), add(p.Q.j, cross(half, q->j)),
+                   add(p.Q.k, cross(half, q->k))};
 }
 
 #endif

@@ -4,7 +4,7 @@
  *
  *   number    what the equations are written in: + - * / apply
  *   real      the scalar beside it: time, and all that is the same in every lane; broadcast by number_of_real
- *   mask      outcome of a comparison
+ *   mask      outcome of a comparison; number_any tells whether any lane has it, to leave a loop that all lanes are done with
  *
  * A text never branches on a number: it selects. "greater" compares real parts, so that an imaginary step follows the
  * same path as the value it rides on.
@@ -23,14 +23,17 @@ typedef int mask;
 #define REAL_LITERAL(x) x
 #define REAL_EPSILON 2.220446049250313e-16
 #define REAL_PI 3.14159265358979323846
-/* sweeps of an iteration that squares its error, from where it starts to converge */
-enum { NUMBER_SWEEPS = 4, NUMBER_NEWTON = 8 };
+/* sweeps of an iteration that squares its error: at most, and at least; what it squares to round-off */
+enum { NUMBER_SWEEPS = 4, NUMBER_SURE_SWEEPS = 1, NUMBER_NEWTON = 8 };
+#define NUMBER_SQUARED_AWAY 3.7e-9
 
 static inline number number_of_real(real x) { return x; }
 static inline real number_first(number x) { return x; }
 static inline number number_root(number x) { return sqrt(x); }
 static inline mask number_greater(number a, number b) { return a > b; }
 static inline number number_select(mask m, number a, number b) { return m ? a : b; }
+static inline number number_magnitude(number x) { return fabs(x); }
+static inline int number_any(mask m) { return m; }
 
 #elif defined(NUMBER_QUAD)
 
@@ -50,13 +53,16 @@ typedef real number;
 typedef int mask;
 #define REAL_EPSILON REAL_LITERAL(1.925929944387235853055977942584927319e-34)
 #define REAL_PI REAL_LITERAL(3.141592653589793238462643383279502884197)
-enum { NUMBER_SWEEPS = 5, NUMBER_NEWTON = 10 };
+enum { NUMBER_SWEEPS = 5, NUMBER_SURE_SWEEPS = 1, NUMBER_NEWTON = 10 };
+#define NUMBER_SQUARED_AWAY 3.4e-18
 
 static inline number number_of_real(real x) { return x; }
 static inline real number_first(number x) { return x; }
 static inline number number_root(number x) { return real_root_quad(x); }
 static inline mask number_greater(number a, number b) { return a > b; }
 static inline number number_select(mask m, number a, number b) { return m ? a : b; }
+static inline number number_magnitude(number x) { return x < 0 ? -x : x; }
+static inline int number_any(mask m) { return m; }
 
 #elif defined(NUMBER_COMPLEX)
 
@@ -69,13 +75,16 @@ typedef int mask;
 #define REAL_EPSILON 2.220446049250313e-16
 #define REAL_PI 3.14159265358979323846
 /* one sweep more than double, lest the derivative in the imaginary part be cut off */
-enum { NUMBER_SWEEPS = 5, NUMBER_NEWTON = 9 };
+enum { NUMBER_SWEEPS = 5, NUMBER_SURE_SWEEPS = 2, NUMBER_NEWTON = 9 };
+#define NUMBER_SQUARED_AWAY 3.7e-9
 
 static inline number number_of_real(real x) { return x; }
 static inline real number_first(number x) { return creal(x); }
 static inline number number_root(number x) { return csqrt(x); }
 static inline mask number_greater(number a, number b) { return creal(a) > creal(b); }
 static inline number number_select(mask m, number a, number b) { return m ? a : b; }
+static inline number number_magnitude(number x) { return creal(x) < 0 ? -x : x; }
+static inline int number_any(mask m) { return m; }
 
 #elif defined(NUMBER_LANES)
 
@@ -88,7 +97,8 @@ typedef long long mask __attribute__((vector_size(8 * NUMBER_LANES)));
 #define REAL_LITERAL(x) x
 #define REAL_EPSILON 2.220446049250313e-16
 #define REAL_PI 3.14159265358979323846
-enum { NUMBER_SWEEPS = 4, NUMBER_NEWTON = 8 };
+enum { NUMBER_SWEEPS = 4, NUMBER_SURE_SWEEPS = 1, NUMBER_NEWTON = 8 };
+#define NUMBER_SQUARED_AWAY 3.7e-9
 
 static inline number number_of_real(real x) { return x - (number){0}; }
 static inline real number_first(number x) { return x[0]; }
@@ -108,6 +118,14 @@ static inline number number_root(number x) {
 static inline mask number_greater(number a, number b) { return a > b; }
 static inline number number_select(mask m, number a, number b) {
     return (number)((m & (mask)a) | (~m & (mask)b));
+}
+static inline number number_magnitude(number x) {
+    return (number)((mask)x & 0x7fffffffffffffffLL); /* without the sign's bit */
+}
+static inline int number_any(mask m) {
+    long long any = 0;
+    for (int i = 0; i < NUMBER_LANES; i++) any |= m[i];
+    return any != 0;
 }
 
 #else
@@ -135,9 +153,6 @@ static inline real number_lane(number x, int lane) {
 /* ---- what follows from the vocabulary, for every type alike ---- */
 
 static inline number number_of(double x) { return number_of_real((real)x); }
-static inline number number_magnitude(number x) {
-    return number_select(number_greater(number_of(0), x), -x, x);
-}
 static inline number number_larger(number a, number b) {
     return number_select(number_greater(b, a), b, a);
 }

@@ -47,10 +47,13 @@ static inline vector angular_velocity_of(const coordinates *x, const coordinates
     return triad_angular_velocity(&x->q, &rate->q);
 }
 
-/* the constraints kept: the nearest triad, and the nearest rates that a rigid body can have, (body-7) */
-static inline void coordinates_project(coordinates *x, coordinates *rate) {
-    triad_project(&x->q);
+/* the constraints kept: the nearest triad, and the nearest rates that a rigid body can have, (body-7); returns the violation
+ * before */
+static inline number coordinates_project(coordinates *x, coordinates *rate) {
+    const number violation = triad_project(&x->q);
+
     rate->q = triad_rate(&x->q, triad_angular_velocity(&x->q, &rate->q));
+    return violation;
 }
 
 #endif

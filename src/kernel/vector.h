@@ -28,6 +28,10 @@ static inline number dot(vector a, vector b) { return a.x * b.x + a.y * b.y + a.
 static inline vector cross(vector a, vector b) {
     return (vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+static inline vector vector_select(mask m, vector a, vector b) {
+    return (vector){number_select(m, a.x, b.x), number_select(m, a.y, b.y),
+                    number_select(m, a.z, b.z)};
+}
 static inline number norm(vector a) { return number_root(dot(a, a)); }
 
 /* x i + y j + z k: from the axes of the triad to those it is given in */

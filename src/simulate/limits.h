@@ -29,10 +29,10 @@ static inline void limits_legs(const run *r, const instant *m, number margin[MAR
     const number one = number_of(1), slack = number_of(limit_slack);
 
     for (int v = 0; v < LEGS; v++) {
-        margin[MARGIN_SHORT + v] = m->g.length[v] / r->least - one + slack;
-        margin[MARGIN_LONG + v] = one - m->g.length[v] / r->most + slack;
-        margin[MARGIN_SPEED + v] = one - number_magnitude(m->g.rate[v]) / r->fastest + slack;
-        margin[MARGIN_FORCE + v] = one - number_magnitude(m->u[v]) / r->strongest + slack;
+        margin[MARGIN_SHORT + v] = m->g.length[v] * r->least - one + slack;
+        margin[MARGIN_LONG + v] = one - m->g.length[v] * r->most + slack;
+        margin[MARGIN_SPEED + v] = one - number_magnitude(m->g.rate[v]) * r->fastest + slack;
+        margin[MARGIN_FORCE + v] = one - number_magnitude(m->u[v]) * r->strongest + slack;
     }
 }
 

@@ -41,14 +41,15 @@ typedef struct run {
     run_lane lane[NUMBER_WIDTH];
     hexapod h;
     number G[LEGS], D[LEGS];
-    int feeds;                              /* F^p is fed forward */
-    int solves;                             /* the six equations of the program are needed */
-    int damped;                             /* some D > 0 */
-    int share;                              /* a vertical force is shared by the legs */
-    int loaded;                             /* force or moment on the load */
-    int shaken[LEGS];                       /* leg disturbances present */
-    number alpha, beta;                     /* Baumgarte, or 0 */
-    number least, most, fastest, strongest; /* limits of the legs, 0 or infinite without */
+    int feeds;          /* F^p is fed forward */
+    int solves;         /* the six equations of the program are needed */
+    int damped;         /* some D > 0 */
+    int share;          /* a vertical force is shared by the legs */
+    int loaded;         /* force or moment on the load */
+    int shaken[LEGS];   /* leg disturbances present */
+    number alpha, beta; /* Baumgarte, or 0 */
+    number least, most, fastest,
+        strongest; /* reciprocals of the legs' limits, 0 where there is none */
     void (*replay)(struct run *r, real t); /* fills `now` from what another run recorded, or NULL */
     void *tape;                            /* its context */
 
@@ -68,10 +69,10 @@ static inline void run_add_lane(run *r, int lane) {
     const gough_platform *p = &r->lane[lane].machine->platform;
     const double nothing = leg_no_length * r->lane[lane].machine->base_radius;
 
-    number_put(&r->least, lane, p->length_min > nothing ? p->length_min : nothing);
-    number_put(&r->most, lane, p->length_max);
-    number_put(&r->fastest, lane, p->speed_max);
-    number_put(&r->strongest, lane, p->force_max);
+    number_put(&r->least, lane, 1 / (real)(p->length_min > nothing ? p->length_min : nothing));
+    number_put(&r->most, lane, 1 / (real)p->length_max);
+    number_put(&r->fastest, lane, 1 / (real)p->speed_max);
+    number_put(&r->strongest, lane, 1 / (real)p->force_max);
 
     for (int v = 0; v < LEGS; v++) {
         number_put(&r->G[v], lane, control->stiffness[v]);
@@ -255,13 +256,27 @@ static inline void run_instant(run *r, real t, const number *y, instant *m) {
     }
 }
 
-/* the rate_function of a run */
+/* The rate_function of a run: run_instant() leg by leg, without keeping what only rows and limits need */
 static inline void run_rates(void *context, real t, const number *y, number *rate) {
-    instant m;
+    run *r = context;
+    const stage *s = run_stage(r, t);
+    const coordinates x = coordinates_load(y), v = coordinates_load(y + COORDINATES);
+    push p = push_none();
+    coordinates a;
 
-    run_instant(context, t, y, &m);
-    coordinates_store(&m.rate, rate);
-    coordinates_store(&m.acceleration, rate + COORDINATES);
+    for (int i = 0; i < LEGS; i++) {
+        vector n;
+        const number length = leg_at(&r->h, &x, i, &n);
+        const number u = law_force(s->force[i], r->G[i], r->D[i], s->program.length[i],
+                                   s->program.rate[i], length, leg_rate(&r->h, &v, i, n));
+        push_add(&p, &r->h, i, u, n);
+    }
+    a = accelerations_under(&r->h, &x, &v, &p, s->push, s->turn);
+    if (r->options->constraints == GOUGH_BAUMGARTE) {
+        triad_stabilise(&r->h.load, &x.q, &v.q, r->alpha, r->beta, &a.q);
+    }
+    coordinates_store(&v, rate);
+    coordinates_store(&a, rate + COORDINATES);
 }
 
 /* The wrench_function of a run: forces with the legs at rest, and damping Σ D w wᵀ, where l̇ = w·(ρ̇, Ω), w = (n, arm × n) */
@@ -272,13 +287,14 @@ static inline void run_wrench(void *context, real t, const coordinates *x, numbe
     number u[LEGS];
     vector F, L;
     legs g;
+    push p;
 
     legs_at(&r->h, x, &g);
     for (int v = 0; v < LEGS; v++) g.rate[v] = number_of(0);
     run_leg_forces(r, s, &g, u);
-    legs_resultant(&r->h, x, &g, u, &F, &L);
-    F = along(add(F, s->push), r->h.load.mass, r->h.gravity);
-    L = add(L, onto(&x->q, s->turn));
+    p = legs_push(&r->h, &g, u);
+    F = along(add(p.F, s->push), r->h.load.mass, r->h.gravity);
+    L = add(push_moment(&p, &x->q), onto(&x->q, s->turn));
     vector_store(F, wrench);
     vector_store(L, wrench + 3);
     if (!r->damped) return;
