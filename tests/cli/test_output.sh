@@ -75,8 +75,8 @@ expect_code 2 "a picture of unknown kind"
 run simulate "$study" --json
 ! grep -q $'\033' "$scratch/out" "$scratch/err" || fail "escape sequences in a file"
 if script -qec true /dev/null </dev/null >/dev/null 2>&1; then # some containers have no pseudo-terminals
-    on_terminal() { # on_terminal ASSIGNMENT…: a run of some seconds, stopped after three
-        env TERM=xterm "$@" script -qec "timeout 3 '$GOUGH' simulate '$study' -o '$scratch/long.csv' --precision quad \
+    on_terminal() { # on_terminal ASSIGNMENT…: a run of some seconds, stopped after two
+        env TERM=xterm "$@" script -qec "timeout 2 '$GOUGH' simulate '$study' -o '$scratch/long.csv' --precision quad \
             --set simulation.duration=2000 --set control.stiffness=5" /dev/null </dev/null
     }
     on_terminal NO_COLOR= >"$scratch/out"
