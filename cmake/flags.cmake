@@ -14,7 +14,7 @@ endif()
 add_library(gough_sanitizers INTERFACE)
 target_compile_options(gough_sanitizers INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -g -O1 -UNDEBUG
-    $<$<C_COMPILER_ID:GNU>:-Wno-format-truncation>) # instrumented code hides from GCC how long a text can be
+    "$<$<C_COMPILER_ID:GNU>:-Wno-format-truncation;-Wno-maybe-uninitialized>") # instrumented code misleads GCC
 target_link_options(gough_sanitizers INTERFACE -fsanitize=address,undefined)
 if(GOUGH_SANITIZE)
     target_link_libraries(gough_flags INTERFACE gough_sanitizers)

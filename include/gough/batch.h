@@ -17,27 +17,27 @@ extern "C" {
 typedef struct gough_batch_run {
     const gough_machine *machine; /**< joints, load, gravity; the same height of home in all runs */
     const gough_control *control; /**< the same choice of feed-forward in all runs */
-    const gough_disturbance *disturbance;
-    const gough_initial *initial;
+    const gough_disturbance *disturbance; /**< formulas of its own */
+    const gough_initial *initial;         /**< where it starts */
 } gough_batch_run;
 
 /** What a run leaves. Peaks and deviations are those of the output times, as in gough_summary. Angles in radians. */
 typedef struct gough_outcome {
-    gough_cause cause;  /**< GOUGH_END_DONE, or why this run alone ended */
-    int leg;            /**< 1 … 6 where one leg is the cause, else 0 */
-    double time;        /**< of the end */
-    double position[3]; /**< top-frame origin at the last output time met */
-    double angles[3];   /**< roll, pitch, yaw there */
-    double velocity[3]; /**< of the origin */
-    double angular_velocity[3];
-    double position_deviation; /**< largest distance from the program */
-    double angle_deviation;    /**< largest angle from the program */
-    double force;              /**< largest |leg force| */
-    double speed;              /**< largest |leg rate| */
-    double power;              /**< largest power of a leg, positive */
-    double energy;             /**< net work of all legs */
-    double drift;              /**< largest violation of (1.2) before projection */
-    double rows;               /**< output times met */
+    gough_cause cause;          /**< GOUGH_END_DONE, or why this run alone ended */
+    int leg;                    /**< 1 … 6 where one leg is the cause, else 0 */
+    double time;                /**< of the end */
+    double position[3];         /**< top-frame origin at the last output time met */
+    double angles[3];           /**< roll, pitch, yaw there */
+    double velocity[3];         /**< of the origin */
+    double angular_velocity[3]; /**< base axes */
+    double position_deviation;  /**< largest distance from the program */
+    double angle_deviation;     /**< largest angle from the program */
+    double force;               /**< largest |leg force| */
+    double speed;               /**< largest |leg rate| */
+    double power;               /**< largest power of a leg, positive */
+    double energy;              /**< net work of all legs */
+    double drift;               /**< largest violation of (1.2) before projection */
+    double rows;                /**< output times met */
 } gough_outcome;
 
 /** How to run a batch; start from gough_batch_options_default(). */
@@ -46,9 +46,10 @@ typedef struct gough_batch_options {
     int threads; /**< 0: one per processor that the process may use */
     /** Called now and then from one thread at a time with the number of runs done; nonzero stops. May be NULL. */
     int (*progress)(void *context, size_t done);
-    void *context;
+    void *context; /**< handed to progress */
 } gough_batch_options;
 
+/** The widest lanes, all processors, no progress. */
 GOUGH_API gough_batch_options gough_batch_options_default(void);
 
 /** Widest lanes of this processor: 8 (AVX-512), 4 (AVX2) or 2. */
