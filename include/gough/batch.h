@@ -50,6 +50,7 @@ typedef struct gough_batch_options {
 } gough_batch_options;
 
 /** The widest lanes, all processors, no progress. */
+/** Widest lanes, all processors, no progress. */
 GOUGH_API gough_batch_options gough_batch_options_default(void);
 
 /** Widest lanes of this processor: 8 (AVX-512), 4 (AVX2) or 2. */

@@ -23,9 +23,8 @@ typedef int mask;
 #define REAL_LITERAL(x) x
 #define REAL_EPSILON 2.220446049250313e-16
 #define REAL_PI 3.14159265358979323846
-/* sweeps of an iteration that squares its error: at most, and at least; what it squares to round-off */
+/* sweeps of an iteration that squares its error: at most, and at least */
 enum { NUMBER_SWEEPS = 4, NUMBER_SURE_SWEEPS = 1, NUMBER_NEWTON = 8 };
-#define NUMBER_SQUARED_AWAY 3.7e-9
 
 static inline number number_of_real(real x) { return x; }
 static inline real number_first(number x) { return x; }
@@ -54,7 +53,6 @@ typedef int mask;
 #define REAL_EPSILON REAL_LITERAL(1.925929944387235853055977942584927319e-34)
 #define REAL_PI REAL_LITERAL(3.141592653589793238462643383279502884197)
 enum { NUMBER_SWEEPS = 5, NUMBER_SURE_SWEEPS = 1, NUMBER_NEWTON = 10 };
-#define NUMBER_SQUARED_AWAY 3.4e-18
 
 static inline number number_of_real(real x) { return x; }
 static inline real number_first(number x) { return x; }
@@ -76,7 +74,6 @@ typedef int mask;
 #define REAL_PI 3.14159265358979323846
 /* one sweep more than double, lest the derivative in the imaginary part be cut off */
 enum { NUMBER_SWEEPS = 5, NUMBER_SURE_SWEEPS = 2, NUMBER_NEWTON = 9 };
-#define NUMBER_SQUARED_AWAY 3.7e-9
 
 static inline number number_of_real(real x) { return x; }
 static inline real number_first(number x) { return creal(x); }
@@ -98,7 +95,6 @@ typedef long long mask __attribute__((vector_size(8 * NUMBER_LANES)));
 #define REAL_EPSILON 2.220446049250313e-16
 #define REAL_PI 3.14159265358979323846
 enum { NUMBER_SWEEPS = 4, NUMBER_SURE_SWEEPS = 1, NUMBER_NEWTON = 8 };
-#define NUMBER_SQUARED_AWAY 3.7e-9
 
 static inline number number_of_real(real x) { return x - (number){0}; }
 static inline real number_first(number x) { return x[0]; }

@@ -30,10 +30,11 @@ static inline void triad_sweep(triad *q) {
     q->k = add(k, along(along(scale(ki, i), jk, j), kk, k));
 }
 
-/* (body-7): the nearest orthonormal triad; returns the violation before. A sweep leaves less than 3 times the square of the violation:
- * lanes that are not yet at round-off take another, the others are frozen. From 0.1 the sweeps reach it. */
+/* (body-7): the nearest orthonormal triad; returns the violation before. A sweep leaves less than 3 times
+ * the square of the violation: lanes that are not yet at round-off take another, the others are frozen.
+ * From 0.1 the sweeps reach it. */
 static inline number triad_project(triad *q) {
-    const number enough = number_of(NUMBER_SQUARED_AWAY);
+    const number enough = number_of_real(REAL_EPSILON);
     const number violation = triad_violation(q);
     number left = violation;
 

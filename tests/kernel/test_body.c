@@ -150,6 +150,23 @@ START_TEST(projection_is_the_polar_factor) {
 }
 END_TEST
 
+/* however far the triad was, a projection leaves round-off, and it says how far that was */
+START_TEST(projection_reaches_round_off_from_everywhere) {
+    dice d = {28};
+
+    for (int n = 0; n < 20000; n++) {
+        const double size = pow(10, dice_between(&d, -16, -1.3));
+        triad q = random_triad(&d);
+        double before;
+        q.i = add(q.i, random_vector(&d, size));
+        q.k = add(q.k, random_vector(&d, size));
+        before = triad_violation(&q);
+        ck_assert(!(fabs(triad_project(&q) - before) > 0));
+        ck_assert_msg(triad_violation(&q) <= 1e-15, "%g -> %g", before, triad_violation(&q));
+    }
+}
+END_TEST
+
 /* singular values of a matrix built from known ones, and the condition of one that is nearly singular */
 START_TEST(singular_values_are_those_put_in) {
     const double want[6] = {3, 2, 1, 0.5, 1e-3, 1e-9};
@@ -234,6 +251,6 @@ END_TEST
 int main(void) {
     return SUITE_RUN("body", 30, triad_equation_is_eulers, multipliers_complete_lagranges_equations,
                      stabilisation_pulls_each_constraint_back, projection_is_the_polar_factor,
-                     singular_values_are_those_put_in, elimination_exchanges_rows,
-                     determinant_of_a_singular_matrix_is_zero);
+                     projection_reaches_round_off_from_everywhere, singular_values_are_those_put_in,
+                     elimination_exchanges_rows, determinant_of_a_singular_matrix_is_zero);
 }
