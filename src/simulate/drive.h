@@ -279,6 +279,21 @@ static inline gough_status drive_check(drive *d, number residual) {
     return status == GOUGH_OK ? drive_settle(d, 0, &until) : status;
 }
 
+/* No step meets the tolerance: the fault of a formula that ceases to be finite right ahead, else of what the motion does. `unit`:
+ * the unit of time. */
+static inline gough_status drive_stuck(drive *d, real unit) {
+    const real reach = d->t > unit ? d->t : unit, duration = d->r.options->duration;
+
+    for (real ahead = 16 * REAL_EPSILON; ahead < (real)1e-6; ahead = 4 * ahead) {
+        if (d->r.fault.what || !(d->t + ahead * reach <= duration)) break;
+        run_stage(&d->r, d->t + ahead * reach);
+    }
+    if (d->r.fault.what) return limits_fault(&d->r, d->end);
+    return drive_stop(d, GOUGH_END_NO_CONVERGENCE, d->t,
+                      "no step meets the tolerance; a larger tolerance, or a look at what the "
+                      "motion does there, may help:");
+}
+
 /* (step-2): a first step from the size of the rates and of their change over a small explicit step */
 static inline real drive_first_step(drive *d, const real *size, real tolerance, real longest) {
     real y = 0, rate = 0, change = 0, h, other;
@@ -336,10 +351,7 @@ static inline gough_status drive_adaptive(drive *d) {
             step = left / 2;
         }
         if (step < 16 * REAL_EPSILON * (d->t > unit ? d->t : unit)) {
-            if (d->r.fault.what) return limits_fault(&d->r, d->end);
-            return drive_stop(d, GOUGH_END_NO_CONVERGENCE, d->t,
-                              "no step meets the tolerance; a larger tolerance, or a look at what "
-                              "the motion does there, may help:");
+            return drive_stuck(d, unit);
         }
         for (int i = 0; i < STATE; i++) {
             d->y0[i] = d->y[i];

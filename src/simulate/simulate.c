@@ -8,6 +8,9 @@
 /* more rows than this are a mistake, not a study */
 static const double most_rows = 1e8;
 
+/* more fixed steps than this take days, and near 2^53 the times of two steps are one number */
+static const double most_steps = 1e12;
+
 /* relative slack for one time dividing another, as both are decimals in binary */
 static const double division_slack = 1e-9;
 
@@ -60,6 +63,12 @@ static gough_status check_step(const gough_simulation *s, gough_error *error) {
                           "simulation.step %.9g does not divide simulation.output_step %.9g; the "
                           "nearest that does is %.17g",
                           s->step, s->output_step, s->output_step / fmax(1, round(ratio)));
+    }
+    if (!(s->duration / s->step <= most_steps)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.step %.9g makes more than 1e12 steps in %.9g; take a longer "
+                          "one",
+                          s->step, s->duration);
     }
     return GOUGH_OK;
 }

@@ -255,6 +255,13 @@ START_TEST(formula_not_finite_is_named_with_its_time) {
     ck_assert(fabs(end.time - 5) <= 0.05);
     ck_assert(strstr(error.message, "motion.heave") != NULL);
 
+    /* the rate grows beyond all bounds before the root has no value: no step comes near */
+    set_formula(&model->motion.formula[GOUGH_HEAVE], "0.1*sqrt(1 - t)");
+    ck_assert_int_eq(gough_simulate(model, &s, take, &rows, &end, &error), GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(end.cause, GOUGH_END_NOT_FINITE);
+    ck_assert(fabs(end.time - 1) <= 1e-5);
+    ck_assert(strstr(error.message, "motion.heave") != NULL);
+
     set_formula(&model->motion.formula[GOUGH_HEAVE], "0.1*sin(t)");
     set_formula(&model->disturbance.moment[1], "log(t - 3)");
     ck_assert_int_eq(gough_simulate(model, &s, take, &rows, &end, &error), GOUGH_ERROR_INPUT);
@@ -384,6 +391,8 @@ START_TEST(options_are_checked) {
     REFUSES((s.method = GOUGH_RK4, s.step = 0.03), "divide");
     REFUSES((s.method = GOUGH_RK4, s.step = 0.1), "divide");
     REFUSES(s.step = NAN, "");
+    REFUSES(s.step = 1e-300, "steps");
+    REFUSES((s.method = GOUGH_RATTLE2, s.step = 1e-12), "steps");
     REFUSES((s.method = GOUGH_RATTLE4, s.step = 0.01, s.constraints = GOUGH_BAUMGARTE), "rattle4");
     REFUSES((s.constraints = GOUGH_BAUMGARTE, s.baumgarte[1] = -1), "baumgarte");
     REFUSES(s.method = (gough_method)77, "method");
