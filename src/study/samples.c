@@ -187,14 +187,23 @@ static void read_row(table *csv, size_t begin, size_t end) {
     csv->rows++;
 }
 
+/* Whether nothing but line ends follows, as editors leave them at the end of a file. */
+static bool only_line_ends(const table *csv, size_t at) {
+    while (at < csv->source->length &&
+           (csv->source->text[at] == '\n' || csv->source->text[at] == '\r'))
+        at++;
+    return at == csv->source->length;
+}
+
 static void read_rows(table *csv) {
     const size_t length = csv->source->length;
     while (csv->at < length && csv->errors < MOST_ERRORS) {
         const size_t begin = csv->at, end = line_end(csv, begin);
         csv->at = next_line(csv, end);
-        if (begin == end && csv->at < length)
+        if (begin == end && only_line_ends(csv, csv->at)) break;
+        if (begin == end)
             say(csv, begin, "an empty line between the rows");
-        else if (begin < end)
+        else
             read_row(csv, begin, end);
     }
     if (csv->errors >= MOST_ERRORS)

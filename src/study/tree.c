@@ -221,11 +221,22 @@ static void close_node(builder *build, struct fy_event *event) {
     build->depth--;
 }
 
+/* Where a document begins that no `---` announces: after the `...` that ends the one before. */
+static size_t after_end_mark(const builder *build) {
+    const char *text = build->source->text, *end = text + build->source->length;
+    const char *at = text + offset_of(build, NULL);
+    while (at < end && !(*at == '.' && (at == text || at[-1] == '\n'))) at++;
+    while (at < end && (*at == '.' || *at == ' ' || *at == '\n' || *at == '\r')) at++;
+    return (size_t)(at - text);
+}
+
 static void take_event(builder *build, struct fy_event *event) {
     switch (event->type) {
     case FYET_DOCUMENT_START:
         if (++build->documents > 1)
-            fail(build, offset_of(build, fy_event_start_mark(event)),
+            fail(build,
+                 fy_event_start_mark(event) ? offset_of(build, fy_event_start_mark(event))
+                                            : after_end_mark(build),
                  "a second document begins here; a study is one document");
         break;
     case FYET_ALIAS:

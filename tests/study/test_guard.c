@@ -69,6 +69,7 @@ START_TEST(refuses_anchors_aliases_tags_directives_documents) {
     EXPECT_REFUSED("title: !local x\n", "study.yaml:1:8: error: tags (!)");
     EXPECT_REFUSED("title: x\n---\ntitle: y\n", "study.yaml:2:1: error: a second document");
     EXPECT_REFUSED("title: x\n...\n---\ntitle: y\n", "study.yaml:3:1: error: a second document");
+    EXPECT_REFUSED("title: x\n...\n\ntitle: y\n", "study.yaml:4:1: error: a second document");
     EXPECT_REFUSED("%YAML 1.2\n---\ntitle: x\n",
                    "study.yaml:1:1: error: a line may not begin with");
     EXPECT_REFUSED("? [a]\n: 1\n", "study.yaml:1:3: error: a key must be a word");

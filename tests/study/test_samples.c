@@ -75,6 +75,20 @@ START_TEST(accepts_cr_lf_and_byte_order_mark) {
 }
 END_TEST
 
+START_TEST(accepts_empty_lines_at_the_end) {
+    static const char *const csv[] = {"t,heave\n0,0\n1,2\n\n", "t,heave\n0,0\n1,2\n\n\n\n",
+                                      "t,heave\r\n0,0\r\n1,2\r\n\r\n\r\n"};
+    for (size_t i = 0; i < sizeof csv / sizeof csv[0]; i++) {
+        char *path;
+        reading made = read_with(csv[i], strlen(csv[i]), &path);
+        ck_assert_msg(made.status == GOUGH_OK, "%s", made.messages ? made.messages : "");
+        ck_assert_uint_eq(made.study->model->motion.samples.count, 2);
+        reading_free(&made);
+        forget_file(path);
+    }
+}
+END_TEST
+
 START_TEST(path_starts_from_the_folder_of_the_study) {
     char text[1000], name[600], *path = write_file("near.csv", "t,heave\n0,1\n20,2\n", 17);
     gough_study *study = NULL;
@@ -225,7 +239,8 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("study/samples", 60, reads_columns_in_any_order,
-                     accepts_cr_lf_and_byte_order_mark, path_starts_from_the_folder_of_the_study,
+                     accepts_cr_lf_and_byte_order_mark, accepts_empty_lines_at_the_end,
+                     path_starts_from_the_folder_of_the_study,
                      a_missing_file_is_a_file_error_at_the_key, refuses_wrong_headers,
                      refuses_wrong_rows_all_at_once, refuses_times_that_do_not_increase,
                      refuses_fewer_than_two_rows, refuses_nul_bytes_and_garbage,
