@@ -88,10 +88,6 @@ static inline void group_replay(run *r, real t) {
             s->program.length[v] = number_of(record->length[v]);
             s->program.rate[v] = number_of(record->rate[v]);
         }
-        s->x[0].rho = group_vector(record->pose);
-        s->x[0].q.i = group_vector(record->pose + 3);
-        s->x[0].q.j = group_vector(record->pose + 6);
-        s->x[0].q.k = group_vector(record->pose + 9);
         s->singularity =
             (elimination){number_of(record->determinant), number_of(record->pivot_ratio)};
     } else {
@@ -104,14 +100,27 @@ static inline void group_replay(run *r, real t) {
     for (int v = 0; v < LEGS; v++) {
         if (r->shaken[v]) s->force[v] = s->force[v] + number_of(record->leg[v]);
     }
+    if (!r->loaded) return; /* as group_begin() left them */
     s->push = group_vector(record->push);
     s->turn = group_vector(record->turn);
+}
+
+/* the program's pose in the stage at t, which no step needs, only rows */
+static inline void group_program_pose(run *r) {
+    const stage_tape *tape = r->tape;
+    const double *pose = tape->last->pose;
+    coordinates *x = &r->now.x[0];
+
+    if (!tape->machine_shared) return;
+    x->rho = group_vector(pose);
+    x->q = (triad){group_vector(pose + 3), group_vector(pose + 6), group_vector(pose + 9)};
 }
 
 /* ---- rows ---- */
 
 /* deviation, peaks and work at an output time */
 static inline void group_row(group *g, const stage *s, const instant *m) {
+    group_program_pose(&g->r);
     const triad back = transpose(&g->r.h.axes);
     const triad actual = compose(&m->x.q, &back), program = compose(&s->x[0].q, &back);
     const vector a = subtract(m->x.rho, out_of(&actual, g->r.h.center));
@@ -210,6 +219,7 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
     run_begin(&g->r, job->motion, job->simulation, lane);
     g->r.replay = group_replay;
     g->r.tape = tape;
+    g->r.now.push = g->r.now.turn = (vector){number_of(0), number_of(0), number_of(0)};
     g->rows = 0;
     g->watchful = 1;
     g->going_mask = g->determinant = g->drift = g->energy = number_of(0);

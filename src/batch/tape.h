@@ -28,21 +28,24 @@ typedef struct stage_tape {
     double fault_time;
     void *recorder; /* fills records: a scalar run */
     void (*write)(struct stage_tape *tape, double t, tape_record *record);
-    tape_record spare; /* for times beyond the room */
+    tape_record spare;       /* for times beyond the room */
+    const tape_record *last; /* the record given last */
 } stage_tape;
 
 /* the next record, which is that of time t: steppers ask for the same times in the same order */
 static inline const tape_record *tape_at(stage_tape *tape, double t) {
-    if (tape->cursor < tape->count && !(tape->record[tape->cursor].time < t) &&
-        !(tape->record[tape->cursor].time > t)) {
-        return &tape->record[tape->cursor++];
-    }
-    if (tape->cursor < tape->count || tape->count == tape->room) {
+    const int known = tape->cursor < tape->count;
+
+    if (known && !(tape->record[tape->cursor].time < t) && !(tape->record[tape->cursor].time > t)) {
+        tape->last = &tape->record[tape->cursor++];
+    } else if (known || tape->count == tape->room) {
         tape->write(tape, t, &tape->spare);
-        return &tape->spare;
+        tape->last = &tape->spare;
+    } else {
+        tape->write(tape, t, &tape->record[tape->count++]);
+        tape->last = &tape->record[tape->cursor++];
     }
-    tape->write(tape, t, &tape->record[tape->count++]);
-    return &tape->record[tape->cursor++];
+    return tape->last;
 }
 
 #endif
