@@ -4,7 +4,7 @@
 # make install    into PREFIX (default /usr/local), under DESTDIR if given
 # make package    a Debian package in build/
 # make fuzz       each fuzzing target for FUZZ_SECONDS under sanitizers
-# make bench      timings
+# make bench      timings beside those of other programs, one table; BENCH=--json for machines
 # make lint       formatting and static analysis
 # make docs       API reference in build/docs
 # make clean      remove build/ and out/
@@ -12,6 +12,7 @@ BUILD        ?= build
 PREFIX       ?= /usr/local
 FUZZ_SECONDS ?= 60
 CMAKE_FLAGS  ?=
+BENCH        ?=
 
 .PHONY: all configure test demo install package fuzz bench lint docs clean
 
@@ -43,7 +44,7 @@ fuzz:
 
 bench: all
 	@scripts/install-packages.sh bench
-	@scripts/bench.sh
+	@scripts/bench.sh "$(BUILD)" $(BENCH)
 
 lint: all
 	@scripts/install-packages.sh lint

@@ -33,7 +33,10 @@ lint    | clang-format     | command -v clang-format
 lint    | clang-tidy       | command -v clang-tidy
 lint    | cppcheck         | command -v cppcheck
 lint    | shellcheck       | command -v shellcheck
-bench   | hyperfine        | command -v hyperfine
+bench   | g++              | command -v "${CXX:-c++}"
+bench   | libmujoco-dev    | test -e /usr/include/mujoco/mujoco.h
+bench   | libsundials-dev  | test -e /usr/include/cvode/cvode.h
+bench   | libgsl-dev       | pkg-config --exists gsl
 package | dpkg-dev         | command -v dpkg-shlibdeps
 package | file             | command -v file
 package | lintian          | command -v lintian
