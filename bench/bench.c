@@ -60,7 +60,8 @@ static void clear_figures(figures *f) {
         f->peak_share[w] = NAN;
     }
     for (int t = 0; t < TARGETS; t++) {
-        f->alone[t] = f->lanes[t] = f->gsl[t] = f->cvode[t] = f->mujoco[t] = no_timing();
+        f->alone[t] = f->lanes[t] = f->mujoco[t] = no_timing();
+        for (int s = 0; s < 2; s++) f->gsl[s][t] = f->cvode[s][t] = no_timing();
     }
 }
 

@@ -14,9 +14,10 @@ typedef struct {
     timing rk4[WIDTHS];     /* a step of a run, by gough_batch() on one thread */
     timing inverse[WIDTHS]; /* inverse dynamics, a run */
     double peak_share[WIDTHS];
-    timing alone[TARGETS]; /* a run of adaptive dop853 to the targets */
-    timing lanes[TARGETS]; /* a run of fixed dop853 in the widest lanes */
-    timing gsl[TARGETS], cvode[TARGETS], mujoco[TARGETS];
+    timing alone[TARGETS];                     /* a run of adaptive dop853 to the targets */
+    timing lanes[TARGETS];                     /* a run of fixed dop853 in the widest lanes */
+    timing gsl[2][TARGETS], cvode[2][TARGETS]; /* on our right-hand side, and on one by hand */
+    timing mujoco[TARGETS];
     timing mujoco_step, mujoco_inverse;
     double threads; /* two against one */
 } figures;

@@ -84,12 +84,10 @@ double reference_error(const reference *r, const double position[3], const doubl
     return worst;
 }
 
-double reference_error_matrix(const reference *r, const double position[3],
-                              const double rotation[3][3]) {
-    double copy[3][3], angles[3];
+double reference_error_matrix(const reference *r, const double position[3], double rotation[3][3]) {
+    double angles[3];
 
-    memcpy(copy, rotation, sizeof copy);
-    gough_angles_from_rotation(copy, angles);
+    gough_angles_from_rotation(rotation, angles);
     return reference_error(r, position, angles);
 }
 

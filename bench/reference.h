@@ -23,8 +23,7 @@ void reference_begin(reference *r, double duration);
 
 /* largest difference of a final pose from that of the first run: positions over R_b = 1, angles in radians */
 double reference_error(const reference *r, const double position[3], const double angles[3]);
-double reference_error_matrix(const reference *r, const double position[3],
-                              const double rotation[3][3]);
+double reference_error_matrix(const reference *r, const double position[3], double rotation[3][3]);
 
 /* n steps of a fixed stepper, or a tolerance of adaptive dop853 if n is 0 */
 gough_simulation reference_simulation(const reference *r, gough_method method, long n,
