@@ -1,7 +1,7 @@
 # bash completion for gough
 _gough() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]-}
-    local verbs="example check forces simulate plot" always="--quiet --help --usage --version"
+    local verbs="example check forces simulate sweep merge plot" always="--quiet --help --usage --version"
     local options=""
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
@@ -12,6 +12,8 @@ _gough() {
         example) options="--output --json" ;;
         check) options="--json --set" ;;
         forces | simulate) options="--output --json --set --precision --reactions --dimensionless" ;;
+        sweep) options="--output --json --set --threads --lanes --shard --run --dimensionless" ;;
+        merge) options="--output --json" ;;
         plot) options="--output --figure --columns --from --to --log --label --title" ;;
     esac
     # bash splits --precision=quad at the sign
@@ -23,7 +25,7 @@ _gough() {
             mapfile -t COMPREPLY < <(compgen -W "$("${COMP_WORDS[0]}" plot --help 2>/dev/null |
                 sed -n '/^Kinds of figure/,/^$/s/^  \([a-z-]*\).*/\1/p')" -- "$current")
             return ;;
-        --set | --columns | --from | --to | --label | --title) return ;;
+        --set | --columns | --from | --to | --label | --title | --threads | --lanes | --shard | --run) return ;;
         -o | --output) mapfile -t COMPREPLY < <(compgen -f -- "$current"); compopt -o filenames 2>/dev/null; return ;;
     esac
     if [[ $current == -* ]]; then
@@ -33,6 +35,7 @@ _gough() {
     else
         local endings='@(yaml|yml)'
         [[ $verb == plot ]] && endings='@(h5|csv)'
+        [[ $verb == merge ]] && endings=shard
         shopt -s extglob
         mapfile -t COMPREPLY < <(compgen -f -X "!*.$endings" -- "$current"; compgen -d -- "$current")
         compopt -o filenames 2>/dev/null

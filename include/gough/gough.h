@@ -4,6 +4,7 @@
 #ifndef GOUGH_GOUGH_H
 #define GOUGH_GOUGH_H
 
+#include "gough/batch.h"
 #include "gough/dynamics.h"
 #include "gough/model.h"
 #include "gough/report.h"
@@ -11,6 +12,7 @@
 #include "gough/simulate.h"
 #include "gough/status.h"
 #include "gough/study.h"
+#include "gough/sweep.h"
 #include "gough/version.h"
 
 #endif

@@ -48,11 +48,13 @@ typedef enum gough_cause {
     GOUGH_END_SINGULAR, /**< the six equations became singular or nearly so (condition over 1e8, or det J changed sign) */
     GOUGH_END_NOT_FINITE, /**< a formula or the motion ceased to be finite */
     GOUGH_END_NO_CONVERGENCE, /**< the stepper could not meet the tolerance, or an implicit step did not converge */
-    GOUGH_END_STOPPED /**< the caller's sink asked to stop */
+    GOUGH_END_STOPPED, /**< the caller's sink asked to stop */
+    GOUGH_END_INVALID  /**< of a sweep: the values of this run make no possible study */
 } gough_cause;
 
 /** Short fixed word for a cause, as in the JSON summary and the attribute `end_cause`:
- *  done, leg_short, leg_long, leg_speed, leg_force, leg_no_length, singular, not_finite, no_convergence, stopped. */
+ *  done, leg_short, leg_long, leg_speed, leg_force, leg_no_length, singular, not_finite, no_convergence, stopped,
+ *  invalid. */
 GOUGH_API const char *gough_cause_name(gough_cause cause);
 
 /** How and when a run ended. */

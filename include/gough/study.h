@@ -19,6 +19,7 @@ typedef struct gough_study {
     bool dimensionless;          /**< units: dimensionless; else SI */
     gough_model *model;          /**< validated */
     gough_simulation simulation; /**< how to run it */
+    bool swept;                  /**< it has a section `sweep`, see sweep.h */
     void *memory_;               /**< private: samples, moves */
 } gough_study;
 

@@ -5,6 +5,7 @@
 #include "cli/json.h"
 #include "cli/machine.h"
 #include "cli/summary.h"
+#include "cli/sweep.h"
 
 static const double DEGREES = 57.295779513082320877;
 
@@ -29,6 +30,7 @@ static const verb_usage usage = {
 /* Everything that is printed, in the study's units; ranges in degrees where they are angles. */
 typedef struct check {
     const gough_study *study;
+    const gough_sweep *sweep; /* NULL: none */
     const gough_model *model;
     const gough_machine *machine;
     machine_view view;
@@ -218,6 +220,7 @@ static void print_check(const check *c) {
     print_program(c);
     print_control(c);
     print_settings(c);
+    if (c->sweep) sweep_describe(c->sweep);
 }
 
 static json_t *groups_object(const check *c) {
@@ -290,13 +293,16 @@ static int print_check_json(const check *c) {
     json_object_set_new(object, "groups", groups_object(c));
     json_object_set_new(object, "program", program_object(c));
     json_object_set_new(object, "simulation", simulation);
+    if (c->sweep) json_object_set_new(object, "sweep", sweep_object(c->sweep));
     return json_print(object);
 }
 
-static gough_status check_study(const command_line *line, const gough_study *study) {
+static gough_status check_study(const command_line *line, const gough_study *study,
+                                const gough_sweep *sweep) {
     static const gough_units own[2] = {{.dimensionless = false, .length = 1, .mass = 1, .time = 1},
                                        {.dimensionless = true, .length = 1, .mass = 1, .time = 1}};
     check c = {.study = study,
+               .sweep = sweep,
                .model = study->model,
                .machine = &study->model->machine,
                .view = machine_view_of(&study->model->machine),
@@ -320,7 +326,10 @@ gough_status check_verb(int count, char **argument) {
     command_line line = command_line_read(&usage, count, argument);
     gough_study *study = NULL;
     gough_status status = read_study(&line, &study);
-    if (!status) status = check_study(&line, study);
+    gough_sweep *sweep = NULL;
+    if (!status && study->swept) status = read_sweep(&line, study, &sweep);
+    if (!status) status = check_study(&line, study, sweep);
+    gough_sweep_free(sweep);
     gough_study_free(study);
     command_line_free(&line);
     return status;

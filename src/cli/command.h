@@ -14,6 +14,8 @@ gough_status example_verb(int count, char **argument);
 gough_status check_verb(int count, char **argument);
 gough_status forces_verb(int count, char **argument);
 gough_status simulate_verb(int count, char **argument);
+gough_status sweep_verb(int count, char **argument);
+gough_status merge_verb(int count, char **argument);
 gough_status plot_verb(int count, char **argument);
 
 /* ---- line.c: what may stand on the command line ---- */
@@ -32,7 +34,11 @@ enum option_key {
     OPTION_TO,
     OPTION_LOG,
     OPTION_LABEL,
-    OPTION_TITLE
+    OPTION_TITLE,
+    OPTION_THREADS,
+    OPTION_LANES,
+    OPTION_SHARD,
+    OPTION_RUN
 };
 
 typedef struct command_line {
@@ -47,6 +53,8 @@ typedef struct command_line {
     const char **label; /* from --label */
     size_t labels;
     gough_figure figure;
+    int threads, lanes;            /* 0: as many as there are */
+    size_t shard, shards, one_run; /* 0: not asked for */
 } command_line;
 
 /* What a verb accepts; the text of its --help. */
@@ -79,7 +87,9 @@ const char *nearest_word(const char *word, const char *const *candidate, size_t 
 typedef struct progress {
     bool wanted, shown;
     const char *verb;
-    double whole;         /* duration of the run */
+    double whole;         /* duration of the run, or how many there are */
+    double first;         /* what is done already at the beginning */
+    const char *counted;  /* "runs", of which the rate is shown; NULL: none */
     double started, last; /* of the clock, seconds */
 } progress;
 
@@ -91,6 +101,13 @@ void progress_end(progress *progress);
 
 /* Reads the study named on the command line with its --set overrides and says what is wrong with it. */
 gough_status read_study(const command_line *line, gough_study **study);
+
+/* The sweep of a study that was read so. */
+gough_status read_sweep(const command_line *line, const gough_study *study, gough_sweep **sweep);
+
+/* What can be known about the output before a long run: -o with an ending of no known kind (endings: "h5" and "csv", or one
+ * other), a folder that is not there. */
+gough_status check_output(const command_line *line, const char *other);
 
 /* forces and simulate differ in the function that they call. */
 gough_status run_verb(const verb_usage *usage, bool simulated, int count, char **argument);

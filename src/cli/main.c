@@ -14,10 +14,9 @@ typedef struct verb {
     gough_status (*run)(int count, char **argument);
 } verb;
 
-static const verb verbs[] = {{"example", example_verb},
-                             {"check", check_verb},
-                             {"forces", forces_verb},
-                             {"simulate", simulate_verb},
+static const verb verbs[] = {{"example", example_verb}, {"check", check_verb},
+                             {"forces", forces_verb},   {"simulate", simulate_verb},
+                             {"sweep", sweep_verb},     {"merge", merge_verb},
                              {"plot", plot_verb}};
 enum { VERBS = sizeof verbs / sizeof *verbs };
 
@@ -28,6 +27,8 @@ static const char text[] =
     "  gough check STUDY       validate a study and print its machine\n"
     "  gough forces STUDY      the leg forces that the program of motion needs\n"
     "  gough simulate STUDY    the motion under control and disturbance\n"
+    "  gough sweep STUDY       many runs of a study with other numbers\n"
+    "  gough merge SHARD...    one table of the shards of a sweep\n"
     "  gough plot RESULT...    figures as PNG, SVG or PDF\n"
     "\n"
     "'gough VERB --help' says more about each."

@@ -35,6 +35,30 @@ static double read_time(struct argp_state *state, const char *option, const char
     return value;
 }
 
+/* A whole number from 1. */
+static size_t read_count(struct argp_state *state, const char *option, const char *text) {
+    char *rest = NULL;
+    const unsigned long value = strtoul(text, &rest, 10);
+    if (text[0] < '0' || text[0] > '9' || *rest || value < 1 || value > 100000000)
+        argp_error(state, "%s takes a whole number from 1; '%s' is none", option, text);
+    return (size_t)value;
+}
+
+/* "3/8" */
+static void read_shard(struct argp_state *state, command_line *line, const char *text) {
+    char part[16] = "";
+    const char *slash = strchr(text, '/');
+    if (!slash || slash == text || (size_t)(slash - text) >= sizeof part)
+        argp_error(state, "--shard takes i/n, as in --shard 3/8; '%s' is not of this form", text);
+    else {
+        memcpy(part, text, (size_t)(slash - text));
+        line->shard = read_count(state, "--shard", part);
+        line->shards = read_count(state, "--shard", slash + 1);
+        if (line->shard > line->shards)
+            argp_error(state, "--shard %s: they are numbered from 1 to their number", text);
+    }
+}
+
 static error_t read_option(int key, char *text, struct argp_state *state) {
     reader *reading = state->input;
     command_line *o = reading->line;
@@ -85,6 +109,18 @@ static error_t read_option(int key, char *text, struct argp_state *state) {
         break;
     case OPTION_LABEL:
         o->label[o->labels++] = text;
+        break;
+    case OPTION_THREADS:
+        o->threads = (int)read_count(state, "--threads", text);
+        break;
+    case OPTION_LANES:
+        o->lanes = (int)read_count(state, "--lanes", text);
+        break;
+    case OPTION_SHARD:
+        read_shard(state, o, text);
+        break;
+    case OPTION_RUN:
+        o->one_run = read_count(state, "--run", text);
         break;
     case ARGP_KEY_ARG:
         if (o->files == reading->usage->most_files)

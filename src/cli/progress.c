@@ -27,6 +27,16 @@ progress progress_begin(const char *verb, double whole, bool quiet) {
                       .last = now};
 }
 
+static void print_time(double seconds_left) {
+    const double left = seconds_left;
+    if (left < 120)
+        fprintf(stderr, ", %.0f s left", left);
+    else if (left < 7200)
+        fprintf(stderr, ", %.0f min left", left / 60);
+    else
+        fprintf(stderr, ", %.1f h left", left / 3600);
+}
+
 void progress_update(progress *p, double done) {
     if (!p->wanted) return;
     const double now = seconds(), spent = now - p->started;
@@ -42,7 +52,9 @@ void progress_update(progress *p, double done) {
     const bool colour = colourful(stderr);
     fprintf(stderr, "\rgough %s %s[%s]%s %3.0f %%", p->verb, colour ? "\033[36m" : "", bar,
             colour ? "\033[0m" : "", 100.0 * part);
-    if (part > 0.01) fprintf(stderr, ", %.0f s left", spent * (1.0 - part) / part);
+    const double rate = (done - p->first) / spent;
+    if (p->counted) fprintf(stderr, ", %.3g %s/s", rate, p->counted);
+    if (part > 0.01 && rate > 0) print_time((p->whole - done) / rate);
     fputs("\033[K", stderr);
     fflush(stderr);
     p->last = now;

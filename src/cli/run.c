@@ -3,8 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-#include <sys/stat.h>
 
 #include "cli/command.h"
 #include "cli/summary.h"
@@ -45,46 +43,6 @@ static int by_beginning(const void *left, const void *right) {
     const gough_crossing *a = left, *b = right;
     if (a->enter < b->enter || a->enter > b->enter) return a->enter < b->enter ? -1 : 1;
     return a->leg - b->leg;
-}
-
-gough_status read_study(const command_line *line, gough_study **study) {
-    char *messages = NULL;
-    const gough_status status =
-        gough_study_read(line->file[0], line->settings, line->setting_count, study, &messages);
-    if (messages) {
-        fputs(messages, stderr);
-        const size_t length = strlen(messages);
-        if (length && messages[length - 1] != '\n') fputc('\n', stderr);
-    }
-    gough_study_free_messages(messages);
-    return status;
-}
-
-/* What can be known about the output before a long run: a name of no known kind, a folder that is not there. */
-static gough_status check_output(const command_line *line) {
-    const char *path = line->output;
-    if (!path) return GOUGH_OK;
-    const bool standard = strcmp(path, "-") == 0;
-    if (standard && line->json) {
-        complain(line->verb, "'-o -' and --json both want standard output; give -o a file");
-        return GOUGH_ERROR_INPUT;
-    }
-    if (standard) return GOUGH_OK;
-    const char *ending = strrchr(path, '.');
-    if (!ending || (strcasecmp(ending, ".h5") != 0 && strcasecmp(ending, ".csv") != 0)) {
-        complain(line->verb,
-                 "-o takes a name that ends in .h5 or .csv, or - for CSV on standard output; '%s' "
-                 "does not",
-                 path);
-        return GOUGH_ERROR_INPUT;
-    }
-    const char *slash = strrchr(path, '/');
-    char *folder = slash ? strndup(path, slash == path ? 1 : (size_t)(slash - path)) : strdup(".");
-    struct stat status;
-    const bool there = folder && stat(folder, &status) == 0 && S_ISDIR(status.st_mode);
-    if (!there) complain(line->verb, "%s: there is no folder '%s'", path, folder ? folder : "?");
-    free(folder);
-    return there ? GOUGH_OK : GOUGH_ERROR_FILE;
 }
 
 static bool open_loop(const gough_control *control) {
@@ -186,7 +144,7 @@ gough_status run_verb(const verb_usage *usage, bool simulated, int count, char *
     command_line line = command_line_read(usage, count, argument);
     run_report report = {.verb = usage->verb, .simulated = simulated};
     gough_study *study = NULL;
-    gough_status status = check_output(&line);
+    gough_status status = check_output(&line, NULL);
     if (!status) status = read_study(&line, &study);
     if (!status) {
         study->simulation.reactions |= line.reactions; /* tables have columns by this too */

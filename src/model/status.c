@@ -139,6 +139,8 @@ const char *gough_cause_name(gough_cause cause) {
         return "no_convergence";
     case GOUGH_END_STOPPED:
         return "stopped";
+    case GOUGH_END_INVALID:
+        return "invalid";
     }
     return "unknown";
 }

@@ -11,7 +11,7 @@ struct gough_result {
     char *title, *text;
     const char *verb;
     gough_units units;
-    gough_quad length, mass, time; /* units of the output in 33 digits */
+    gough_quad time; /* unit of the output in 33 digits */
     int columns;
     int column[GOUGH_COLUMNS];    /* enum gough_column of each filled column */
     double factor[GOUGH_COLUMNS]; /* from units of the run to those of the output */
@@ -22,6 +22,14 @@ struct gough_result {
     gough_quad *quad[GOUGH_COLUMNS];
     gough_end end;
 };
+
+/* Factor from units of the run to those of the output for length^l mass^m time^t angle^a, correctly rounded: angles in degrees.
+ * base_radius, gravity: of the machine, for a unit of time √(R_b/g) beyond the double that `units` holds. */
+typedef struct result_scale {
+    gough_quad length, mass, time;
+} result_scale;
+result_scale result_scale_of(const gough_units *units, double base_radius, double gravity);
+gough_quad result_factor(const result_scale *scale, int length, int mass, int time, int angle);
 
 /* Label of a column's unit: "1", "degree", "m/s", "N m", … */
 void result_unit_label(int column, bool dimensionless, char label[RESULT_UNIT_SIZE]);
@@ -50,6 +58,29 @@ void result_output_abandon(result_output *output);
 
 gough_status result_write_csv(const gough_result *result, const char *path, gough_error *error);
 gough_status result_write_hdf5(const gough_result *result, const char *path, gough_error *error);
+
+/* A file of columns of any kind. */
+typedef struct result_column {
+    const char *name, *unit, *long_name;
+    bool whole;        /* whole numbers, stored as such */
+    const char *flags; /* NULL, or words for the numbers from 0, separated by spaces */
+    int flag_count;
+} result_column;
+typedef struct result_attribute {
+    const char *name, *text; /* text NULL: a number */
+    double number;
+} result_attribute;
+typedef struct result_file {
+    const result_column *column; /* the first is the dimension of the others */
+    int columns;
+    size_t rows;
+    const result_attribute *attribute;
+    int attributes;
+    const double *(*values)(void *context,
+                            int column); /* valid until the next call; NULL: they cannot be had */
+    void *context;
+} result_file;
+gough_status result_write_hdf5_file(const result_file *file, const char *path, gough_error *error);
 
 /* Readers fill a table whose fields are all zero; the caller frees it, also after an error. */
 gough_status result_read_csv(const char *path, const char *text, size_t length, gough_table *table,

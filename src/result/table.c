@@ -28,8 +28,7 @@ static char *copy_text(const char *text) {
 
 /* √(length/g) beyond the double that `units` holds: each step of Newton doubles the digits, 16 to 32 to all. The double itself
  * where the unit of time is not the machine's. */
-static gough_quad unit_of_time(const gough_units *units, const gough_machine *machine) {
-    const double length = machine->base_radius, gravity = machine->gravity_magnitude;
+static gough_quad unit_of_time(const gough_units *units, double length, double gravity) {
     gough_quad time = units->time;
     if (!(fabs(units->time * units->time * gravity / length - 1.0) <= 1e-15)) return time;
     for (int step = 0; step < 2; step++)
@@ -43,12 +42,15 @@ static gough_quad power_of(gough_quad base, int exponent) {
     return exponent < 0 ? 1 / power : power;
 }
 
-/* Factor from units of the run to those of the output: 1/(length^l mass^m time^t), and 180/π for angles. */
-static gough_quad output_factor(const gough_result *result, int column) {
-    const gough_column_info *info = &gough_column_table[column];
-    const gough_quad unit = power_of(result->length, info->length) *
-                            power_of(result->mass, info->mass) * power_of(result->time, info->time);
-    return (info->angle != 0 ? QUAD_DEGREES : 1) / unit;
+result_scale result_scale_of(const gough_units *units, double base_radius, double gravity) {
+    return (result_scale){units->length, units->mass, unit_of_time(units, base_radius, gravity)};
+}
+
+/* 1/(length^l mass^m time^t), and 180/π for angles. */
+gough_quad result_factor(const result_scale *scale, int length, int mass, int time, int angle) {
+    const gough_quad unit =
+        power_of(scale->length, length) * power_of(scale->mass, mass) * power_of(scale->time, time);
+    return (angle != 0 ? QUAD_DEGREES : 1) / unit;
 }
 
 gough_result *gough_result_new(const gough_study *study, const char *verb,
@@ -58,12 +60,15 @@ gough_result *gough_result_new(const gough_study *study, const char *verb,
     const bool simulated = strcmp(verb, "simulate") == 0;
     result->verb = simulated ? "simulate" : "forces";
     result->units = *units;
-    result->length = units->length;
-    result->mass = units->mass;
-    result->time = unit_of_time(units, &study->model->machine);
+    const gough_machine *machine = &study->model->machine;
+    const result_scale scale =
+        result_scale_of(units, machine->base_radius, machine->gravity_magnitude);
+    result->time = scale.time;
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
         if (!gough_column_filled(c, simulated, study->simulation.reactions)) continue;
-        result->quad_factor[result->columns] = output_factor(result, c);
+        const gough_column_info *info = &gough_column_table[c];
+        result->quad_factor[result->columns] =
+            result_factor(&scale, info->length, info->mass, info->time, info->angle);
         result->factor[result->columns] = (double)result->quad_factor[result->columns];
         result->column[result->columns++] = c;
     }

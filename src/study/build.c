@@ -304,19 +304,27 @@ static void check_simulation(study_build *build, study_node *node) {
     say_at(build, about, word ? word : "", error.message);
 }
 
+void study_model_rebuild(study_build *build, unsigned parts) {
+    study_node *simulation = study_node_child(build->root, "simulation");
+    const bool machine = !(parts & STUDY_MACHINE) || build_machine(build);
+    const bool motion = !(parts & STUDY_MOTION) || study_motion_build(build);
+    if (parts & STUDY_DISTURBANCE) build_disturbance(build);
+    if (parts & STUDY_CONTROL) build_control(build);
+    if (parts & STUDY_INITIAL) build_initial(build);
+    if (parts & STUDY_SIMULATION) {
+        build->study->simulation = gough_simulation_default();
+        if (simulation && simulation->kind == STUDY_MAPPING && !simulation->wrong) {
+            check_method(build, simulation);
+            if (!simulation->wrong) read_simulation(build, simulation);
+        }
+    }
+    if (machine && motion && is_right(simulation) && parts & (STUDY_MOTION | STUDY_SIMULATION))
+        check_simulation(build, simulation);
+}
+
 void study_model_build(study_build *build) {
     const study_node *units = study_node_child(build->root, "units");
-    study_node *simulation = study_node_child(build->root, "simulation");
     build->study->dimensionless = units && strcmp(units->text, "dimensionless") == 0;
-    build->study->simulation = gough_simulation_default();
-    const bool machine = build_machine(build);
-    const bool motion = study_motion_build(build);
-    build_disturbance(build);
-    build_control(build);
-    build_initial(build);
-    if (simulation && simulation->kind == STUDY_MAPPING && !simulation->wrong) {
-        check_method(build, simulation);
-        if (!simulation->wrong) read_simulation(build, simulation);
-    }
-    if (machine && motion && is_right(simulation)) check_simulation(build, simulation);
+    study_model_rebuild(build, STUDY_MACHINE | STUDY_MOTION | STUDY_DISTURBANCE | STUDY_CONTROL |
+                                   STUDY_INITIAL | STUDY_SIMULATION);
 }

@@ -14,6 +14,19 @@ typedef struct study_build {
     void *samples;
 } study_build;
 
+/* Parts of a study that can be filled by themselves, as flags; those of gough_sweep_touches(). */
+enum {
+    STUDY_MACHINE = 1,
+    STUDY_MOTION = 4,
+    STUDY_DISTURBANCE = 8,
+    STUDY_CONTROL = 16,
+    STUDY_INITIAL = 32,
+    STUDY_SIMULATION = 64
+};
+
+/* Fills these parts of the model once more, from a tree in which only numbers have changed. */
+void study_model_rebuild(study_build *build, unsigned parts);
+
 /* Fills the model and the simulation from the tree's parts that have no errors, and says what only then can be found:
  * impossible geometry or inertia, keys that do not go together, recorded motion that is wrong. */
 void study_model_build(study_build *build);

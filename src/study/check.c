@@ -35,7 +35,8 @@ static const char *home_of(study_arena *arena, const char *name) {
     const study_rule *rule = study_rules(&rules);
     for (size_t i = 0; i < rules; i++) {
         const char *dot = strrchr(rule[i].path, '.');
-        if (dot && strcmp(dot + 1, name) == 0 && !strstr(rule[i].path, ".N."))
+        if (dot && strcmp(dot + 1, name) == 0 && !strstr(rule[i].path, ".N.") &&
+            !strstr(rule[i].path, ".KEY."))
             return study_arena_copy(arena, rule[i].path, (size_t)(dot - rule[i].path));
     }
     return NULL;
@@ -127,6 +128,38 @@ static void check_moves(study_messages *messages, study_node *node) {
                             "a mapping such as {start: 1, duration: 2, heave: 0.1}");
 }
 
+static void say_duplicate(study_messages *messages, study_node *node, const study_node *first);
+
+static void check_whole(study_messages *messages, study_node *node, const study_bound *bound) {
+    if (!study_check_number(messages, node, bound)) return;
+    const double value = study_number(node);
+    if (value - floor(value) > 0)
+        study_node_say(messages, node, study_node_place(node, false), "`%s` must be %s, found %s",
+                       study_node_path(messages->arena, node), bound->rule, node->text);
+}
+
+/* What each path varies over; whether there is such a path is found with the plan. */
+static void check_swept(study_messages *messages, study_node *node) {
+    static const study_bound any = {"", "", -INFINITY, INFINITY, false};
+    if (node->kind != STUDY_MAPPING || node->count == 0) {
+        study_say_shape(messages, node, study_shape_phrase(SHAPE_SWEPT));
+        return;
+    }
+    for (study_node *swept = node->first; swept; swept = swept->next) {
+        const study_node *first = study_node_child(node, swept->key->text);
+        if (first != swept)
+            say_duplicate(messages, swept, first);
+        else if (swept->kind == STUDY_MAPPING)
+            check_mapping(messages, swept, "sweep.keys.KEY");
+        else if (swept->kind == STUDY_LIST && swept->count > 0)
+            check_numbers(messages, swept, swept->count, &any, "a list of numbers");
+        else
+            study_say_shape(messages, swept,
+                            "a list of numbers, {from: 1, to: 10, steps: 10}, {uniform: [low, "
+                            "high]} or {normal: [mean, deviation]}");
+    }
+}
+
 static void check_value(study_messages *messages, study_node *node, const study_rule *rule) {
     static const study_bound any = {"", "", -INFINITY, INFINITY, false};
     const char *phrase = study_shape_phrase(rule->shape);
@@ -158,6 +191,12 @@ static void check_value(study_messages *messages, study_node *node, const study_
         break;
     case SHAPE_NUMBER:
         study_check_number(messages, node, &rule->bound);
+        break;
+    case SHAPE_WHOLE:
+        check_whole(messages, node, &rule->bound);
+        break;
+    case SHAPE_SWEPT:
+        check_swept(messages, node);
         break;
     case SHAPE_PAIR:
         check_numbers(messages, node, 2, &rule->bound, phrase);

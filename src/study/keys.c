@@ -20,6 +20,8 @@
 #define NAME_FORMULA_OR_SIX "formula or six formulas"
 #define NAME_FORMULA_VECTOR "three formulas"
 #define NAME_CONSTRAINTS "choice or mapping"
+#define NAME_WHOLE "whole number"
+#define NAME_SWEPT "mapping of paths"
 
 #define TEXT_ANY ""
 #define TEXT_ABOVE_ZERO "> 0"
@@ -31,6 +33,11 @@
 #define TEXT_FEEDFORWARD "program, none"
 #define TEXT_METHOD "dop853, rk4, rattle2, rattle4, rattle6, rattle8"
 #define TEXT_CONSTRAINTS "projection, none"
+#define TEXT_SEED "0 to 9007199254740992"
+#define TEXT_RUNS "1 to 100000000"
+#define TEXT_STEPS "2 to 100000000"
+#define TEXT_COMBINE "product, zip"
+#define TEXT_SCALE "lin, log"
 
 #define BOUND_ANY                                                                                  \
     { TEXT_ANY, "", -INFINITY, INFINITY, false }
@@ -52,6 +59,16 @@
     { TEXT_METHOD, "", -INFINITY, INFINITY, false }
 #define BOUND_CONSTRAINTS                                                                          \
     { TEXT_CONSTRAINTS, "", -INFINITY, INFINITY, false }
+#define BOUND_SEED                                                                                 \
+    { TEXT_SEED, "a whole number from 0 to 9007199254740992", 0, 0x1p53, false }
+#define BOUND_RUNS                                                                                 \
+    { TEXT_RUNS, "a whole number from 1 to 100000000", 1, 1e8, false }
+#define BOUND_STEPS                                                                                \
+    { TEXT_STEPS, "a whole number from 2 to 100000000", 2, 1e8, false }
+#define BOUND_COMBINE                                                                              \
+    { TEXT_COMBINE, "", -INFINITY, INFINITY, false }
+#define BOUND_SCALE                                                                                \
+    { TEXT_SCALE, "", -INFINITY, INFINITY, false }
 
 #define KEY(path, shape, unit, bound, fallback, sentence)                                          \
     {path, NAME_##shape, unit, TEXT_##bound, fallback, sentence},
@@ -102,6 +119,8 @@ const char *study_shape_phrase(study_shape shape) {
         [SHAPE_FORMULA_OR_SIX] = "a formula or a list of six formulas",
         [SHAPE_FORMULA_VECTOR] = "a list of three formulas",
         [SHAPE_CONSTRAINTS] = "a word or {baumgarte: [alpha, beta]}",
+        [SHAPE_WHOLE] = "a whole number",
+        [SHAPE_SWEPT] = "a mapping such as {control.stiffness: [10, 20, 50]}",
     };
     return phrases[shape];
 }

@@ -13,6 +13,7 @@ typedef enum study_shape {
     SHAPE_FILE,
     SHAPE_CHOICE, /* one of the words of the bound */
     SHAPE_NUMBER,
+    SHAPE_WHOLE, /* a number without decimals */
     SHAPE_PAIR,
     SHAPE_VECTOR,
     SHAPE_GRAVITY, /* a number within the bound, or any three */
@@ -22,7 +23,8 @@ typedef enum study_shape {
     SHAPE_FORMULA,
     SHAPE_FORMULA_OR_SIX,
     SHAPE_FORMULA_VECTOR,
-    SHAPE_CONSTRAINTS /* a choice, or a mapping */
+    SHAPE_CONSTRAINTS, /* a choice, or a mapping */
+    SHAPE_SWEPT        /* a mapping of paths to what they vary over */
 } study_shape;
 
 typedef struct study_bound {

@@ -196,6 +196,10 @@ static int compare(const void *left, const void *right) {
     return a->order < b->order ? -1 : a->order > b->order;
 }
 
+const char *study_messages_first(const study_messages *messages) {
+    return messages->first ? messages->first->sentence : "";
+}
+
 char *study_messages_write(const study_messages *messages) {
     char *text = NULL;
     size_t length = 0, count = 0;

@@ -36,6 +36,9 @@ typedef struct study_messages {
 void study_say(study_messages *messages, gough_status status, study_place place, const char *format,
                ...) __attribute__((format(printf, 4, 5)));
 
+/* The sentence said first; "" if there is none. */
+const char *study_messages_first(const study_messages *messages);
+
 /* All of it as allocated text, in the order of the files; NULL where memory is short. */
 char *study_messages_write(const study_messages *messages);
 

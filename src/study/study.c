@@ -4,15 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/build.h"
 #include "study/check.h"
+#include "study/read.h"
 #include "study/settings.h"
 #include "study/source.h"
-
-struct memory {
-    gough_move *moves;
-    void *samples;
-};
 
 static char *duplicate(const char *text, size_t length) {
     char *copy = malloc(length + 1);
@@ -24,7 +19,7 @@ static char *duplicate(const char *text, size_t length) {
 
 void gough_study_free(gough_study *study) {
     if (!study) return;
-    struct memory *memory = study->memory_;
+    study_memory *memory = study->memory_;
     if (memory) {
         free(memory->moves);
         free(memory->samples);
@@ -43,7 +38,7 @@ void gough_study_free_messages(char *messages) { free(messages); }
 static gough_study *new_study(const study_source *source) {
     gough_study *study = calloc(1, sizeof *study);
     if (!study) return NULL;
-    study->memory_ = calloc(1, sizeof(struct memory));
+    study->memory_ = calloc(1, sizeof(study_memory));
     study->model = calloc(1, sizeof *study->model);
     study->name = duplicate(source->name, strlen(source->name));
     study->text = duplicate(source->text, source->length);
@@ -64,7 +59,7 @@ static study_node *read_tree(study_messages *messages, const study_source *sourc
 }
 
 /* The folder of a file, with its slash: relative samples start there. */
-static const char *folder_of(study_arena *arena, const char *name) {
+const char *study_folder(study_arena *arena, const char *name) {
     const char *slash = strrchr(name, '/');
     return slash ? study_arena_copy(arena, name, (size_t)(slash + 1 - name)) : "";
 }
@@ -72,10 +67,10 @@ static const char *folder_of(study_arena *arena, const char *name) {
 static void build_study(study_messages *messages, const study_node *root, gough_study *study) {
     const study_node *title = study_node_child(root, "title");
     const bool given = title && title->kind == STUDY_SCALAR;
-    const char *folder = folder_of(messages->arena, study->name);
+    const char *folder = study_folder(messages->arena, study->name);
     study_build build = {
         .messages = messages, .root = root, .folder = folder ? folder : "", .study = study};
-    struct memory *memory = study->memory_;
+    study_memory *memory = study->memory_;
     study_model_build(&build);
     memory->moves = build.moves;
     memory->samples = build.samples;
@@ -83,19 +78,35 @@ static void build_study(study_messages *messages, const study_node *root, gough_
     if (!study->title) messages->arena->exhausted = true;
 }
 
-/* All steps on a text that outlives the messages. */
-static gough_study *read_study(study_messages *messages, const study_source *source,
-                               const gough_setting *settings, size_t setting_count) {
+study_node *study_tree_read(study_messages *messages, const study_source *source,
+                            const gough_setting *settings, size_t setting_count) {
     study_node *root = read_tree(messages, source);
     if (!root) return NULL;
     for (size_t i = 0; i < setting_count; i++)
         study_setting_apply(messages, root, &settings[i], 2 + (int)i);
     study_check(messages, root);
+    return root;
+}
+
+gough_study *study_from_tree(study_messages *messages, study_node *root,
+                             const study_source *source) {
     gough_study *study = new_study(source);
     if (study)
         build_study(messages, root, study);
     else
         messages->arena->exhausted = true;
+    return study;
+}
+
+/* All steps on a text that outlives the messages. */
+static gough_study *read_study(study_messages *messages, const study_source *source,
+                               const gough_setting *settings, size_t setting_count) {
+    study_plan plan;
+    study_node *root = study_tree_read(messages, source, settings, setting_count);
+    if (!root) return NULL;
+    study_plan_make(messages, root, &plan);
+    gough_study *study = study_from_tree(messages, root, source);
+    if (study) study->swept = study_node_child(root, "sweep") != NULL;
     return study;
 }
 

@@ -55,6 +55,7 @@ static const char *shape_with(const gough_key *key, const char *v, char *value, 
         const char *type, *before, *after, *element;
     } shapes[] = {
         {"number", "", "", ""},
+        {"whole number", "", "", ""},
         {"two numbers", "[", ", 1]", ".1"},
         {"three numbers", "[1, ", ", 1]", ".2"},
         {"number or three numbers", "[1, 1, ", "]", ".3"},
@@ -103,7 +104,8 @@ static void expect_of_number(const gough_key *key, const char *v, const char *pa
 
 START_TEST(rejects_wrong_type_of_every_key) {
     EACH_KEY(key) {
-        const bool mapping = type_is(key, "mapping") || type_is(key, "list of mappings");
+        const bool mapping = type_is(key, "mapping") || type_is(key, "list of mappings") ||
+                             type_is(key, "mapping of paths");
         const bool other = type_is(key, "choice or mapping");
         lone made;
         char sentence[400];
@@ -161,6 +163,10 @@ START_TEST(rejects_every_number_out_of_range) {
         } else if (strcmp(key->range, "1e-30 to 0.1") == 0) {
             expect_of_number(key, "0", "from 1e-30 to 0.1, found 0");
             expect_of_number(key, "1", "from 1e-30 to 0.1, found 1");
+        } else if (type_is(key, "whole number")) {
+            expect_of_number(key, "-1", "a whole number from ");
+            expect_of_number(key, "2.5", "a whole number from ");
+            expect_of_number(key, "1e16", "a whole number from ");
         } else if (strcmp(key->range, ">= 0 as a number") == 0) {
             lone made;
             nest(&made, key, "", "-9.8");
@@ -251,9 +257,11 @@ START_TEST(table_is_complete_and_in_order) {
         bool found = dot == NULL;
         for (const gough_key *other = keys; dot && other < key; other++) {
             const size_t length = strlen(other->path);
-            found |= strncmp(key->path, other->path, length) == 0 &&
-                     (dot == key->path + length ||
-                      (dot == key->path + length + 2 && key->path[length + 1] == 'N'));
+            found |=
+                strncmp(key->path, other->path, length) == 0 &&
+                (dot == key->path + length ||
+                 (dot == key->path + length + 2 && key->path[length + 1] == 'N') ||
+                 (dot == key->path + length + 4 && strncmp(key->path + length + 1, "KEY", 3) == 0));
         }
         ck_assert_msg(found, "%s stands before its mapping", key->path);
     }

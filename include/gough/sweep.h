@@ -1,0 +1,182 @@
+/** @file sweep.h
+ *  Many runs of one study with other numbers: what the section `sweep` of a study file asks for, run in lanes and threads, kept
+ *  in files that a killed sweep goes on from. Runs count from 1. The same bytes for any number of lanes, threads and shards.
+ */
+#ifndef GOUGH_SWEEP_H
+#define GOUGH_SWEEP_H
+
+#include "gough/batch.h"
+#include "gough/result.h"
+#include "gough/study.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- what is run ---------------------------------------------------------------------------------------------- */
+
+/** A study with its sweep, as read. Opaque and constant: safe to use from several threads. */
+typedef struct gough_sweep gough_sweep;
+
+/** How a key varies. */
+typedef enum gough_sweep_kind {
+    GOUGH_SWEEP_GRID,    /**< {from, to, steps, scale} */
+    GOUGH_SWEEP_LIST,    /**< a list of numbers */
+    GOUGH_SWEEP_UNIFORM, /**< {uniform: [low, high]} */
+    GOUGH_SWEEP_NORMAL   /**< {normal: [mean, deviation]} */
+} gough_sweep_kind;
+
+/** One key that varies. */
+typedef struct gough_sweep_key {
+    const char *path; /**< "control.stiffness", "disturbance.leg_force.2" */
+    const char *unit; /**< as in the table of keys: "force/length", "angle [degrees]", "" … */
+    gough_sweep_kind kind;
+    bool logarithmic; /**< of a grid */
+    double least;     /**< of a grid or list; what `uniform` or `normal` have first */
+    double greatest;  /**< of a grid or list; what `uniform` or `normal` have second */
+    size_t count;     /**< values of a grid or list; 0 for a distribution */
+} gough_sweep_key;
+
+/** Reads a study and its section `sweep`; parameters, messages and status as gough_study_parse(). A study without that
+ *  section, and a study that is wrong without the swept values, are errors.
+ *  @param[out] sweep  set on GOUGH_OK only; free with gough_sweep_free() */
+GOUGH_API gough_status gough_sweep_parse(const char *name, const char *text, size_t length,
+                                         const gough_setting *settings, size_t setting_count,
+                                         gough_sweep **sweep, char **messages);
+
+/** Frees a sweep; NULL is allowed. */
+GOUGH_API void gough_sweep_free(gough_sweep *sweep);
+
+/** The study as it stands, with none of the swept values. */
+GOUGH_API const gough_study *gough_sweep_study(const gough_sweep *sweep);
+
+/** The settings that it was read with. */
+GOUGH_API const gough_setting *gough_sweep_settings(const gough_sweep *sweep, size_t *count);
+
+/** How many runs: at most 1e8. */
+GOUGH_API size_t gough_sweep_runs(const gough_sweep *sweep);
+
+/** Whether several grids and lists go side by side (`combine: zip`); else each value of one is run with each of the others. */
+GOUGH_API bool gough_sweep_zipped(const gough_sweep *sweep);
+
+/** Seed of the distributions. */
+GOUGH_API uint64_t gough_sweep_seed(const gough_sweep *sweep);
+
+/** The keys that vary, in the order of the file, which is that of the values of a run. */
+GOUGH_API const gough_sweep_key *gough_sweep_keys(const gough_sweep *sweep, size_t *count);
+
+/** Values of a run, in the units of the study file (angles in degrees). Of a product the last key changes fastest. The n-th
+ *  distribution from 0 draws gough_random_uniform() or gough_random_normal() of (seed, run, n). */
+GOUGH_API void gough_sweep_values(const gough_sweep *sweep, size_t run, double *value);
+
+enum { GOUGH_SWEEP_TEXT = 32 };
+
+/** A value as text, the shortest that reads back as the same number: what `--set` takes. Independent of the locale. */
+GOUGH_API void gough_sweep_print(double value, char text[GOUGH_SWEEP_TEXT]);
+
+/** Makes the studies of single runs, one after the other; one for each thread. Opaque. */
+typedef struct gough_sweep_maker gough_sweep_maker;
+
+/** A maker for a sweep, which must outlive it; NULL if memory is out. */
+GOUGH_API gough_sweep_maker *gough_sweep_maker_new(const gough_sweep *sweep);
+
+/** The study of a run: the same numbers, to the bit, as the study read with its values as settings.
+ *  @param[out] study  set on GOUGH_OK: the maker's, valid until its next call; its `text` and `title` are not filled
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT where the values make no possible study, with the sentence in @p error;
+ *  GOUGH_ERROR_FILE if memory is out. */
+GOUGH_API gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run,
+                                        const gough_study **study, gough_error *error);
+
+/** Frees a maker; NULL is allowed. */
+GOUGH_API void gough_sweep_maker_free(gough_sweep_maker *maker);
+
+/** Which parts of a study the swept values touch, as flags; the others are the same memory in all studies of a maker. */
+enum {
+    GOUGH_SWEEP_MACHINE = 1,     /**< platform, load, gravity */
+    GOUGH_SWEEP_HEIGHT = 2,      /**< of home, with the machine */
+    GOUGH_SWEEP_MOTION = 4,      /**< the program */
+    GOUGH_SWEEP_DISTURBANCE = 8, /**< the disturbances */
+    GOUGH_SWEEP_CONTROL = 16,    /**< the control law */
+    GOUGH_SWEEP_INITIAL = 32,    /**< where runs start */
+    GOUGH_SWEEP_SIMULATION = 64  /**< how they are run */
+};
+
+/** The flags of one key, or of all together for @p key at or beyond the last. */
+GOUGH_API unsigned gough_sweep_touches(const gough_sweep *sweep, size_t key);
+
+/* ---- running it ----------------------------------------------------------------------------------------------- */
+
+/** What a run of a sweep leaves. */
+typedef struct gough_sweep_row {
+    size_t run;          /**< its number, from 1 */
+    const double *value; /**< swept values; valid during the call only */
+    gough_outcome
+        outcome; /**< units of the study, radians; cause GOUGH_END_INVALID where the values make no study */
+} gough_sweep_row;
+
+/** Called in the thread of the caller for each run in order; a value other than 0 stops the sweep. */
+typedef int (*gough_sweep_sink)(void *context, const gough_sweep_row *row);
+
+/** How to run; start from gough_sweep_options_default(). */
+typedef struct gough_sweep_options {
+    int lanes;    /**< as in gough_batch_options */
+    int threads;  /**< as in gough_batch_options */
+    size_t first; /**< first run; 0: 1 */
+    size_t last;  /**< last run; 0: all */
+    /** Called in the thread of the caller some ten times a second with the number of runs done; nonzero stops. May be NULL. */
+    int (*progress)(void *context, size_t done);
+    void *context; /**< of progress */
+} gough_sweep_options;
+
+/** All runs, the widest lanes, all processors. */
+GOUGH_API gough_sweep_options gough_sweep_options_default(void);
+
+/** Runs a sweep. Memory is bounded whatever the number of runs.
+ *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if sink or progress stopped it; GOUGH_ERROR_INPUT for options that do not fit;
+ *  GOUGH_ERROR_FILE if memory is out or no thread could be started. */
+GOUGH_API gough_status gough_sweep_run(const gough_sweep *sweep, const gough_sweep_options *options,
+                                       gough_sweep_sink sink, void *context, gough_error *error);
+
+/* ---- its files ------------------------------------------------------------------------------------------------ */
+
+/** What a sweep leaves in a few numbers. Runs count as done where they reached their duration. */
+typedef struct gough_sweep_summary {
+    gough_units units; /**< of the file's numbers; those here are in the study's */
+    size_t runs;       /**< of the file */
+    size_t resumed;    /**< of these, found in FILE.part */
+    size_t ended[GOUGH_END_INVALID + 1]; /**< by gough_cause */
+    size_t first_invalid;                /**< a run; 0: none */
+    double least_position,
+        greatest_position; /**< deviations of runs done, units of the study; NaN: none */
+    double least_angle, greatest_angle; /**< radians */
+    size_t least_position_run, greatest_position_run, least_angle_run, greatest_angle_run;
+} gough_sweep_summary;
+
+/** Where a sweep goes. */
+typedef struct gough_sweep_output {
+    const char *path; /**< .h5 or .csv, "-" CSV on standard output, NULL none; of a shard: .shard */
+    bool
+        dimensionless; /**< in R_b, M and √(R_b/g) of the study as it stands; swept values stay as they are */
+    size_t shard, shards; /**< this part of that many, from 1; 0: all of it */
+} gough_sweep_output;
+
+/** Runs a sweep into a file, complete or absent. Until it is complete, runs done stand in PATH.part, an append-only file, and
+ *  the same call goes on from there. PATH.part of another study, of other settings, of another version or in use by another
+ *  process is GOUGH_ERROR_INPUT.
+ *  @param options  `first` and `last` are ignored
+ *  @return as gough_sweep_run(), GOUGH_ERROR_FILE also where a file could not be written: PATH.part then stays. */
+GOUGH_API gough_status gough_sweep_write(const gough_sweep *sweep,
+                                         const gough_sweep_options *options,
+                                         const gough_sweep_output *output,
+                                         gough_sweep_summary *summary, gough_error *error);
+
+/** Joins all shards of a sweep, in any order, to the file that the whole sweep would have left, byte for byte.
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT where a file is no shard, is not of the same sweep, comes twice or is missing;
+ *  GOUGH_ERROR_FILE. */
+GOUGH_API gough_status gough_sweep_merge(const char *const *shard, size_t count, const char *path,
+                                         gough_sweep_summary *summary, gough_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,26 @@
+/* The steps of reading a study, for those who take them one by one. */
+#ifndef STUDY_READ_H
+#define STUDY_READ_H
+
+#include "study/build.h"
+#include "study/plan.h"
+
+/* What a study has allocated besides its model. */
+typedef struct study_memory {
+    gough_move *moves;
+    void *samples;
+} study_memory;
+
+/* The guarded, parsed and checked tree of a text that outlives it, settings applied; NULL where there is none. What is wrong
+ * is said. */
+study_node *study_tree_read(study_messages *messages, const study_source *source,
+                            const gough_setting *settings, size_t setting_count);
+
+/* The study of a tree; NULL where memory is out. */
+gough_study *study_from_tree(study_messages *messages, study_node *root,
+                             const study_source *source);
+
+/* The folder of a file, with its slash: relative samples start there. */
+const char *study_folder(study_arena *arena, const char *name);
+
+#endif
