@@ -23,8 +23,24 @@ static inline void rotation_jets(jet roll, jet pitch, jet yaw, jet R[3][3]) {
     R[2][2] = jet_multiply(b, c);
 }
 
+/* whether an angle and its derivatives are 0 */
+static inline int jet_still(jet a) {
+    return jet_vanishes(a.v) && jet_vanishes(a.d) && jet_vanishes(a.dd);
+}
+
 static inline real jet_order(jet a, int order) {
     return order == 0 ? a.v : order == 1 ? a.d : a.dd;
+}
+
+/* ρ and its derivatives, the triad at rest in its place at home: what (motion-1) gives where no angle moves */
+static inline void coordinates_of_shift(const hexapod *h, vector about, const vector where[3],
+                                        coordinates x[3]) {
+    const vector none = {number_of(0), number_of(0), number_of(0)};
+
+    for (int order = 0; order < 3; order++)
+        x[order] = (coordinates){where[order], {none, none, none}};
+    x[0].rho = add(where[0], subtract(h->center, about));
+    x[0].q = h->axes;
 }
 
 /* Coordinates of the load for a motion of the point `about`, as displacement from home: x[0], rates x[1], accelerations x[2].
@@ -32,23 +48,31 @@ static inline real jet_order(jet a, int order) {
 static inline void coordinates_of_motion(const hexapod *h, double height, const double about[3],
                                          const jet component[GOUGH_COMPONENTS], coordinates x[3]) {
     const vector point = vector_of(about);
+    vector where[3];
     jet R[3][3];
+
+    for (int order = 0; order < 3; order++) {
+        where[order] = (vector){number_of_real(jet_order(component[GOUGH_SURGE], order)),
+                                number_of_real(jet_order(component[GOUGH_SWAY], order)),
+                                number_of_real(jet_order(component[GOUGH_HEAVE], order))};
+    }
+    where[0] = add(where[0], point);
+    where[0].z = where[0].z + number_of(height);
+    if (jet_still(component[GOUGH_ROLL]) && jet_still(component[GOUGH_PITCH]) &&
+        jet_still(component[GOUGH_YAW])) {
+        coordinates_of_shift(h, point, where, x);
+        return;
+    }
 
     rotation_jets(component[GOUGH_ROLL], component[GOUGH_PITCH], component[GOUGH_YAW], R);
     for (int order = 0; order < 3; order++) {
-        number m[3][3], p[3];
+        number m[3][3];
         for (int r = 0; r < 3; r++) {
-            p[r] = number_of_real(jet_order(component[r], order));
             for (int c = 0; c < 3; c++) m[r][c] = number_of_real(jet_order(R[r][c], order));
         }
         const triad axes = {
             {m[0][0], m[1][0], m[2][0]}, {m[0][1], m[1][1], m[2][1]}, {m[0][2], m[1][2], m[2][2]}};
-        vector where = {p[0], p[1], p[2]};
-        if (order == 0) {
-            where = add(where, point);
-            where.z = where.z + number_of(height);
-        }
-        x[order] = coordinates_of_top(h, point, where, &axes);
+        x[order] = coordinates_of_top(h, point, where[order], &axes);
     }
 }
 

@@ -64,43 +64,50 @@ static inline elimination solve_six(number a[6][6], number b[][6], int count) {
     return result;
 }
 
-/* Largest and smallest singular value of a 6×6 matrix by one-sided Jacobi rotations of its columns; a is destroyed. Six
- * to ten sweeps leave the columns orthogonal to round-off; the rest are for the worst cases. */
-static inline void singular_values(number a[6][6], number *largest, number *smallest) {
+/* Makes columns p and q of a matrix orthogonal by a rotation, in the lanes that want it. Returns 1 in lanes where they were not
+ * orthogonal to round-off, else 0. */
+static inline number jacobi_rotate(number a[6][6], int p, int q, mask wanted) {
     const number zero = number_of(0), one = number_of(1), four = number_of(4), two = number_of(2);
-    number high, low;
+    const number round_off = number_of_real(REAL_EPSILON * REAL_EPSILON);
+    number pp = zero, qq = zero, pq = zero;
 
-    for (int sweep = 0; sweep < 6 + 2 * NUMBER_SWEEPS; sweep++) {
-        for (int p = 0; p < 5; p++) {
-            for (int q = p + 1; q < 6; q++) {
-                number pp = zero, qq = zero, pq = zero;
-                for (int r = 0; r < 6; r++) {
-                    pp = pp + a[r][p] * a[r][p];
-                    qq = qq + a[r][q] * a[r][q];
-                    pq = pq + a[r][p] * a[r][q];
-                }
-
-                /* tan of the angle that makes the two columns orthogonal; 0 where they are */
-                const number d = qq - pp, root = number_root(d * d + four * pq * pq);
-                const mask negative = number_greater(zero, d);
-                const number below = number_magnitude(d) + root;
-                const number above = two * number_select(negative, -pq, pq);
-                const mask turned = number_greater(below, zero);
-                const number t =
-                    number_select(turned, above / number_select(turned, below, one), zero);
-                const number c = one / number_root(one + t * t), s = c * t;
-
-                for (int r = 0; r < 6; r++) {
-                    const number x = a[r][p], y = a[r][q];
-                    a[r][p] = c * x - s * y;
-                    a[r][q] = s * x + c * y;
-                }
-            }
-        }
+    for (int r = 0; r < 6; r++) {
+        pp = pp + a[r][p] * a[r][p];
+        qq = qq + a[r][q] * a[r][q];
+        pq = pq + a[r][p] * a[r][q];
     }
 
-    high = zero;
-    low = zero;
+    /* tan of the angle; 0 where they are orthogonal, or the lane is done */
+    const number d = qq - pp, root = number_root(d * d + four * pq * pq);
+    const number below = number_magnitude(d) + root;
+    const number above = two * number_select(number_greater(zero, d), -pq, pq);
+    const mask turned = number_greater(below, zero);
+    const number tangent = number_select(turned, above / number_select(turned, below, one), zero);
+    const number t = number_select(wanted, tangent, zero);
+    const number c = one / number_root(one + t * t), s = c * t;
+
+    for (int r = 0; r < 6; r++) {
+        const number x = a[r][p], y = a[r][q];
+        a[r][p] = c * x - s * y;
+        a[r][q] = s * x + c * y;
+    }
+    return number_select(number_greater(pq * pq, round_off * pp * qq), one, zero);
+}
+
+/* Largest and smallest singular value of a 6×6 matrix by one-sided Jacobi rotations of its columns; a is destroyed. Six to ten
+ * sweeps leave the columns orthogonal to round-off; a lane that is there is left alone. */
+static inline void singular_values(number a[6][6], number *largest, number *smallest) {
+    const number zero = number_of(0), half = number_of(0.5);
+    number high = zero, low = zero, left = number_of(1);
+
+    for (int sweep = 0; sweep < 8 + 2 * NUMBER_SWEEPS; sweep++) {
+        const mask wanted = number_greater(left, half);
+        if (!number_any(wanted)) break;
+        left = zero;
+        for (int p = 0; p < 5; p++) {
+            for (int q = p + 1; q < 6; q++) left = left + jacobi_rotate(a, p, q, wanted);
+        }
+    }
     for (int c = 0; c < 6; c++) {
         number square = zero;
         for (int r = 0; r < 6; r++) square = square + a[r][c] * a[r][c];

@@ -90,8 +90,9 @@ static inline jet formula_binary(int code, int constant, jet a, jet b) {
 
 /* A compiled formula with its derivatives at t. The compiler has bounded its stack. */
 static inline jet formula_jet(const gough_formula *f, real t) {
-    jet stack[GOUGH_FORMULA_DEPTH + 1] = {{0, 0, 0}};
+    jet stack[GOUGH_FORMULA_DEPTH + 1];
     int top = 0; /* values on the stack; the result is the first, 0 for an empty formula */
+    if (f->count == 0) return jet_constant(0);
     for (int i = 0; i < f->count; i++) {
         const int code = f->operation[i].code, constant = f->operation[i].constant;
         if (code == FORMULA_NUMBER) {

@@ -83,7 +83,7 @@ static inline gough_status drive_stop(drive *d, gough_cause cause, real t, const
     d->end->cause = cause;
     d->end->time = (double)t;
     d->end->leg = 0;
-    snprintf(d->end->message, sizeof d->end->message, "%s at t = %.9g", sentence, (double)t);
+    end_say(d->end, "%s at t = %.9g", sentence, (double)t);
     return GOUGH_ERROR_NUMERICAL;
 }
 

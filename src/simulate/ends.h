@@ -2,9 +2,21 @@
 #ifndef GOUGH_SIMULATE_ENDS_H
 #define GOUGH_SIMULATE_ENDS_H
 
-#include <stdio.h>
+#include <string.h>
 
 #include "simulate/limits.h"
+
+/* the sentence of an end, as gough_fail() writes it: numbers with a point, whatever the locale */
+static inline void end_copy(gough_end *end, const gough_error *said) {
+    memcpy(end->message, said->message, sizeof end->message);
+    end->message[sizeof end->message - 1] = '\0';
+}
+#define end_say(end, ...)                                                                          \
+    do {                                                                                           \
+        gough_error said;                                                                          \
+        (void)gough_fail(&said, GOUGH_ERROR_NUMERICAL, __VA_ARGS__);                               \
+        end_copy(end, &said);                                                                      \
+    } while (0)
 
 /* beyond this condition eight digits of the forces are gone */
 static const double greatest_condition = 1e8;
@@ -69,30 +81,25 @@ static inline void limits_say(const run *r, gough_cause cause, int leg, double t
     end->leg = leg;
     switch (cause) {
     case GOUGH_END_LEG_SHORT:
-        snprintf(end->message, sizeof end->message,
-                 "leg %d gets shorter than its least length %.9g at t = %.9g", leg, p->length_min,
-                 t);
+        end_say(end, "leg %d gets shorter than its least length %.9g at t = %.9g", leg,
+                p->length_min, t);
         break;
     case GOUGH_END_LEG_LONG:
-        snprintf(end->message, sizeof end->message,
-                 "leg %d gets longer than its greatest length %.9g at t = %.9g", leg, p->length_max,
-                 t);
+        end_say(end, "leg %d gets longer than its greatest length %.9g at t = %.9g", leg,
+                p->length_max, t);
         break;
     case GOUGH_END_LEG_SPEED:
-        snprintf(end->message, sizeof end->message,
-                 "leg %d exceeds its greatest speed %.9g at t = %.9g", leg, p->speed_max, t);
+        end_say(end, "leg %d exceeds its greatest speed %.9g at t = %.9g", leg, p->speed_max, t);
         break;
     case GOUGH_END_LEG_FORCE:
-        snprintf(end->message, sizeof end->message,
-                 "leg %d exceeds its greatest force %.9g at t = %.9g", leg, p->force_max, t);
+        end_say(end, "leg %d exceeds its greatest force %.9g at t = %.9g", leg, p->force_max, t);
         break;
     case GOUGH_END_LEG_NO_LENGTH:
-        snprintf(end->message, sizeof end->message,
-                 "leg %d has no length at t = %.9g: its joints meet, so it has no direction", leg,
-                 t);
+        end_say(end, "leg %d has no length at t = %.9g: its joints meet, so it has no direction",
+                leg, t);
         break;
     default:
-        snprintf(end->message, sizeof end->message, "the run ends at t = %.9g", t);
+        end_say(end, "the run ends at t = %.9g", t);
     }
 }
 
@@ -100,10 +107,10 @@ static inline void limits_say_singular(int of_program, double t, gough_end *end)
     end->cause = GOUGH_END_SINGULAR;
     end->time = t;
     end->leg = 0;
-    snprintf(end->message, sizeof end->message,
-             "%s is singular at t = %.9g: there the six legs cannot hold the load in every "
-             "direction, and no leg forces are defined",
-             of_program ? "the program's pose" : "the pose", t);
+    end_say(end,
+            "%s is singular at t = %.9g: there the six legs cannot hold the load in every "
+            "direction, and no leg forces are defined",
+            of_program ? "the program's pose" : "the pose", t);
 }
 
 static inline void limits_end(const run *r, int margin, real t, gough_end *end) {
@@ -118,8 +125,7 @@ static inline gough_status limits_fault(const run *r, gough_end *end) {
     end->cause = GOUGH_END_NOT_FINITE;
     end->time = (double)r->fault.time;
     end->leg = 0;
-    snprintf(end->message, sizeof end->message,
-             "%s (value or derivatives) is not finite at t = %.9g", r->fault.what, end->time);
+    end_say(end, "%s (value or derivatives) is not finite at t = %.9g", r->fault.what, end->time);
     return GOUGH_ERROR_INPUT;
 }
 

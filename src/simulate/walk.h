@@ -141,8 +141,7 @@ static inline gough_status walk_row(walk *a, real t) {
     if (row_send(value, a->sink, a->context)) {
         a->end->cause = GOUGH_END_STOPPED;
         a->end->time = (double)t;
-        snprintf(a->end->message, sizeof a->end->message, "the run was stopped at t = %.9g",
-                 (double)t);
+        end_say(a->end, "the run was stopped at t = %.9g", (double)t);
         return GOUGH_ERROR_NUMERICAL;
     }
     return GOUGH_OK;
