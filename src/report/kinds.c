@@ -403,6 +403,18 @@ static void name_lone_lines(sheet *s) {
     }
 }
 
+/* The next name of a list with commas, without the blanks around it (a name may have some within); NULL at the end. */
+static char *next_name(char **rest) {
+    char *name = *rest;
+    if (name == NULL) return NULL;
+    char *end = name + strcspn(name, ",");
+    *rest = *end != '\0' ? end + 1 : NULL;
+    *end = '\0';
+    name += strspn(name, " ");
+    while (end > name && end[-1] == ' ') *--end = '\0';
+    return name;
+}
+
 static void fill_columns(builder *b) {
     char *list = strdup(b->figure->columns != NULL ? b->figure->columns : "");
     if (list == NULL) {
@@ -411,9 +423,9 @@ static void fill_columns(builder *b) {
     }
     const char *abscissa = abscissa_of(b->tables[0]);
     name_abscissa(b, abscissa);
-    char *rest = NULL;
-    for (char *name = strtok_r(list, ", ", &rest); name != NULL;
-         name = strtok_r(NULL, ", ", &rest)) {
+    char *rest = list;
+    for (char *name = next_name(&rest); name != NULL; name = next_name(&rest)) {
+        if (name[0] == '\0') continue;
         if (gough_table_column(b->tables[0], name) == NULL) {
             report_unknown_column(b, name);
             break;

@@ -334,6 +334,21 @@ START_TEST(study_text_runs_nothing) {
 }
 END_TEST
 
+START_TEST(columns_of_other_hands_are_drawn_by_their_names) {
+    gough_table *table = run_table(50, 0.1);
+    gough_figure figure = gough_figure_default();
+    const gough_table *const tables[] = {table};
+
+    free(table->name[GOUGH_Z]);
+    table->name[GOUGH_Z] = strdup("leg 1 (kN)");
+    figure.columns = " leg 1 (kN) , x,";
+    char *svg = svg_of(&figure, tables, NULL, 1);
+    ck_assert_msg(strstr(svg, "leg 1 (kN)") != NULL, "%s", svg);
+    free(svg);
+    gough_table_free(table);
+}
+END_TEST
+
 /* ---- what cannot be drawn -------------------------------------------------------------------------------------- */
 
 static void expect_refused(const gough_figure *figure, const gough_table *table, const char *path,
@@ -452,12 +467,12 @@ START_TEST(any_numbers_are_drawn) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("report/figure", 200, every_kind_is_drawn, the_kind_is_chosen_by_the_table,
-                     every_format_is_complete_and_the_same_each_time,
-                     a_comma_locale_changes_no_byte, legs_that_coincide_are_one_line,
-                     tables_are_compared_by_their_labels, fonts_of_an_svg_have_substitutes,
-                     an_early_end_is_told, long_tables_stay_small_files, study_text_runs_nothing,
-                     wrong_wishes_are_answered_with_what_would_be_right,
-                     files_that_cannot_be_written_are_named, a_missing_or_failing_gnuplot_is_told,
-                     nothing_is_left_behind, any_numbers_are_drawn);
+    return SUITE_RUN(
+        "report/figure", 200, every_kind_is_drawn, the_kind_is_chosen_by_the_table,
+        every_format_is_complete_and_the_same_each_time, a_comma_locale_changes_no_byte,
+        legs_that_coincide_are_one_line, tables_are_compared_by_their_labels,
+        fonts_of_an_svg_have_substitutes, an_early_end_is_told, long_tables_stay_small_files,
+        study_text_runs_nothing, columns_of_other_hands_are_drawn_by_their_names,
+        wrong_wishes_are_answered_with_what_would_be_right, files_that_cannot_be_written_are_named,
+        a_missing_or_failing_gnuplot_is_told, nothing_is_left_behind, any_numbers_are_drawn);
 }
