@@ -103,6 +103,22 @@ static inline void walk_look(walk *a, real before, real t, const instant *m,
     }
 }
 
+/* when the pose becomes nearly singular between `low` and `high` */
+static inline real walk_near_root(walk *a, real low, real high) {
+    instant m;
+
+    for (int i = 0; i < WALK_HALVINGS; i++) {
+        const real middle = (low + high) / 2;
+        walk_at(a, middle, &m);
+        if (limits_nearly_singular(&a->r, run_stage(&a->r, middle), &m)) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    return high;
+}
+
 /* singular, no length, not finite at t: what `forces` cannot go past */
 static inline gough_status walk_hard(walk *a, real before, real t, const instant *m,
                                      const real margin[MARGINS]) {
@@ -122,7 +138,7 @@ static inline gough_status walk_hard(walk *a, real before, real t, const instant
         return GOUGH_ERROR_NUMERICAL;
     }
     if (limits_nearly_singular(&a->r, s, m)) {
-        limits_say_singular(1, (double)t, a->end);
+        limits_say_singular(1, (double)(t > before ? walk_near_root(a, before, t) : t), a->end);
         return GOUGH_ERROR_NUMERICAL;
     }
     return GOUGH_OK;

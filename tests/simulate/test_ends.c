@@ -183,6 +183,30 @@ START_TEST(singular_pose_is_located) {
 }
 END_TEST
 
+/* yaw comes to rest at 90 degrees, which is singular: nearly so from a time that has nothing to do with the rows */
+START_TEST(nearly_singular_pose_is_located) {
+    gough_model *model = heaving("0");
+    gough_simulation s = tight(20);
+    gough_error error = {0};
+    gough_end end;
+    double when[2];
+
+    set_formula(&model->motion.formula[GOUGH_YAW], "90*ramp(t, 10)");
+    model->motion.angle_unit = acos(-1) / 180;
+    for (int i = 0; i < 2; i++) {
+        taken rows = {0};
+        s.output_step = i == 0 ? 0.05 : 0.03;
+        ck_assert_int_eq(gough_forces(model, &s, take, &rows, NULL, NULL, &end, &error),
+                         GOUGH_ERROR_NUMERICAL);
+        ck_assert_int_eq(end.cause, GOUGH_END_SINGULAR);
+        ck_assert(rows.last_time < end.time && rows.last[GOUGH_CONDITION] <= 1e8);
+        when[i] = end.time;
+    }
+    ck_assert_msg(fabs(when[1] - when[0]) <= 1e-8, "%.12g and %.12g", when[0], when[1]);
+    free(model);
+}
+END_TEST
+
 /* open loop without any force: the platform falls, z = 1 − t²/2, through h = 0 at √2 */
 START_TEST(falling_through_a_singular_pose) {
     static const gough_method methods[] = {GOUGH_DOP853, GOUGH_RK4, GOUGH_RATTLE4};
@@ -410,8 +434,8 @@ END_TEST
 int main(void) {
     return SUITE_RUN("ends", 60, leg_too_long_is_located, speed_and_force_limits_are_found,
                      limit_left_at_the_beginning, singular_pose_is_located,
-                     falling_through_a_singular_pose, leg_of_no_length_is_named,
-                     formula_not_finite_is_named_with_its_time, sink_stops_a_run,
-                     rows_stand_at_their_times, flat_body_runs_with_every_method,
+                     nearly_singular_pose_is_located, falling_through_a_singular_pose,
+                     leg_of_no_length_is_named, formula_not_finite_is_named_with_its_time,
+                     sink_stops_a_run, rows_stand_at_their_times, flat_body_runs_with_every_method,
                      step_too_long_is_said, options_are_checked);
 }
