@@ -18,8 +18,8 @@ static const verb_usage usage = {
     .option = option,
     .arguments = "[NAME]",
     .text = "Print a ready study file to start from; without NAME, list them.\v"
-            "NAME may have an ending: 'ship-deck' is the study, 'ship-deck.awk' the script that "
-            "makes its data.",
+            "NAME may have an ending: 'flight-simulator' is a study, 'ship-deck.awk' the script "
+            "that makes its data.",
     .most_files = 1};
 
 /* The name to type: without the ending of a study file. */

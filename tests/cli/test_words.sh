@@ -44,6 +44,10 @@ for verb in $verbs; do "$GOUGH" "$verb" --help; done >"$scratch/help"
 for option in $(grep -oE -- '--[a-z]+' "$scratch/man" | sort -u); do
     grep -q -- "$option" "$scratch/help" || fail "the man page invents $option"
 done
+# the examples that help texts quote exist
+for quoted in $(grep -oE "'[a-z]+-[a-z.-]+'" "$scratch/help" | tr -d "'" | sort -u); do
+    "$GOUGH" example "$quoted" >"$scratch/example" 2>&1 || fail "--help quotes an example that is not there: $quoted"
+done
 [[ $(offered example paper-he) == *paper-heave* ]] || fail "bash does not complete the examples"
 [[ -n $(offered plot --figure "") ]] || fail "bash does not complete the figures"
 for shell in zsh fish; do
