@@ -66,9 +66,10 @@ static void clear_figures(figures *f) {
 }
 
 static void say_usage(FILE *where) {
-    fputs("bench [--quick] [--json] [--gough=COMMAND]\n"
+    fputs("bench [--quick] [--json] [--only=SECTION] [--gough=COMMAND]\n"
           "  --quick   short runs: shows that all works, the times mean little\n"
           "  --json    the table for machines\n"
+          "  --only    kernels, steps, precision, mujoco, solvers, threads or process\n"
           "  --gough   the command whose processes are timed\n",
           where);
 }
@@ -81,6 +82,8 @@ static int parse(bench *b, int count, char **text) {
             b->json = true;
         } else if (strncmp(text[i], "--gough=", 8) == 0) {
             b->command = text[i] + 8;
+        } else if (strncmp(text[i], "--only=", 7) == 0) {
+            b->only = text[i] + 7;
         } else if (strcmp(text[i], "--help") == 0) {
             say_usage(stdout);
             exit(0);
@@ -91,6 +94,10 @@ static int parse(bench *b, int count, char **text) {
         }
     }
     return 1;
+}
+
+static bool wanted(const bench *b, const bench_section *s) {
+    return b->only == NULL || strcmp(b->only, s->name) == 0;
 }
 
 int main(int count, char **text) {
@@ -116,11 +123,14 @@ int main(int count, char **text) {
     clear_figures(&b->figures);
     reference_begin(&b->ref, b->quick ? 1 : 20);
     for (int i = 0; i < number; i++) {
+        if (!wanted(b, sections[i])) continue;
         own[i] = bench_memory(sections[i]->size);
         sections[i]->prepare(b, own[i]);
     }
     measure_run(&b->time);
-    for (int i = 0; i < number; i++) sections[i]->report(b, own[i]);
+    for (int i = 0; i < number; i++) {
+        if (wanted(b, sections[i])) sections[i]->report(b, own[i]);
+    }
     if (b->json) {
         table_print_json(&b->out);
     } else {

@@ -24,6 +24,7 @@ typedef struct {
 
 typedef struct {
     bool quick, json;
+    const char *only;    /* the one section that is wanted, or NULL */
     const char *command; /* the command gough, or NULL */
     reference ref;
     measure time;
@@ -32,6 +33,7 @@ typedef struct {
 } bench;
 
 typedef struct {
+    const char *name;
     size_t size; /* of the section's own memory, zeroed, aligned to 64 */
     void (*prepare)(bench *b, void *own);
     void (*report)(bench *b, void *own);

@@ -209,4 +209,4 @@ static void report(bench *b, void *memory) {
     }
 }
 
-const bench_section section_solvers = {sizeof(own), prepare, report};
+const bench_section section_solvers = {"solvers", sizeof(own), prepare, report};

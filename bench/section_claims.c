@@ -19,7 +19,7 @@ static void claim(bench *b, const char *name, double figure, double quietest, do
     } else if (figure >= wanted) {
         table_word(&b->out, "reached, %.2f times", figure / wanted);
     } else {
-        table_word(&b->out, "not reached: %.0f %% of it", 100 * figure / wanted);
+        table_word(&b->out, "not reached: %.1f %% of it", 100 * figure / wanted);
     }
 }
 
@@ -59,4 +59,4 @@ static void report(bench *b, void *memory) {
     claim(b, "two threads against one, times", f->threads, f->threads, 1.9);
 }
 
-const bench_section section_claims = {0, prepare, report};
+const bench_section section_claims = {"claims", 0, prepare, report};

@@ -130,4 +130,4 @@ static void report(bench *b, void *memory) {
     }
 }
 
-const bench_section section_kernels = {sizeof(own), prepare, report};
+const bench_section section_kernels = {"kernels", sizeof(own), prepare, report};

@@ -137,4 +137,4 @@ static void report(bench *b, void *memory) {
     }
 }
 
-const bench_section section_precision = {sizeof(own), prepare, report};
+const bench_section section_precision = {"precision", sizeof(own), prepare, report};

@@ -99,4 +99,4 @@ static void report(bench *b, void *memory) {
     (void)rmdir(o->folder);
 }
 
-const bench_section section_process = {sizeof(own), prepare, report};
+const bench_section section_process = {"process", sizeof(own), prepare, report};

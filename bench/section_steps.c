@@ -119,4 +119,4 @@ static void report(bench *b, void *memory) {
     report_memory(b);
 }
 
-const bench_section section_steps = {sizeof(own), prepare, report};
+const bench_section section_steps = {"steps", sizeof(own), prepare, report};

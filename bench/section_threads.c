@@ -79,4 +79,4 @@ static void report(bench *b, void *memory) {
     }
 }
 
-const bench_section section_threads = {sizeof(own), prepare, report};
+const bench_section section_threads = {"threads", sizeof(own), prepare, report};
