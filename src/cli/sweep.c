@@ -132,8 +132,9 @@ static void explain_invalid(const command_line *line, const gough_sweep *sweep,
     gough_sweep_maker_free(maker);
     char values[400];
     sweep_name_values(sweep, summary->first_invalid, values, sizeof values);
-    complain(line->verb, "%zu of %zu runs are invalid; the first is run %zu (%s): %s", invalid,
-             summary->runs, summary->first_invalid, values, error.message);
+    complain(line->verb, "%zu of %zu runs %s invalid; the first is run %zu (%s): %s", invalid,
+             summary->runs, invalid == 1 ? "is" : "are", summary->first_invalid, values,
+             error.message);
 }
 
 static void explain_stop(const command_line *line, const gough_sweep_summary *summary,

@@ -36,6 +36,9 @@ series *builder_line(builder *b, panel *p, size_t table, const char *abscissa, c
 /* An array of the sheet with one number for each row of a table. */
 double *builder_array(builder *b, size_t table);
 
+/* A table of a sweep (sweep.c). */
+void builder_fill_sweep(builder *b);
+
 gough_status builder_fail(builder *b, gough_status status, const char *sentence);
 
 #endif

@@ -473,17 +473,19 @@ static const char *const kind_names[] = {
     "condition — condition of the leg Jacobian",
     "columns — any named columns",
     "gain — deviation against the stiffness G (columns G, position_deviation, ended)",
+    "sweep — a sweep: a line over one swept key, a map over two, shares of the runs over more",
     NULL};
 
 static void (*const fillers[])(builder *b) = {
     fill_overview,  fill_motion, fill_forces,    fill_lengths, fill_rates, fill_power,
-    fill_deviation, fill_drift,  fill_condition, fill_columns, fill_gain};
+    fill_deviation, fill_drift,  fill_condition, fill_columns, fill_gain,  builder_fill_sweep};
 
 enum { KINDS = sizeof fillers / sizeof fillers[0] };
 
 const char *const *gough_figure_kinds(void) { return kind_names; }
 
 const char *sheet_default_kind(const gough_table *table) {
+    if (sheet_is_sweep(table)) return "sweep";
     if (gough_table_column(table, "G") != NULL &&
         gough_table_column(table, "position_deviation") != NULL)
         return "gain";
@@ -529,7 +531,8 @@ gough_status sheet_fill(sheet *s, const gough_figure *figure, const gough_table 
                         const char *const *labels, size_t table_count, gough_error *error) {
     builder b = {s, figure, tables, labels, table_count, error, GOUGH_OK, ""};
     const char *kind = figure->kind;
-    if (kind == NULL) kind = figure->columns != NULL ? "columns" : sheet_default_kind(tables[0]);
+    const bool chosen = figure->columns != NULL && !sheet_is_sweep(tables[0]);
+    if (kind == NULL) kind = chosen ? "columns" : sheet_default_kind(tables[0]);
     const int k = find_kind(&b, kind);
     if (k < 0) return b.status;
 

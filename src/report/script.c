@@ -24,11 +24,14 @@ enum {
     MARGIN_RIGHT = 26,
     TITLE_HEIGHT = 34,
     KEY_LINE = 18,
-    KEY_TEXT = 60, /* characters of a table's name */
-    HEADING = 30,  /* above each panel */
-    TICS = 22,     /* numbers below an abscissa */
-    ABSCISSA = 24, /* its name */
-    TEXT = 12,     /* sizes of text */
+    KEY_TEXT = 60,  /* characters of a table's name */
+    HEADING = 30,   /* above each panel */
+    TICS = 22,      /* numbers below an abscissa */
+    ABSCISSA = 24,  /* its name */
+    MAP_LEFT = 22,  /* more at the left of a map, for the name of its ordinate */
+    MAP_RIGHT = 66, /* and at its right, for the scale of its colours */
+    COLOURS = 12,   /* steps of that scale */
+    TEXT = 12,      /* sizes of text */
     SMALL_TEXT = 11,
     TITLE_TEXT = 14
 };
@@ -41,12 +44,18 @@ typedef struct range {
     double low, high;
 } range;
 
+static bool has_map(const sheet *s) { return s->count > 0 && s->panel[0].mapped; }
+
 static layout lay_out(const sheet *s) {
     layout l = {0};
     l.rows = (s->count + s->columns - 1) / s->columns;
     const int room = s->columns > 1 ? 520 : 780;
     l.panel_width = room - MARGIN_LEFT - MARGIN_RIGHT;
     l.panel_height = s->count == 1 ? 340 : l.rows == 2 ? 210 : 150;
+    if (has_map(s)) {
+        l.panel_width -= MAP_LEFT + MAP_RIGHT;
+        l.panel_height = 340;
+    }
     l.width = s->columns * room;
     l.top = s->title[0] != '\0' || s->note[0] != '\0' ? TITLE_HEIGHT : 8;
     if (s->common_key) {
@@ -73,8 +82,19 @@ static void widen(range *r, double value) {
 
 static range empty_range(void) { return (range){NAN, NAN}; }
 
+/* From edge to edge of a map's cells. */
+static range cell_range(const double *centre, size_t count, bool logarithmic) {
+    double low, high;
+    range r;
+    sheet_cell(centre, count, 0, logarithmic, &r.low, &high);
+    sheet_cell(centre, count, count - 1, logarithmic, &low, &r.high);
+    return r;
+}
+
 static range abscissa_range(const sheet *s) {
     range r = empty_range();
+    if (has_map(s))
+        return cell_range(s->panel[0].map.x, s->panel[0].map.columns, s->logarithmic_abscissa);
     for (int p = 0; p < s->count; p++) {
         for (int i = 0; i < s->panel[p].count; i++) {
             const series *line = &s->panel[p].series[i];
@@ -305,24 +325,24 @@ static double round_step(range r, int most) {
     return 10.0 * decade;
 }
 
-static void write_scale(FILE *file, char axis, bool logarithmic, range r, int most) {
-    fprintf(file, "set %crange [%.12g:%.12g]\n", axis, r.low, r.high);
+static void write_scale(FILE *file, const char *axis, bool logarithmic, range r, int most) {
+    fprintf(file, "set %srange [%.12g:%.12g]\n", axis, r.low, r.high);
     if (logarithmic) {
         const double decades = ceil(log10(r.high / r.low) / most);
-        fprintf(file, "set logscale %c\nset %ctics %.9g\nset format %c '10^{%%T}'\n", axis, axis,
+        fprintf(file, "set logscale %s\nset %stics %.9g\nset format %s '10^{%%T}'\n", axis, axis,
                 pow(10.0, decades), axis);
-        fprintf(file, "%s m%ctics\n", decades > 1.0 || r.high / r.low > 1e6 ? "unset" : "set",
+        fprintf(file, "%s m%stics\n", decades > 1.0 || r.high / r.low > 1e6 ? "unset" : "set",
                 axis);
         return;
     }
     /* as many decimals as the step has, so that the numbers of an axis are alike */
     const double step = round_step(r, most);
     const int decimals = step < 1.0 ? (int)ceil(-log10(step) - 1e-9) : 0;
-    fprintf(file, "unset logscale %c\nset %ctics %.9g\nunset m%ctics\n", axis, axis, step, axis);
+    fprintf(file, "unset logscale %s\nset %stics %.9g\nunset m%stics\n", axis, axis, step, axis);
     if (decimals <= 6)
-        fprintf(file, "set format %c '%%.%df'\n", axis, decimals);
+        fprintf(file, "set format %s '%%.%df'\n", axis, decimals);
     else
-        fprintf(file, "set format %c '%%g'\n", axis);
+        fprintf(file, "set format %s '%%g'\n", axis);
 }
 
 /* Place, scales and texts of one panel. */
@@ -331,7 +351,7 @@ static void write_axes(const drawing *pen, int number, range x, range y, int pow
     const layout *l = &pen->layout;
     const panel *p = &s->panel[number];
     const int row = number / s->columns, column = number % s->columns;
-    const int left = column * (l->width / s->columns) + MARGIN_LEFT;
+    const int left = column * (l->width / s->columns) + MARGIN_LEFT + (p->mapped ? MAP_LEFT : 0);
     const int top = l->top + HEADING + row * (HEADING + TICS + l->panel_height);
     FILE *file = pen->file;
     char heading[SHEET_TEXT + 64], unit[48], quoted[2 * SHEET_TEXT];
@@ -340,12 +360,13 @@ static void write_axes(const drawing *pen, int number, range x, range y, int pow
             screen_x(pen, left + l->panel_width));
     fprintf(file, "set tmargin at screen %.6f\nset bmargin at screen %.6f\n", screen_y(pen, top),
             screen_y(pen, top + l->panel_height));
-    write_scale(file, 'x', s->logarithmic_abscissa, x, l->panel_width / 60);
-    write_scale(file, 'y', p->logarithmic, y, l->panel_height / 30);
+    write_scale(file, "x", s->logarithmic_abscissa, x, l->panel_width / 60);
+    write_scale(file, "y", p->mapped ? p->map.logarithmic_y : p->logarithmic, y,
+                l->panel_height / 30);
 
     sheet_unit_label(unit, sizeof unit, p->unit, power);
     snprintf(heading, sizeof heading, "%s%s%s", p->heading,
-             p->logarithmic && has_negative(p) ? ", magnitude" : "", unit);
+             p->logarithmic && !p->mapped && has_negative(p) ? ", magnitude" : "", unit);
     sheet_quote(quoted, sizeof quoted, heading, 80);
     fprintf(file,
             "set label 2 '%s' at graph 0,graph 1 left offset character 0,character 0.75 "
@@ -385,6 +406,52 @@ static void write_plot(const drawing *pen, int number, int first_data) {
     fprintf(file, "\nunset label\n");
 }
 
+/* Steps of colour that all readers tell apart, dark to light, after viridis of Smith and van der Walt; cells without a number
+ * are grey. */
+static void write_map(const drawing *pen, int number, range z, int data) {
+    const panel *p = &pen->sheet->panel[number];
+    const layout *l = &pen->layout;
+    const int top = l->top + HEADING + number * (HEADING + TICS + l->panel_height);
+    FILE *file = pen->file;
+    char quoted[2 * SHEET_TEXT];
+    fprintf(file,
+            "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4a89', 3 '#31688e', 4 '#26828e', "
+            "5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b', 9 '#fde725') maxcolors %d\n",
+            COLOURS);
+    fprintf(file, "set colorbox user origin screen %.6f,screen %.6f size screen %.6f,screen %.6f\n",
+            screen_x(pen, l->width - MARGIN_RIGHT - MAP_RIGHT + 14),
+            screen_y(pen, top + l->panel_height), 14.0 / l->width,
+            (double)l->panel_height / l->height);
+    fprintf(file, "set colorbox border\nset border 15 lw 0.8 lc rgb '%s'\n", ink);
+    write_scale(file, "cb", p->logarithmic, z, 8);
+    sheet_quote(quoted, sizeof quoted, p->map.ordinate, 60);
+    fprintf(file, "set ylabel '%s' noenhanced offset character 0.6,character 0\n", quoted);
+    fprintf(
+        file,
+        "plot 'data-%d' using 1:2:3:4:5:6:($8 > 0 ? NaN : $7) with boxxyerror fillstyle solid "
+        "noborder fillcolor palette notitle, \\\n     'data-%d' using "
+        "1:($8 > 0 ? $2 : NaN):3:4:5:6 with boxxyerror fillstyle solid noborder fillcolor rgb '%s' "
+        "notitle\nunset label\n",
+        data, data, pale);
+}
+
+static bool write_map_panel(const drawing *pen, int number, range x, const char *folder) {
+    const panel *p = &pen->sheet->panel[number];
+    const map *m = &p->map;
+    char path[256];
+    range z = empty_range();
+    for (size_t i = 0; i < m->columns * m->rows; i++)
+        if (!p->logarithmic || m->cells[i] > 0.0) widen(&z, m->cells[i]);
+    const int power = power_of_panel(p, z);
+    const double scale = pow(1000.0, power);
+    z = (range){z.low / scale, z.high / scale};
+    if (p->logarithmic || !(z.high > z.low)) z = padded(p, z);
+    write_axes(pen, number, x, cell_range(m->y, m->rows, m->logarithmic_y), power);
+    write_map(pen, number, z, number);
+    snprintf(path, sizeof path, "%s/data-%d", folder, number);
+    return sheet_write_map(m, pen->sheet->logarithmic_abscissa, scale, path);
+}
+
 static bool write_panels(const drawing *pen, const char *folder) {
     const sheet *s = pen->sheet;
     const range x = abscissa_range(s);
@@ -393,6 +460,10 @@ static bool write_panels(const drawing *pen, const char *folder) {
     int data = 0;
     for (int number = 0; number < s->count && good; number++) {
         const panel *p = &s->panel[number];
+        if (p->mapped) {
+            good = write_map_panel(pen, number, x, folder);
+            continue;
+        }
         const range found = ordinate_range(p);
         const int power = power_of_panel(p, found);
         const double scale = pow(1000.0, power);

@@ -22,12 +22,23 @@ typedef struct series {
     bool points;
 } series;
 
+/* Colours over a grid of two abscissas: cells[row · columns + column], NaN where a run ended early. */
+typedef struct map {
+    size_t columns, rows;
+    const double *x, *y; /* the values of each column and row, increasing */
+    const double *cells;
+    bool logarithmic_y;
+    char ordinate[SHEET_TEXT]; /* name and unit */
+} map;
+
 typedef struct panel {
     char heading[SHEET_TEXT]; /* what is drawn, above the panel */
     char unit[32];            /* as in the table: "m/s2"; "" or "1": none */
     bool logarithmic;
     int count;
     series series[SHEET_SERIES];
+    bool mapped; /* `map` is drawn, and no series */
+    map map;
 } panel;
 
 typedef struct sheet {
@@ -52,6 +63,9 @@ gough_status sheet_fill(sheet *sheet, const gough_figure *figure, const gough_ta
 double *sheet_array(sheet *sheet, size_t count);
 void sheet_free_arrays(sheet *sheet);
 
+/* A table of a sweep: lines over one swept key, a map over two, shares of the runs over more (sweep.c). */
+bool sheet_is_sweep(const gough_table *table);
+
 /* Whether and how the table chooses its kind: name of it. */
 const char *sheet_default_kind(const gough_table *table);
 
@@ -62,6 +76,13 @@ typedef enum sheet_format { SHEET_PNG, SHEET_SVG, SHEET_PDF } sheet_format;
 /* Writes the script "script" and the data files it names into a folder (script.c). */
 gough_status sheet_write_script(const sheet *sheet, sheet_format format, const char *folder,
                                 gough_error *error);
+
+/* Edges of the n-th cell of a map: halfway to its neighbours, by ratio on a logarithmic axis (map.c). */
+void sheet_cell(const double *centre, size_t count, size_t n, bool logarithmic, double *low,
+                double *high);
+
+/* Cells of a map for gnuplot: x, y, ends in x and in y, number, 1 where there is none (map.c). */
+bool sheet_write_map(const map *map, bool logarithmic_x, double scale, const char *path);
 
 /* Thins a line for drawing: in each of @p buckets stretches of the abscissa the least and the greatest value stay, in
  * order. Returns the count of points kept, whose indices go to @p index (room for 2·buckets + 2); a line with no more

@@ -121,6 +121,13 @@ static gough_status read_number(const reader *r, piece cell, double *value) {
     return GOUGH_OK;
 }
 
+/* How a run ended, as a word: its number in gough_cause; -1 for any other text. */
+static int read_cause(piece cell) {
+    for (int cause = GOUGH_END_DONE; cause <= GOUGH_END_INVALID; cause++)
+        if (is_word(cell, gough_cause_name((gough_cause)cause))) return cause;
+    return -1;
+}
+
 /* Whether a name is well-formed UTF-8 (no overlong form, no surrogate) without control characters. */
 static bool is_clean_text(piece text) {
     for (const unsigned char *at = (const unsigned char *)text.begin,
@@ -193,7 +200,14 @@ static gough_status read_row(const reader *r, gough_table *table, piece line) {
         return fail_at(r, line.begin, sentence);
     }
     for (size_t c = 0; c < cells; c++) {
-        const gough_status status = read_number(r, take_cell(&line), &table->value[c][table->rows]);
+        const piece cell = take_cell(&line);
+        double *value = &table->value[c][table->rows];
+        const int cause = strcmp(table->name[c], "end_cause") == 0 ? read_cause(cell) : -1;
+        if (cause >= 0) {
+            *value = cause;
+            continue;
+        }
+        const gough_status status = read_number(r, cell, value);
         if (status != GOUGH_OK) return status;
     }
     return GOUGH_OK;

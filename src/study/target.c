@@ -176,7 +176,7 @@ static bool check_place(study_messages *messages, study_node *root, study_node *
     if (!missing || (depth == 0 && !move)) return true;
     if (depth == 0 && found->parent && !found->key && found->kind == STUDY_MAPPING) return true;
     study_node_say(messages, node, study_node_place(node, true),
-                   "`%s`: the study gives no list %s that this would be a number of", path,
+                   "`%s`: the study gives no list `%s` with such an element; write it out", path,
                    move ? "motion.moves" : rule->path);
     return false;
 }
