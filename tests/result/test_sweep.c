@@ -1,0 +1,131 @@
+/* Files of sweeps: a damaged shard is refused wherever the damage is, and a part goes on from any length. */
+#define _XOPEN_SOURCE 700
+#include "gough/sweep.h"
+
+#include "result/by_hand.h"
+#include "support/suite.h"
+
+static const char study[] = "units: dimensionless\n"
+                            "platform:\n"
+                            "  base: {radius: 1.0, half_angle: 15}\n"
+                            "  top: {radius: 0.6, half_angle: 15}\n"
+                            "  height: 1.2\n"
+                            "load: {mass: 1, inertia: [0.08, 0.08, 0.15]}\n"
+                            "simulation: {duration: 1, method: rk4, step: 0.05}\n"
+                            "control: {stiffness: 5}\n"
+                            "sweep: {keys: {load.mass: {from: 1, to: 2, steps: 9}}}\n";
+
+static gough_sweep *new_sweep(void) {
+    gough_sweep *sweep = NULL;
+    char *messages = NULL;
+    ck_assert_msg(gough_sweep_parse("study.yaml", study, strlen(study), NULL, 0, &sweep,
+                                    &messages) == GOUGH_OK,
+                  "%s", messages);
+    return sweep;
+}
+
+static gough_status run_into(const char *path, size_t shard, size_t shards,
+                             gough_sweep_summary *summary, gough_error *error) {
+    gough_sweep *sweep = new_sweep();
+    gough_sweep_options options = gough_sweep_options_default();
+    const gough_sweep_output output = {path, false, shard, shards};
+    options.threads = 1;
+    *error = (gough_error){GOUGH_OK, ""};
+    const gough_status status = gough_sweep_write(sweep, &options, &output, summary, error);
+    gough_sweep_free(sweep);
+    return status;
+}
+
+static void expect_same(const char *path, const char *bytes, size_t length) {
+    size_t other;
+    char *there = read_bytes(path, &other);
+    ck_assert_uint_eq(other, length);
+    ck_assert(memcmp(there, bytes, length) == 0);
+    free(there);
+}
+
+START_TEST(damaged_shards_are_refused) {
+    char folder[PATH_SIZE], one[PATH_SIZE], two[PATH_SIZE], table[PATH_SIZE];
+    const char *shards[] = {one, two};
+    gough_sweep_summary summary;
+    gough_error error;
+    make_folder(folder);
+    path_in(folder, "1.shard", one);
+    path_in(folder, "2.shard", two);
+    path_in(folder, "a.csv", table);
+    ck_assert_int_eq(run_into(one, 1, 2, &summary, &error), GOUGH_OK);
+    ck_assert_int_eq(run_into(two, 2, 2, &summary, &error), GOUGH_OK);
+    ck_assert_int_eq(gough_sweep_merge(shards, 2, table, &summary, &error), GOUGH_OK);
+    ck_assert_uint_eq(summary.runs, 9);
+    size_t length;
+    char *bytes = read_bytes(two, &length);
+    for (size_t at = 0; at < length; at++) {
+        bytes[at] ^= (char)(1 << at % 8);
+        write_bytes(two, bytes, length);
+        bytes[at] ^= (char)(1 << at % 8);
+        ck_assert_msg(gough_sweep_merge(shards, 2, table, &summary, &error) == GOUGH_ERROR_INPUT,
+                      "byte %zu of %zu", at, length);
+        ck_assert_ptr_nonnull(strstr(error.message, ".shard"));
+    }
+    for (size_t cut = 0; cut < length; cut++) {
+        write_bytes(two, bytes, cut);
+        ck_assert_int_eq(gough_sweep_merge(shards, 2, table, &summary, &error), GOUGH_ERROR_INPUT);
+    }
+    free(bytes);
+    remove_folder(folder);
+}
+END_TEST
+
+START_TEST(parts_of_any_length_go_on) {
+    char folder[PATH_SIZE], whole[PATH_SIZE], path[PATH_SIZE], part[PATH_SIZE], shard[PATH_SIZE];
+    gough_sweep_summary summary;
+    gough_error error;
+    make_folder(folder);
+    path_in(folder, "whole.csv", whole);
+    path_in(folder, "a.csv", path);
+    path_in(folder, "a.csv.part", part);
+    path_in(folder, "all.shard", shard);
+    ck_assert_int_eq(run_into(whole, 0, 0, &summary, &error), GOUGH_OK);
+    ck_assert_int_eq(run_into(shard, 1, 1, &summary, &error), GOUGH_OK);
+    size_t length, whole_length;
+    char *bytes = read_bytes(shard, &length); /* all of it as one shard is a whole part */
+    char *wanted = read_bytes(whole, &whole_length);
+    size_t resumed = 0;
+    for (size_t cut = 0; cut <= length; cut += cut + 37 < length ? 37 : 1) {
+        write_bytes(part, bytes, cut);
+        ck_assert_msg(run_into(path, 0, 0, &summary, &error) == GOUGH_OK, "%s", error.message);
+        ck_assert_uint_ge(summary.resumed, resumed);
+        resumed = summary.resumed;
+        expect_same(path, wanted, whole_length);
+        ck_assert_int_ne(access(part, F_OK), 0);
+    }
+    ck_assert_uint_eq(resumed, 9);
+    /* of another sweep, by any byte of its head */
+    bytes[100] ^= 1;
+    write_bytes(part, bytes, length);
+    ck_assert_int_eq(run_into(path, 0, 0, &summary, &error), GOUGH_ERROR_INPUT);
+    expect_same(part, bytes, length);
+    free(bytes);
+    free(wanted);
+    remove_folder(folder);
+}
+END_TEST
+
+START_TEST(without_a_path_there_is_a_summary) {
+    gough_sweep_summary summary;
+    gough_error error;
+    ck_assert_int_eq(run_into(NULL, 0, 0, &summary, &error), GOUGH_OK);
+    ck_assert_uint_eq(summary.runs, 9);
+    ck_assert_uint_eq(summary.ended[GOUGH_END_DONE], 9);
+    ck_assert(summary.greatest_position >= summary.least_position);
+    ck_assert_int_eq(run_into("a.txt", 0, 0, &summary, &error), GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(run_into("a.csv", 1, 2, &summary, &error), GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(run_into("a.shard", 3, 2, &summary, &error), GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(run_into("/nowhere/at/all/a.csv", 0, 0, &summary, &error), GOUGH_ERROR_FILE);
+}
+END_TEST
+
+int main(void) {
+    return SUITE_RUN("result/sweep", 120, damaged_shards_are_refused, parts_of_any_length_go_on,
+                     without_a_path_there_is_a_summary);
+}
