@@ -63,7 +63,10 @@ static void print_extreme(FILE *stream, const sweep_report *report, const char *
                           const char *unit, size_t run) {
     if (run == 0) return;
     char values[300] = "";
-    if (report->sweep) sweep_name_values(report->sweep, run, values, sizeof values);
+    size_t keys = 0;
+    if (report->sweep) gough_sweep_keys(report->sweep, &keys);
+    /* of more there are too many for a line; --run prints them */
+    if (keys > 0 && keys <= 3) sweep_name_values(report->sweep, run, values, sizeof values);
     fprintf(stream, "    %-10s %.6g%s, run %zu%s%s\n", what, value, unit, run, *values ? ": " : "",
             values);
 }
@@ -115,10 +118,13 @@ void sweep_describe(const gough_sweep *sweep) {
     size_t keys;
     const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
     const size_t runs = gough_sweep_runs(sweep);
-    printf("\nSweep\n  runs                 %zu%s\n", runs,
+    int width = 20;
+    for (size_t k = 0; k < keys; k++)
+        if ((int)strlen(key[k].path) > width) width = (int)strlen(key[k].path);
+    printf("\nSweep\n  %-*s %zu%s\n", width, "runs", runs,
            gough_sweep_zipped(sweep) ? ", values side by side" : "");
     for (size_t k = 0; k < keys; k++) {
-        printf("  %-20s ", key[k].path);
+        printf("  %-*s ", width, key[k].path);
         if (key[k].kind == GOUGH_SWEEP_NORMAL)
             printf("normal, mean %.6g, deviation %.6g\n", key[k].least, key[k].greatest);
         else if (key[k].kind == GOUGH_SWEEP_UNIFORM)

@@ -23,10 +23,27 @@ static study_source *source_of(study_arena *arena, const gough_setting *setting,
     return source;
 }
 
-/* The next part of a path as a node that can be a key. */
-static study_node *next_part(study_arena *arena, const study_source *source, size_t *at,
-                             size_t end) {
+/* Where the path of a swept key ends, that begins there: at the end, or before what such a key has. */
+static size_t swept_end(const study_source *source, size_t begin, size_t end) {
+    static const char *const names[] = {".from", ".to", ".steps", ".scale", ".uniform", ".normal"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        const size_t length = strlen(names[i]);
+        if (end - begin > length && memcmp(source->text + end - length, names[i], length) == 0)
+            return end - length;
+    }
+    return end;
+}
+
+static bool is_sweep_keys(const study_node *node) {
+    return node->key && strcmp(node->key->text, "keys") == 0 && node->parent->key &&
+           strcmp(node->parent->key->text, "sweep") == 0 && !node->parent->parent->parent;
+}
+
+/* The next part of a path as a node that can be a key; below sweep.keys that is a whole path. */
+static study_node *next_part(study_arena *arena, const study_source *source, size_t *at, size_t end,
+                             const study_node *parent) {
     const size_t begin = *at;
+    if (is_sweep_keys(parent)) *at = swept_end(source, begin, end);
     while (*at < end && source->text[*at] != '.') ++*at;
     study_node *part = study_node_new(arena, STUDY_SCALAR, (study_place){source, begin});
     if (!part) return NULL;
@@ -73,7 +90,7 @@ static study_node *find(study_messages *messages, study_node *root, const study_
                         size_t end) {
     study_node *node = root;
     for (size_t at = 0; node && at < end;) {
-        study_node *part = next_part(messages->arena, source, &at, end);
+        study_node *part = next_part(messages->arena, source, &at, end, node);
         if (!part) return NULL;
         if (node->kind == STUDY_LIST) {
             node = item_of(messages, node, part);

@@ -265,6 +265,29 @@ START_TEST(a_key_that_goes_not_with_the_file_is_an_error) {
 }
 END_TEST
 
+START_TEST(settings_change_a_sweep) {
+    static const gough_setting settings[] = {{"sweep.keys.control.stiffness", "[1, 2, 3]"},
+                                             {"sweep.keys.load.mass.to", "5"},
+                                             {"sweep.keys.gravity", ""}};
+    char text[2000], *messages = NULL;
+    gough_sweep *sweep = NULL;
+    size_t keys;
+    snprintf(text, sizeof text,
+             "%ssweep: {keys: {gravity: [1, 2], load.mass: {from: 1, to: 2, steps: 5}}}\n",
+             good_study);
+    ck_assert_int_eq(
+        gough_sweep_parse("study.yaml", text, strlen(text), settings, 3, &sweep, &messages),
+        GOUGH_OK);
+    ck_assert_uint_eq(gough_sweep_runs(sweep), 15);
+    const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
+    ck_assert_uint_eq(keys, 2);
+    ck_assert_str_eq(key[0].path, "load.mass");
+    ck_assert(same(value_of(sweep, 15, 0), 5));
+    ck_assert_str_eq(key[1].path, "control.stiffness");
+    gough_sweep_free(sweep);
+}
+END_TEST
+
 /* ---- running it --------------------------------------------------------------------------------------------------- */
 
 typedef struct rows {
@@ -310,7 +333,7 @@ int main(void) {
         zipped_keys_go_side_by_side, draws_are_of_seed_run_and_key,
         values_are_printed_so_that_they_read_back, study_of_a_run_is_the_one_read_with_its_settings,
         says_what_is_wrong_with_a_sweep, a_key_that_goes_not_with_the_file_is_an_error,
-        rows_come_in_order_and_can_be_stopped);
+        settings_change_a_sweep, rows_come_in_order_and_can_be_stopped);
     forget_comma_locale();
     return status;
 }
