@@ -22,7 +22,11 @@ typedef struct {
     number going_mask; /* 1 where going, else 0 */
     number side_pose, side_program;
 
-    number y[STATE], rate[STATE]; /* at the end of the last step, constraints kept */
+    /* state and rates at both ends of the last step, constraints kept; `now` is its end */
+    struct {
+        number y[STATE], rate[STATE];
+    } at[2];
+    int now;
     rattle_state body;
     number determinant; /* of the pose at the last row */
     int watchful;
@@ -120,6 +124,8 @@ static inline void group_program_pose(run *r) {
 
 /* deviation, peaks and work at an output time */
 static inline void group_row(group *g, const stage *s, const instant *m) {
+    const number *y = g->at[g->now].y;
+
     group_program_pose(&g->r);
     const triad back = transpose(&g->r.h.axes);
     const triad actual = compose(&m->x.q, &back), program = compose(&s->x[0].q, &back);
@@ -148,7 +154,7 @@ static inline void group_row(group *g, const stage *s, const instant *m) {
     }
     g->worst_drift = group_heard(g, number_larger(g->worst_drift, g->drift), g->worst_drift);
     g->drift = number_of(0);
-    for (int i = 0; i < STATE; i++) g->last[i] = group_heard(g, g->y[i], g->last[i]);
+    for (int i = 0; i < STATE; i++) g->last[i] = group_heard(g, y[i], g->last[i]);
 
     /* ∫ power, of fourth order */
     for (int i = 0; i + 1 < QUADRATURE_ROWS; i++) {
@@ -233,19 +239,20 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
         number_put(&g->going_mask, i, g->going[i]);
         number_put(&g->side_pose, i, side[0]);
         number_put(&g->side_program, i, side[1]);
-        for (int k = 0; k < STATE; k++) number_put(&g->y[k], i, state[k]);
+        for (int k = 0; k < STATE; k++) number_put(&g->at[0].y[k], i, state[k]);
     }
-    for (int k = 0; k < STATE; k++) g->last[k] = g->y[k];
+    for (int k = 0; k < STATE; k++) g->last[k] = g->at[0].y[k];
 
-    run_instant(&g->r, 0, g->y, &m);
-    coordinates_store(&m.rate, g->rate);
-    coordinates_store(&m.acceleration, g->rate + COORDINATES);
+    g->now = 0;
+    run_instant(&g->r, 0, g->at[0].y, &m);
+    coordinates_store(&m.rate, g->at[0].rate);
+    coordinates_store(&m.acceleration, g->at[0].rate + COORDINATES);
     g->drift = triad_violation(&m.x.q);
     group_row(g, run_stage(&g->r, 0), &m);
     g->determinant = limits_pose(&g->r, &m).determinant;
     if (job->simulation->method >= GOUGH_RATTLE2) {
         const rattle method = {&g->r.h.load, run_wrench, &g->r, g->r.damped};
-        g->body.x = coordinates_load(g->y);
+        g->body.x = coordinates_load(g->at[0].y);
         g->body.velocity = m.rate.rho;
         g->body.omega = onto(&g->body.x.q, triad_angular_velocity(&g->body.x.q, &m.rate.q));
         rattle_begin(&method, 0, &g->body);
@@ -255,21 +262,22 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
 /* the stepper's step; returns the residual of an implicit one */
 static inline number group_step(group *g, real t, real h, number raw[STATE]) {
     const gough_method method = g->r.options->method;
+    const number *y = g->at[g->now].y, *rate = g->at[g->now].rate;
 
     if (method == GOUGH_RK4) {
-        rk4_step(run_rates, &g->r, STATE, t, h, g->y, g->rate, raw);
+        rk4_step(run_rates, &g->r, STATE, t, h, y, rate, raw);
     } else if (method == GOUGH_DOP853) {
         dop853 work;
-        for (int i = 0; i < STATE; i++) work.slope[0][i] = g->rate[i];
-        dop853_step(&work, run_rates, &g->r, STATE, t, h, g->y, raw);
+        for (int i = 0; i < STATE; i++) work.slope[0][i] = rate[i];
+        dop853_step(&work, run_rates, &g->r, STATE, t, h, y, raw);
     } else {
         const rattle rule = {&g->r.h.load, run_wrench, &g->r, g->r.damped};
         const number residual =
             rattle_compose(&rule, (int)method - (int)GOUGH_RATTLE2, t, h, &g->body);
-        const coordinates rate = {g->body.velocity,
-                                  triad_rate(&g->body.x.q, out_of(&g->body.x.q, g->body.omega))};
+        const coordinates turning = {g->body.velocity,
+                                     triad_rate(&g->body.x.q, out_of(&g->body.x.q, g->body.omega))};
         coordinates_store(&g->body.x, raw);
-        coordinates_store(&rate, raw + COORDINATES);
+        coordinates_store(&turning, raw + COORDINATES);
         return residual;
     }
     return number_of(0);
@@ -278,17 +286,14 @@ static inline number group_step(group *g, real t, real h, number raw[STATE]) {
 /* 1 in lanes where something may have ended the run; cheap, and never wrong on the safe side */
 static inline number group_trouble(group *g, const stage *s, const instant *m, number residual) {
     const number zero = number_of(0), one = number_of(1);
-    number margin[MARGIN_POSE], least = one, sum = zero;
+    const number least = limits_least(&g->r, m);
+    number sum = zero;
     mask fine;
 
-    limits_legs(&g->r, m, margin);
-    for (int e = 0; e < MARGIN_POSE; e++) {
-        least = number_select(number_greater(least, margin[e]), margin[e], least);
-        sum = sum + margin[e];
-    }
     /* not finite anywhere is not finite in the sum; velocities are among the rates */
-    for (int i = 0; i < COORDINATES; i++) sum = sum + g->y[i];
-    for (int i = 0; i < STATE; i++) sum = sum + g->rate[i];
+    for (int i = 0; i < COORDINATES; i++) sum = sum + g->at[g->now].y[i];
+    for (int i = 0; i < STATE; i++) sum = sum + g->at[g->now].rate[i];
+    for (int v = 0; v < LEGS; v++) sum = sum + m->g.length[v] + m->u[v];
     number suspicion = number_select(number_greater(zero, least), one, zero);
     fine = number_greater(number_of(1e300), number_magnitude(sum));
     suspicion = suspicion + number_select(fine, zero, one);
@@ -310,16 +315,15 @@ static inline number group_trouble(group *g, const stage *s, const instant *m, n
 
 /* looks at the lanes in trouble one by one, as gough_simulate() would */
 static inline void group_inspect(group *g, const batch_job *job, number trouble, real t0, real t,
-                                 number residual, const number *y0, const number *rate0,
-                                 const number *raw) {
+                                 number residual, const number *raw) {
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         batch_step step = {.t0 = t0,
                            .t = t,
                            .residual = number_lane(residual, i),
                            .side = {number_lane(g->side_pose, i), number_lane(g->side_program, i)}};
         if (!(number_lane(trouble, i) > 0)) continue;
-        group_lane(y0, i, step.y0, STATE);
-        group_lane(rate0, i, step.rate0, STATE);
+        group_lane(g->at[1 - g->now].y, i, step.y0, STATE);
+        group_lane(g->at[1 - g->now].rate, i, step.rate0, STATE);
         group_lane(raw, i, step.raw, STATE);
         if (!batch_locate(job, group_run(g, i), &step)) continue;
         group_write(g, job, i);
@@ -338,7 +342,7 @@ static inline int group_advance(void *memory, const batch_job *job, long long fr
     group *g = memory;
     const double h = job->simulation->step;
     const int projecting = job->simulation->constraints == GOUGH_PROJECTION;
-    number raw[STATE], y0[STATE], rate0[STATE];
+    number raw[STATE];
     instant m;
 
     for (long long k = from; k < to && group_going(g) > 0; k++) {
@@ -348,18 +352,18 @@ static inline int group_advance(void *memory, const batch_job *job, long long fr
 
         g->drift = number_larger(g->drift,
                                  projecting ? coordinates_project(&x, &v) : triad_violation(&x.q));
-        for (int i = 0; i < STATE; i++) y0[i] = g->y[i], rate0[i] = g->rate[i];
-        coordinates_store(&x, g->y);
-        coordinates_store(&v, g->y + COORDINATES);
-        run_instant(&g->r, t, g->y, &m);
-        coordinates_store(&m.rate, g->rate);
-        coordinates_store(&m.acceleration, g->rate + COORDINATES);
+        g->now = 1 - g->now;
+        coordinates_store(&x, g->at[g->now].y);
+        coordinates_store(&v, g->at[g->now].y + COORDINATES);
+        run_instant(&g->r, t, g->at[g->now].y, &m);
+        coordinates_store(&m.rate, g->at[g->now].rate);
+        coordinates_store(&m.acceleration, g->at[g->now].rate + COORDINATES);
 
         const stage *s = run_stage(&g->r, t);
         const number trouble = group_trouble(g, s, &m, residual);
         double sum = 0;
         for (int i = 0; i < NUMBER_WIDTH; i++) sum += number_lane(trouble, i);
-        if (sum > 0) group_inspect(g, job, trouble, t0, t, residual, y0, rate0, raw);
+        if (sum > 0) group_inspect(g, job, trouble, t0, t, residual, raw);
 
         if ((k + 1) % job->per_row == 0 && group_going(g) > 0) {
             const number before = g->determinant;

@@ -5,13 +5,17 @@
 
 #include "kernel/top.h"
 
-/* p: what the legs do; force (at the centre of mass) and moment: what else acts on the load, base axes */
+/* p: what the legs do; force (at the centre of mass) and moment: what else acts on the load, base axes; force NULL: nothing */
 static inline coordinates accelerations_under(const hexapod *h, const coordinates *x,
-                                              const coordinates *rate, const push *p, vector force,
-                                              vector moment) {
-    const vector L = add(push_moment(p, &x->q), onto(&x->q, moment));
+                                              const coordinates *rate, const push *p,
+                                              const vector *force, const vector *moment) {
+    vector F = p->F, L = push_moment(p, &x->q);
 
-    return (coordinates){body_acceleration(&h->load, add(p->F, force), h->gravity),
+    if (force) {
+        F = add(F, *force);
+        L = add(L, onto(&x->q, *moment));
+    }
+    return (coordinates){body_acceleration(&h->load, F, h->gravity),
                          triad_acceleration(&h->load, &x->q, &rate->q, L)};
 }
 
@@ -21,7 +25,7 @@ static inline void forward_dynamics(const hexapod *h, const coordinates *x, cons
                                     vector moment, coordinates *acceleration) {
     const push p = legs_push(h, g, u);
 
-    *acceleration = accelerations_under(h, x, rate, &p, force, moment);
+    *acceleration = accelerations_under(h, x, rate, &p, &force, &moment);
 }
 
 #endif

@@ -14,22 +14,27 @@ typedef struct {
 typedef struct {
     number mass;
     number Ix, Iy, Iz; /* second moments ∫x²dm …, (body-2) */
+    number inverse_mass;
+    number xy, yz, zx; /* reciprocals of the principal moments: 1/(I_x + I_y) … */
 } body;
+
+static inline body body_of(number mass, number Ix, number Iy, number Iz) {
+    const number one = number_of(1);
+
+    return (body){mass, Ix, Iy, Iz, one / mass, one / (Ix + Iy), one / (Iy + Iz), one / (Iz + Ix)};
+}
 
 /* (1.4): M ρ̈ = F, gravity not in F */
 static inline vector body_acceleration(const body *b, vector F, vector gravity) {
-    return along(gravity, number_of(1) / b->mass, F);
+    return along(gravity, b->inverse_mass, F);
 }
 
 /* (1.5), (body-4), with L the moment about the centre of mass along i, j, k */
 static inline triad triad_acceleration(const body *b, const triad *q, const triad *rate, vector L) {
     const number two = number_of(2);
-    const number xy = number_of(1) / (b->Ix + b->Iy);
-    const number yz = number_of(1) / (b->Iy + b->Iz);
-    const number zx = number_of(1) / (b->Iz + b->Ix);
-    const number ij = two * xy * dot(rate->i, rate->j), z = L.z * xy;
-    const number jk = two * yz * dot(rate->j, rate->k), x = L.x * yz;
-    const number ki = two * zx * dot(rate->k, rate->i), y = L.y * zx;
+    const number ij = two * b->xy * dot(rate->i, rate->j), z = L.z * b->xy;
+    const number jk = two * b->yz * dot(rate->j, rate->k), x = L.x * b->yz;
+    const number ki = two * b->zx * dot(rate->k, rate->i), y = L.y * b->zx;
     triad a;
 
     a.i = scale(-dot(rate->i, rate->i), q->i);
@@ -88,14 +93,14 @@ static inline void body_reactions(const body *b, const triad *q, const triad *ra
     reactions[2] = -dot(Q->k, q->k) - b->Iz * dot(rate->k, rate->k);
 
     reactions[3] = -(dot(Q->i, q->j) * b->Iy + dot(Q->j, q->i) * b->Ix +
-                     two * b->Ix * b->Iy * dot(rate->i, rate->j)) /
-                   (b->Ix + b->Iy);
+                     two * b->Ix * b->Iy * dot(rate->i, rate->j)) *
+                   b->xy;
     reactions[4] = -(dot(Q->j, q->k) * b->Iz + dot(Q->k, q->j) * b->Iy +
-                     two * b->Iy * b->Iz * dot(rate->j, rate->k)) /
-                   (b->Iy + b->Iz);
+                     two * b->Iy * b->Iz * dot(rate->j, rate->k)) *
+                   b->yz;
     reactions[5] = -(dot(Q->k, q->i) * b->Ix + dot(Q->i, q->k) * b->Iz +
-                     two * b->Iz * b->Ix * dot(rate->k, rate->i)) /
-                   (b->Iz + b->Ix);
+                     two * b->Iz * b->Ix * dot(rate->k, rate->i)) *
+                   b->zx;
 }
 
 #endif

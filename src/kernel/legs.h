@@ -34,7 +34,7 @@ static inline void hexapod_setup(hexapod *h, const double base[LEGS][3], const d
     h->axes = (triad){{axes[0][0], axes[1][0], axes[2][0]},
                       {axes[0][1], axes[1][1], axes[2][1]},
                       {axes[0][2], axes[1][2], axes[2][2]}};
-    h->load = (body){number_of(mass), moments[0], moments[1], moments[2]};
+    h->load = body_of(number_of(mass), moments[0], moments[1], moments[2]);
     h->gravity = vector_of(gravity);
     h->center = vector_of(center_of_mass);
 

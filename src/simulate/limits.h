@@ -30,10 +30,35 @@ static inline void limits_legs(const run *r, const instant *m, number margin[MAR
 
     for (int v = 0; v < LEGS; v++) {
         margin[MARGIN_SHORT + v] = m->g.length[v] * r->least - one + slack;
+        margin[MARGIN_LONG + v] = one;
+        margin[MARGIN_SPEED + v] = one;
+        margin[MARGIN_FORCE + v] = one;
+    }
+    for (int v = 0; r->limited[0] && v < LEGS; v++) {
         margin[MARGIN_LONG + v] = one - m->g.length[v] * r->most + slack;
+    }
+    for (int v = 0; r->limited[1] && v < LEGS; v++) {
         margin[MARGIN_SPEED + v] = one - number_magnitude(m->g.rate[v]) * r->fastest + slack;
+    }
+    for (int v = 0; r->limited[2] && v < LEGS; v++) {
         margin[MARGIN_FORCE + v] = one - number_magnitude(m->u[v]) * r->strongest + slack;
     }
+}
+
+/* the least of them, in each lane */
+static inline number limits_least(const run *r, const instant *m) {
+    number margin[MARGIN_POSE], least;
+
+    limits_legs(r, m, margin);
+    least = margin[MARGIN_SHORT];
+    for (int kind = 0; kind < 4; kind++) {
+        if (kind > 0 && !r->limited[kind - 1]) continue;
+        for (int v = 0; v < LEGS; v++) {
+            const number here = margin[kind * LEGS + v];
+            least = number_select(number_greater(least, here), here, least);
+        }
+    }
+    return least;
 }
 
 #endif

@@ -53,7 +53,8 @@ typedef struct run {
     void (*replay)(struct run *r, real t); /* fills `now` from what another run recorded, or NULL */
     void *tape;                            /* its context */
 
-    stage now; /* the stage at `time`, kept since steppers come back to it */
+    int limited[3]; /* some lane has a greatest length, speed, force */
+    stage now;      /* the stage at `time`, kept since steppers come back to it */
     real time;
     int valid;
     stage_fault fault;
@@ -73,6 +74,10 @@ static inline void run_add_lane(run *r, int lane) {
     number_put(&r->most, lane, 1 / (real)p->length_max);
     number_put(&r->fastest, lane, 1 / (real)p->speed_max);
     number_put(&r->strongest, lane, 1 / (real)p->force_max);
+
+    r->limited[0] |= p->length_max < INFINITY;
+    r->limited[1] |= p->speed_max < INFINITY;
+    r->limited[2] |= p->force_max < INFINITY;
 
     for (int v = 0; v < LEGS; v++) {
         number_put(&r->G[v], lane, control->stiffness[v]);
@@ -95,6 +100,7 @@ static inline void run_begin(run *r, const gough_motion *motion, const gough_sim
     r->options = options;
     r->height = lane[0].machine->platform.height;
     r->damped = r->share = r->loaded = 0;
+    for (int kind = 0; kind < 3; kind++) r->limited[kind] = 0;
     for (int v = 0; v < LEGS; v++) r->shaken[v] = 0;
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         r->lane[i] = lane[i];
@@ -230,8 +236,11 @@ static inline const stage *run_stage(run *r, real t) {
 /* (law-1), with the disturbances of the legs */
 static inline void run_leg_forces(const run *r, const stage *s, const legs *g, number u[LEGS]) {
     for (int v = 0; v < LEGS; v++) {
-        u[v] = law_force(s->force[v], r->G[v], r->D[v], s->program.length[v], s->program.rate[v],
-                         g->length[v], g->rate[v]);
+        u[v] = law_stiff(s->force[v], r->G[v], s->program.length[v], g->length[v]);
+        if (r->damped) {
+            u[v] = law_force(s->force[v], r->G[v], r->D[v], s->program.length[v],
+                             s->program.rate[v], g->length[v], g->rate[v]);
+        }
     }
 }
 
@@ -250,7 +259,9 @@ static inline void run_instant(run *r, real t, const number *y, instant *m) {
     legs_at(&r->h, &m->x, &m->g);
     legs_rates(&r->h, &m->rate, &m->g);
     run_leg_forces(r, s, &m->g, m->u);
-    forward_dynamics(&r->h, &m->x, &m->rate, &m->g, m->u, s->push, s->turn, &m->acceleration);
+    const push p = legs_push(&r->h, &m->g, m->u);
+    m->acceleration =
+        accelerations_under(&r->h, &m->x, &m->rate, &p, r->loaded ? &s->push : NULL, &s->turn);
     if (r->options->constraints == GOUGH_BAUMGARTE) {
         triad_stabilise(&r->h.load, &m->x.q, &m->rate.q, r->alpha, r->beta, &m->acceleration.q);
     }
@@ -271,7 +282,7 @@ static inline void run_rates(void *context, real t, const number *y, number *rat
                                    s->program.rate[i], length, leg_rate(&r->h, &v, i, n));
         push_add(&p, &r->h, i, u, n);
     }
-    a = accelerations_under(&r->h, &x, &v, &p, s->push, s->turn);
+    a = accelerations_under(&r->h, &x, &v, &p, r->loaded ? &s->push : NULL, &s->turn);
     if (r->options->constraints == GOUGH_BAUMGARTE) {
         triad_stabilise(&r->h.load, &x.q, &v.q, r->alpha, r->beta, &a.q);
     }

@@ -62,7 +62,7 @@ static kept tumble(const body *b, int level, double duration, double h) {
 
 /* energy is kept to h² only between; the discrete Moser–Veselov flow keeps it exactly up to round-off for a free body */
 START_TEST(keeps_a_free_tumbling_body) {
-    const body b = {1.5, 0.095, 0.055, 0.025};
+    const body b = body_of(1.5, 0.095, 0.055, 0.025);
     const kept worst = tumble(&b, 0, 200, 0.05);
 
     printf("free body, 200 units, rattle2 at 0.05: constraint %.1e, energy %.1e, momentum %.1e\n",
@@ -75,7 +75,7 @@ END_TEST
 
 /* some I = 0: nothing divides by it */
 START_TEST(keeps_a_flat_body) {
-    const body b = {1, 0.05, 0.03, 0};
+    const body b = body_of(1, 0.05, 0.03, 0);
 
     for (int level = 0; level < 4; level++) {
         const kept worst = tumble(&b, level, 50, 0.05);
@@ -88,7 +88,7 @@ END_TEST
 
 /* an axisymmetric body: Ω_z constant, (Ω_x, Ω_y) turns at (J_x − J_z)/J_x Ω_z; the order-8 composition against it */
 START_TEST(precesses_as_euler_says) {
-    const body b = {1, 0.04, 0.04, 0.02}; /* J = 0.06, 0.06, 0.08 */
+    const body b = body_of(1, 0.04, 0.04, 0.02); /* J = 0.06, 0.06, 0.08 */
     const rattle method = {&b, nothing_acts, NULL, 0};
     rattle_state s = tumbling();
     const vector start = s.omega;
@@ -122,7 +122,7 @@ static void spring_and_damper(void *context, real t, const coordinates *x, numbe
 
 /* a symmetric step run back with −h returns, with damping too */
 START_TEST(runs_back_to_where_it_began) {
-    const body b = {1.5, 0.095, 0.055, 0.025};
+    const body b = body_of(1.5, 0.095, 0.055, 0.025);
     double strength = 1;
     const rattle method = {&b, spring_and_damper, &strength, 1};
     rattle_state s = tumbling();
@@ -141,7 +141,7 @@ END_TEST
 
 /* a step of more than half a turn has no solution, and says so */
 START_TEST(reports_a_step_too_long) {
-    const body b = {1.5, 0.095, 0.055, 0.025};
+    const body b = body_of(1.5, 0.095, 0.055, 0.025);
     const rattle method = {&b, nothing_acts, NULL, 0};
     rattle_state s = tumbling();
 

@@ -27,8 +27,9 @@ static triad random_triad(dice *d) {
 }
 
 static body random_body(dice *d) {
-    return (body){dice_between(d, 0.5, 3), dice_between(d, 0, 1), dice_between(d, 0.05, 1),
-                  dice_between(d, 0.05, 1)};
+    const double mass = dice_between(d, 0.5, 3), x = dice_between(d, 0, 1);
+
+    return body_of(mass, x, dice_between(d, 0.05, 1), dice_between(d, 0.05, 1));
 }
 
 /* (1.5) is Euler's J Ω̇ + Ω × JΩ = L on the body's axes, with ë = α × e + ω × (ω × e) */
