@@ -121,10 +121,10 @@ static inline push legs_push(const hexapod *h, const legs *g, const number u[LEG
     return p;
 }
 
-/* (legs-7): the matrix of (2.5) and (2.6) for the legs' forces u, central axes; moments about the point from which `arm` is
+/* (legs-7): the matrix of (2.5) and (2.6) for the legs' forces u, central axes; moments about the point from which the six `arm`s are
  * measured, divided by the reach so that all entries are of one size */
 static inline void legs_equations(const hexapod *h, const coordinates *x, const legs *g,
-                                  const vector arm[LEGS], number a[6][6]) {
+                                  const vector *arm, number a[6][6]) {
     for (int v = 0; v < LEGS; v++) {
         const vector n = onto(&x->q, g->n[v]);
         const vector m = scale(number_of(1) / h->reach, cross(arm[v], n));
