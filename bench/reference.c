@@ -65,7 +65,7 @@ void reference_begin(reference *r, double duration) {
         r->run[i] = (gough_batch_run){&r->model.machine, &r->model.control, &r->model.disturbance,
                                       &r->initial[i]};
     }
-    s = reference_simulation(r, GOUGH_DOP853, 0, 1e-17);
+    s = reference_simulation(r, GOUGH_DOP853, 0, 1e-15);
     s.precision = GOUGH_QUADRUPLE;
     simulate(r, &s, row);
     memcpy(r->position, row + GOUGH_X, sizeof r->position);

@@ -52,7 +52,7 @@ static void prepare(bench *b, void *memory) {
         *t = (batch){.b = b,
                      .simulation = reference_rows(&b->ref, GOUGH_RK4, step),
                      .lanes = bench_lanes(i),
-                     .runs = (size_t)(b->quick ? 1 : 16) * (size_t)bench_lanes(i),
+                     .runs = (size_t)(b->quick ? 1 : 64) * (size_t)bench_lanes(i),
                      .memory = bench_memory(gough_batch_size(&options))};
         t->item = measure_add(&b->time, go, t, (double)t->runs * b->ref.duration / step);
     }
