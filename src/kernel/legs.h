@@ -121,8 +121,8 @@ static inline push legs_push(const hexapod *h, const legs *g, const number u[LEG
     return p;
 }
 
-/* (legs-7): the matrix of (2.5) and (2.6) for the legs' forces u, central axes; moments about the point from which the six `arm` are
- * measured, divided by the reach so that all entries are of one size */
+/* (legs-7): the matrix of (2.5) and (2.6) for the legs' forces u, central axes; moments about the point from which the six
+ * `arm` are measured, divided by the reach so that all entries are of one size */
 static inline void legs_equations(const hexapod *h, const coordinates *x, const legs *g,
                                   const vector *arm, number a[6][6]) {
     for (int v = 0; v < LEGS; v++) {
