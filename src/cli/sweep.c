@@ -140,7 +140,9 @@ static void explain_invalid(const command_line *line, const gough_sweep *sweep,
 static void explain_stop(const command_line *line, const gough_sweep_summary *summary,
                          size_t runs) {
     const bool kept = line->output && strcmp(line->output, "-") != 0;
-    if (kept)
+    if (summary->runs == 0)
+        complain(line->verb, "stopped before the first of %zu runs was done", runs);
+    else if (kept)
         complain(line->verb,
                  "stopped: %zu of %zu runs are done and kept in %s.part; the same command goes on "
                  "from there",

@@ -137,7 +137,8 @@ static void get_identity(cursor *c, sweep_head *head) {
     head->study_dimensionless = get_number(c);
     head->runs = get_number(c);
     const uint64_t keys = get_number(c);
-    c->good = c->good && keys > 0 && keys <= (uint64_t)(c->end - c->at) / 16;
+    c->good = c->good && keys > 0 && keys <= 1000 && /* as the study's reader has it */
+              keys <= (uint64_t)(c->end - c->at) / 16;
     if (!c->good) return;
     head->path = calloc(keys, sizeof *head->path);
     head->label = calloc(keys, sizeof *head->label);

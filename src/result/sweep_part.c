@@ -214,7 +214,12 @@ static gough_status go_on(sweep_part *part, gough_error *error) {
         return fail(part, error, "write");
     if (!begun && !write_all(part->file, part->bytes, part->length))
         return fail(part, error, "write");
+    part->own = true;
     return GOUGH_OK;
+}
+
+void sweep_part_forget(const sweep_part *part) {
+    if (part->own && part->done == 0 && part->path) unlink(part->path);
 }
 
 gough_status sweep_part_open(sweep_part *part, const char *path, sweep_head *head,

@@ -33,6 +33,7 @@ typedef struct sweep_part {
     size_t length;
     uint64_t seed; /* of the checksums of its records */
     int file;
+    bool own;    /* locked, and of this sweep */
     size_t done; /* whole records */
     size_t held; /* bytes of the buffer */
     double synced;
@@ -58,6 +59,8 @@ size_t sweep_part_get(const sweep_part *part, size_t n, size_t most, void *recor
 /* Takes a record apart; values: as many as there are keys. */
 void sweep_record_take(const sweep_part *part, const void *record, double *value,
                        gough_sweep_row *row);
+/* Removes it, if it is this sweep's own and has no record. */
+void sweep_part_forget(const sweep_part *part);
 void sweep_part_close(sweep_part *part);
 
 /* Whether two parts are of one sweep, whichever shards they are. */

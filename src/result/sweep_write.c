@@ -113,6 +113,7 @@ gough_status gough_sweep_write(const gough_sweep *sweep, const gough_sweep_optio
     sweep_head *head = sweep_head_of(sweep, &units, output->shard, output->shards);
     status = sweep_part_open(part, path, head, error);
     if (status == GOUGH_OK) status = run_into(sweep, options, output, part, summary, error);
+    if (status != GOUGH_OK) sweep_part_forget(part);
     sweep_part_close(part);
     free(part);
     return status;

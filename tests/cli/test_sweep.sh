@@ -215,5 +215,6 @@ refused "a shard goes to a file" sweep study.yaml --shard 1/2 -o a.csv
 refused "--shard takes i/n" sweep study.yaml --shard 2 -o a.shard
 refused "numbered from 1" sweep study.yaml --shard 3/2 -o a.shard
 refused "whole number from 1" sweep study.yaml --threads zero
-refused "lanes" sweep study.yaml --lanes 3
+refused "lanes" sweep study.yaml --lanes 3 -o lanes.csv
+[[ ! -e lanes.csv.part ]] || fail "a refused sweep leaves a part"
 finish

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gough/study.h"
+#include "gough/sweep.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -22,6 +22,28 @@ static int first_line_setting(const char *text, size_t size, char line[200],
     return 1;
 }
 
+/* The same bytes as a sweep: an error of the study is one of it too, and its first and last runs can be asked for. */
+static void try_sweep(const char *text, size_t size, const gough_setting *setting, size_t settings,
+                      const gough_study *study) {
+    gough_sweep *sweep = NULL;
+    char *messages = NULL;
+    const gough_status status =
+        gough_sweep_parse("fuzz.yaml", text, size, setting, settings, &sweep, &messages);
+    if ((status == GOUGH_OK) != (sweep != NULL) || (status == GOUGH_OK) != (messages == NULL))
+        abort();
+    if (status == GOUGH_OK && (!study || !study->swept)) abort();
+    gough_study_free_messages(messages);
+    gough_sweep_maker *maker = sweep ? gough_sweep_maker_new(sweep) : NULL;
+    for (int i = 0; maker && i < 2; i++) {
+        const gough_study *made;
+        gough_error error = {.message = ""};
+        const size_t run = i ? gough_sweep_runs(sweep) : 1;
+        if (gough_sweep_make(maker, run, &made, &error) != GOUGH_OK && !error.message[0]) abort();
+    }
+    gough_sweep_maker_free(maker);
+    gough_sweep_free(sweep);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     gough_study *study = NULL;
     char *messages = NULL, line[200];
@@ -33,6 +55,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if ((status == GOUGH_OK) != (study != NULL) || (status == GOUGH_OK) != (messages == NULL))
         abort();
     if (messages && !strstr(messages, "error: ")) abort();
+    try_sweep(text, size, &setting, settings, study);
     gough_study_free(study);
     gough_study_free_messages(messages);
     return 0;
