@@ -30,11 +30,11 @@ typedef enum gough_sweep_kind {
 typedef struct gough_sweep_key {
     const char *path; /**< "control.stiffness", "disturbance.leg_force.2" */
     const char *unit; /**< as in the table of keys: "force/length", "angle [degrees]", "" … */
-    gough_sweep_kind kind;
-    bool logarithmic; /**< of a grid */
-    double least;     /**< of a grid or list; what `uniform` or `normal` have first */
-    double greatest;  /**< of a grid or list; what `uniform` or `normal` have second */
-    size_t count;     /**< values of a grid or list; 0 for a distribution */
+    gough_sweep_kind kind; /**< by a grid, a list or a distribution */
+    bool logarithmic;      /**< of a grid */
+    double least;          /**< of a grid or list; what `uniform` or `normal` have first */
+    double greatest;       /**< of a grid or list; what `uniform` or `normal` have second */
+    size_t count;          /**< values of a grid or list; 0 for a distribution */
 } gough_sweep_key;
 
 /** Reads a study and its section `sweep`; parameters, messages and status as gough_study_parse(). A study without that
@@ -146,10 +146,14 @@ typedef struct gough_sweep_summary {
     size_t resumed;    /**< of these, found in FILE.part */
     size_t ended[GOUGH_END_INVALID + 1]; /**< by gough_cause */
     size_t first_invalid;                /**< a run; 0: none */
-    double least_position,
-        greatest_position; /**< deviations of runs done, units of the study; NaN: none */
-    double least_angle, greatest_angle; /**< radians */
-    size_t least_position_run, greatest_position_run, least_angle_run, greatest_angle_run;
+    double least_position;        /**< least of the deviations of position; NaN: no run is done */
+    double greatest_position;     /**< the greatest of them, units of the study */
+    double least_angle;           /**< least of the deviations of angle, radians */
+    double greatest_angle;        /**< the greatest of them */
+    size_t least_position_run;    /**< which run it is; 0: none */
+    size_t greatest_position_run; /**< likewise */
+    size_t least_angle_run;       /**< likewise */
+    size_t greatest_angle_run;    /**< likewise */
 } gough_sweep_summary;
 
 /** Where a sweep goes. */
@@ -157,7 +161,8 @@ typedef struct gough_sweep_output {
     const char *path; /**< .h5 or .csv, "-" CSV on standard output, NULL none; of a shard: .shard */
     bool
         dimensionless; /**< in R_b, M and √(R_b/g) of the study as it stands; swept values stay as they are */
-    size_t shard, shards; /**< this part of that many, from 1; 0: all of it */
+    size_t shard;  /**< this part, from 1; 0: all of it */
+    size_t shards; /**< of that many; 0: all of it */
 } gough_sweep_output;
 
 /** Runs a sweep into a file, complete or absent. Until it is complete, runs done stand in PATH.part, an append-only file, and
