@@ -8,7 +8,7 @@
 /* (motion-1) inverted; the root keeps pitch exact near ±90° where an arc sine would lose half its digits */
 static inline void rotation_angles(const triad *R, real angles[3]) {
     angles[0] = real_atan2(R->j.z, R->k.z);
-    angles[1] = real_atan2(-R->i.z, real_root(R->i.x * R->i.x + R->i.y * R->i.y));
+    angles[1] = real_atan2(0 - R->i.z, real_root(R->i.x * R->i.x + R->i.y * R->i.y));
     angles[2] = real_atan2(R->i.y, R->i.x);
 }
 

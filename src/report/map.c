@@ -33,7 +33,7 @@ bool sheet_write_map(const map *m, bool logarithmic_x, double scale, const char 
         for (size_t c = 0; c < m->columns; c++) {
             const double cell = m->cells[r * m->columns + c];
             const double x = m->x[c], y = m->y[r];
-            double west, east, south, north;
+            double west = x, east = x, south = y, north = y;
             sheet_cell(m->x, m->columns, c, logarithmic_x, &west, &east);
             sheet_cell(m->y, m->rows, r, m->logarithmic_y, &south, &north);
             const double under_x = c + 1 < m->columns ? m->x[c + 1] : east;

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# The same bits from GCC and Clang, without and with optimisation, run to run, in any locale, time zone and folder; and no
-# compiler has a warning.
+# The same bits from GCC and Clang, without and with optimisation, run to run, alone and in lanes, in any locale, time zone
+# and folder; and no compiler has a warning.
 source "$(dirname "$0")/support.sh"
 
 "$GOUGH" example all-six >"$scratch/six.yaml"
 "$GOUGH" example paper-perturbed >"$scratch/perturbed.yaml"
+"$GOUGH" example gain-sweep >"$scratch/sweep.yaml"
 digest() { # digest COMMAND: of tables that between them use every stepper and both precisions
     local command=$1
     {
@@ -15,6 +16,10 @@ digest() { # digest COMMAND: of tables that between them use every stepper and b
                 --set "simulation={duration: 3, output_step: 0.05, method: $method, step: 0.025}"
         done
         "$command" simulate "$scratch/perturbed.yaml" -q -o -
+        for method in rk4 dop853 rattle4; do # many runs in lanes, the widest that the processor has
+            "$command" sweep "$scratch/sweep.yaml" -q -o - --set control.damping=0.1 \
+                --set "simulation={duration: 3, output_step: 0.05, method: $method, step: 0.025}"
+        done
         "$command" simulate "$scratch/six.yaml" -q --precision quad --set simulation.duration=1 --set control.stiffness=20 -o -
     } 2>"$scratch/err" | sha256sum
     [[ ! -s $scratch/err ]] || head -3 "$scratch/err"
