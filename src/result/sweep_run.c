@@ -19,7 +19,7 @@ enum {
     AHEAD = 4,            /* pieces for each thread in the window */
     PATIENCE = 100000000, /* ns between two looks at whether to stop */
 };
-static const double PIECE_STEPS = 2e7; /* steps of a piece: about a second */
+static const double PIECE_STEPS = 1e7; /* steps of a piece: about half a second */
 
 typedef struct piece {
     size_t number; /* from 0; which of the pieces stands in this place of the window */
@@ -306,7 +306,7 @@ static bool equip_hand(hand *h, crew *c) {
     return good;
 }
 
-/* Runs of a piece: whole lanes, work for every thread, about a second; adaptive runs go one by one. */
+/* Runs of a piece: whole lanes, work for every thread, about half a second; adaptive runs go one by one. */
 static size_t piece_size(const crew *c, int threads) {
     const gough_simulation *s = &gough_sweep_study(c->sweep)->simulation;
     const size_t lanes = (size_t)(c->options->lanes > 0 ? c->options->lanes : gough_batch_lanes());

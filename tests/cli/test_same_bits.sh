@@ -5,6 +5,8 @@ source "$(dirname "$0")/support.sh"
 
 "$GOUGH" example all-six >"$scratch/six.yaml"
 "$GOUGH" example paper-perturbed >"$scratch/perturbed.yaml"
+"$GOUGH" example gain-sweep >"$scratch/gain.yaml"
+"$GOUGH" example load-uncertainty >"$scratch/load.yaml"
 "$GOUGH" example gain-sweep >"$scratch/sweep.yaml"
 digest() { # digest COMMAND: of tables that between them use every stepper and both precisions
     local command=$1
@@ -16,6 +18,8 @@ digest() { # digest COMMAND: of tables that between them use every stepper and b
                 --set "simulation={duration: 3, output_step: 0.05, method: $method, step: 0.025}"
         done
         "$command" simulate "$scratch/perturbed.yaml" -q -o -
+        "$command" sweep "$scratch/gain.yaml" -q -o -
+        "$command" sweep "$scratch/load.yaml" -q --set sweep.runs=40 --set simulation.step=0.005 -o -
         for method in rk4 dop853 rattle4; do # many runs in lanes, the widest that the processor has
             "$command" sweep "$scratch/sweep.yaml" -q -o - --set control.damping=0.1 \
                 --set "simulation={duration: 3, output_step: 0.05, method: $method, step: 0.025}"

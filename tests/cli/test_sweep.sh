@@ -118,7 +118,7 @@ same long.csv again/long.csv "killed and gone on: other bytes"
 [[ $(ls -A again) == long.csv ]] || fail "left behind: $(ls -A again)"
 
 # stopped by a signal: what is done is kept, and it says how to go on
-slow=("${long[@]}" --set simulation.step=0.0005)
+slow=("${long[@]}" --set sweep.runs=200000 --threads 1)
 "$GOUGH" sweep study.yaml -q "${slow[@]}" -o slow.csv 2>err &
 pid=$!
 for _ in $(seq 100); do
