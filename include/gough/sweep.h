@@ -81,7 +81,7 @@ typedef struct gough_sweep_maker gough_sweep_maker;
 GOUGH_API gough_sweep_maker *gough_sweep_maker_new(const gough_sweep *sweep);
 
 /** The study of a run: the same numbers, to the bit, as the study read with its values as settings.
- *  @param[out] study  set on GOUGH_OK: the maker's, valid until its next call; its `text` and `title` are not filled
+ *  @param[out] study  set on GOUGH_OK: the maker's, valid until its next call
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT where the values make no possible study, with the sentence in @p error;
  *  GOUGH_ERROR_FILE if memory is out. */
 GOUGH_API gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run,

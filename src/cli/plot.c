@@ -28,7 +28,8 @@ static char *list_kinds(int key, const char *text, void *input) {
     size_t length = 0;
     FILE *stream = open_memstream(&list, &length);
     if (!stream) return (char *)text;
-    fputs("RESULT is a table that forces or simulate wrote, .h5 or .csv, or any CSV with a header "
+    fputs("RESULT is a table that forces, simulate or sweep wrote, .h5 or .csv, or any CSV with a "
+          "header "
           "row and a column t. "
           "Several results are compared in the same panels.\n\nKinds of figure:\n",
           stream);

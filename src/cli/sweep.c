@@ -196,6 +196,7 @@ static gough_status run_sweep(const command_line *line, const gough_sweep *sweep
         complain(line->verb, "%s", error.message);
         return status;
     }
+    stopped_by = 0; /* too late: it is done */
     status = print_summary(line, &report);
     explain_invalid(line, sweep, &report.summary);
     if (status == GOUGH_OK && report.summary.ended[GOUGH_END_INVALID])

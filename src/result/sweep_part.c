@@ -203,7 +203,7 @@ static gough_status lock(sweep_part *part, gough_error *error) {
 }
 
 static gough_status go_on(sweep_part *part, gough_error *error) {
-    bool begun;
+    bool begun = false;
     gough_status status = lock(part, error);
     if (status == GOUGH_OK) status = compare_head(part, &begun, error);
     if (status != GOUGH_OK) return status;
