@@ -5,8 +5,6 @@
 #ifndef GOUGH_BATCH_H
 #define GOUGH_BATCH_H
 
-#include <stdint.h>
-
 #include "gough/simulate.h"
 
 #ifdef __cplusplus
@@ -19,6 +17,7 @@ typedef struct gough_batch_run {
     const gough_control *control; /**< the same choice of feed-forward in all runs */
     const gough_disturbance *disturbance; /**< formulas of its own */
     const gough_initial *initial;         /**< where it starts */
+    uint64_t number; /**< of the run, for its noise; stands for gough_noise.run */
 } gough_batch_run;
 
 /** What a run leaves. Peaks and deviations are those of the output times, as in gough_summary. Angles in radians. */
@@ -71,13 +70,6 @@ GOUGH_API gough_status gough_batch(const gough_motion *motion, const gough_simul
                                    const gough_batch_run *runs, size_t count,
                                    const gough_batch_options *options, gough_outcome *outcomes,
                                    void *memory, gough_error *error);
-
-/** Number of the draw @p draw of run @p run under a seed, uniform in [0, 1):
- *  counter-based (Philox 4×32, ten rounds), so that any draw is had without those before it. */
-GOUGH_API double gough_random_uniform(uint64_t seed, uint64_t run, uint64_t draw);
-
-/** The same, standard normal (by the inverse of its distribution function, one draw each). */
-GOUGH_API double gough_random_normal(uint64_t seed, uint64_t run, uint64_t draw);
 
 #ifdef __cplusplus
 }

@@ -7,6 +7,7 @@
 #include "gough/batch.h"
 #include "gough/dynamics.h"
 #include "gough/model.h"
+#include "gough/random.h"
 #include "gough/report.h"
 #include "gough/result.h"
 #include "gough/simulate.h"

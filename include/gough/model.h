@@ -11,6 +11,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "gough/status.h"
 
@@ -185,6 +186,18 @@ typedef struct gough_control {
     double damping[GOUGH_LEGS];   /**< D */
 } gough_control;
 
+/** Random forces: smooth noise, twice continuously differentiable, of zero mean, independent in each leg and along each
+ *  axis; (law-3). The same seed and run give the same noise. Zero-filled: none. */
+typedef struct gough_noise {
+    double leg_force; /**< root mean square of the force added to each leg */
+    double force;     /**< of each component of the force on the load, base axes */
+    double moment;    /**< of each component of the moment on the load, base axes */
+    double
+        interval;  /**< time over which it changes: its knots' distance; > 0 where there is noise */
+    uint64_t seed; /**< another seed, other noise */
+    uint64_t run;  /**< and so for another run */
+} gough_noise;
+
 /** Formulas in t, all zero by default. */
 typedef struct gough_disturbance {
     gough_formula leg_force[GOUGH_LEGS]; /**< added to each leg */
@@ -193,6 +206,7 @@ typedef struct gough_disturbance {
                                               program's pose, have it as resultant through the centre of mass, no moment */
     gough_formula force[3];  /**< on the load at its centre of mass, base axes */
     gough_formula moment[3]; /**< on the load, base axes */
+    gough_noise noise;       /**< what is random */
 } gough_disturbance;
 
 /** Where a run starts: each part not given is the program's at t = 0. */

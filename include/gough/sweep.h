@@ -87,6 +87,9 @@ GOUGH_API gough_sweep_maker *gough_sweep_maker_new(const gough_sweep *sweep);
 GOUGH_API gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run,
                                         const gough_study **study, gough_error *error);
 
+/** The number that the noise of a run goes by: disturbance.noise.run of its study if that is not 0, else @p run. */
+GOUGH_API uint64_t gough_sweep_noise_run(const gough_study *study, size_t run);
+
 /** Frees a maker; NULL is allowed. */
 GOUGH_API void gough_sweep_maker_free(gough_sweep_maker *maker);
 

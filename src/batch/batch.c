@@ -171,6 +171,14 @@ static gough_status check_runs(const gough_motion *motion, const gough_simulatio
                               "alike",
                               i);
         }
+        const double interval = runs[i].disturbance->noise.interval;
+        const double first = runs[0].disturbance->noise.interval;
+        if (interval < first || interval > first) {
+            return gough_fail(error, GOUGH_ERROR_INPUT,
+                              "the noise of run %zu has another interval than that of run 0; all "
+                              "runs of a batch have one",
+                              i);
+        }
         if (height < runs[0].machine->platform.height ||
             height > runs[0].machine->platform.height) {
             return gough_fail(error, GOUGH_ERROR_INPUT,

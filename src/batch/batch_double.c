@@ -9,7 +9,8 @@ const struct batch_width batch_width_1 = {1, (sizeof(group) + 63) / 64 * 64, gro
 static simulate_parts parts_of(const batch_job *job, size_t which) {
     const gough_batch_run *r = &job->runs[which];
 
-    return (simulate_parts){job->motion, r->machine, r->control, r->disturbance, r->initial};
+    return (simulate_parts){job->motion,    r->machine, r->control,
+                            r->disturbance, r->initial, r->number};
 }
 
 /* ---- outcomes from rows ---- */
@@ -174,7 +175,7 @@ size_t batch_recorder_size(void) { return (sizeof(run) + 63) / 64 * 64; }
 void batch_recorder_begin(stage_tape *tape, const batch_job *job, void *recorder) {
     run *r = recorder;
     const gough_batch_run *one = &job->runs[0];
-    const run_lane lane = {one->machine, one->control, one->disturbance};
+    const run_lane lane = {one->machine, one->control, one->disturbance, one->number};
 
     run_begin(r, job->motion, job->simulation, &lane);
     tape->recorder = r;

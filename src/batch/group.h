@@ -81,6 +81,25 @@ static inline void group_solve(run *r, real t, const stage_tape *tape, const tap
     if (r->solves) run_program_forces(r, vertical, &r->now);
 }
 
+/* what disturbs: as recorded where it is one for all runs, else by each lane's formulas; noise is each lane's own */
+static inline void group_disturb(run *r, real t, const stage_tape *tape,
+                                 const tape_record *record) {
+    stage *s = &r->now;
+
+    if (!tape->disturbance_shared) {
+        run_disturbances(r, t, s);
+    } else {
+        for (int v = 0; v < LEGS; v++) {
+            if (r->shaken[v]) s->force[v] = s->force[v] + number_of(record->leg[v]);
+        }
+        if (r->loaded) {
+            s->push = group_vector(record->push);
+            s->turn = group_vector(record->turn);
+        }
+    }
+    if (r->noise.present) run_add_noise(r, t, s);
+}
+
 static inline void group_replay(run *r, real t) {
     stage_tape *tape = r->tape;
     const tape_record *record = tape_at(tape, t);
@@ -97,16 +116,7 @@ static inline void group_replay(run *r, real t) {
     } else {
         group_solve(r, t, tape, record);
     }
-    if (!tape->disturbance_shared) {
-        run_disturbances(r, t, s);
-        return;
-    }
-    for (int v = 0; v < LEGS; v++) {
-        if (r->shaken[v]) s->force[v] = s->force[v] + number_of(record->leg[v]);
-    }
-    if (!r->loaded) return; /* as group_begin() left them */
-    s->push = group_vector(record->push);
-    s->turn = group_vector(record->turn);
+    group_disturb(r, t, tape, record);
 }
 
 /* the program's pose in the stage at t, which no step needs, only rows */
@@ -220,7 +230,7 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
     g->count = count;
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         const gough_batch_run *one = &job->runs[group_run(g, i)];
-        lane[i] = (run_lane){one->machine, one->control, one->disturbance};
+        lane[i] = (run_lane){one->machine, one->control, one->disturbance, one->number};
     }
     run_begin(&g->r, job->motion, job->simulation, lane);
     g->r.replay = group_replay;

@@ -92,6 +92,17 @@ static double seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+static bool has_noise(const gough_study *study) {
+    return study->model->disturbance.noise.interval > 0;
+}
+
+/* A run of a sweep has noise of its own, by its number. */
+static void print_noise_run(const gough_study *study, size_t run) {
+    if (has_noise(study))
+        printf(" --set disturbance.noise.run=%ju", (uintmax_t)gough_sweep_noise_run(study, run));
+    printf("\n");
+}
+
 /* "--set load.mass=2 --set …", or the same as JSON. */
 static gough_status print_run(const command_line *line, const gough_sweep *sweep) {
     size_t keys;
@@ -114,8 +125,9 @@ static gough_status print_run(const command_line *line, const gough_sweep *sweep
         for (size_t k = 0; k < keys; k++) {
             char text[GOUGH_SWEEP_TEXT];
             gough_sweep_print(value[k], text);
-            printf("%s--set %s=%s%s", k ? " " : "", key[k].path, text, k + 1 < keys ? "" : "\n");
+            printf("%s--set %s=%s", k ? " " : "", key[k].path, text);
         }
+    if (!line->json) print_noise_run(gough_sweep_study(sweep), line->one_run);
     free(value);
     return failed ? GOUGH_ERROR_FILE : GOUGH_OK;
 }

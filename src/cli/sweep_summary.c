@@ -163,6 +163,10 @@ int sweep_print_run_json(const gough_sweep *sweep, size_t run, const double *val
     const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
     json_t *object = json_object(), *set = json_object();
     for (size_t k = 0; k < keys; k++) json_object_set_new(set, key[k].path, json_number(value[k]));
+    if (gough_sweep_study(sweep)->model->disturbance.noise.interval > 0)
+        json_object_set_new(
+            set, "disturbance.noise.run",
+            json_integer((json_int_t)gough_sweep_noise_run(gough_sweep_study(sweep), run)));
     json_object_set_new(object, "run", json_integer((json_int_t)run));
     json_object_set_new(object, "set", set);
     return json_print(object);

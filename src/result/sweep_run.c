@@ -101,12 +101,10 @@ static void order_by_kind(hand *h, size_t count) {
 }
 
 /* The run's own parts; what the sweep does not touch is the maker's, the same for all. */
-static void keep_run(hand *h, const gough_study *study, size_t n) {
+static void keep_run(hand *h, const gough_study *study, size_t number, size_t n) {
     const gough_model *model = study->model;
-    h->run[n] = (gough_batch_run){.machine = &model->machine,
-                                  .control = &model->control,
-                                  .disturbance = &model->disturbance,
-                                  .initial = &model->initial};
+    h->run[n] = (gough_batch_run){&model->machine, &model->control, &model->disturbance,
+                                  &model->initial, gough_sweep_noise_run(study, number)};
     if (h->machine) {
         h->machine[n] = model->machine;
         h->run[n].machine = &h->machine[n];
@@ -158,7 +156,7 @@ static gough_status run_kind(hand *h, size_t first, size_t begin, size_t count, 
         }
         good = study;
         which[made] = run;
-        keep_run(h, study, made++);
+        keep_run(h, study, first + run, made++);
     }
     *end = at;
     /* a run that failed after the last good one has left the maker's parts half made: the program once more */

@@ -437,7 +437,7 @@ static inline gough_status drive_fixed(drive *d) {
 static inline void drive_open(drive *d, const simulate_parts *parts,
                               const gough_simulation *options, gough_sink sink, void *context,
                               gough_end *end) {
-    const run_lane lane = {parts->machine, parts->control, parts->disturbance};
+    const run_lane lane = {parts->machine, parts->control, parts->disturbance, parts->number};
 
     run_begin(&d->r, parts->motion, options, &lane);
     d->initial = parts->initial;

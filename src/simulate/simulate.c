@@ -173,8 +173,9 @@ gough_status gough_simulate(const gough_model *model, const gough_simulation *si
 
     *end = (gough_end){.cause = GOUGH_END_DONE};
     if (checked != GOUGH_OK) return checked;
-    const simulate_parts parts = {&model->motion, &model->machine, &model->control,
-                                  &model->disturbance, &model->initial};
+    const simulate_parts parts = {&model->motion,  &model->machine,
+                                  &model->control, &model->disturbance,
+                                  &model->initial, model->disturbance.noise.run};
     return finish(table_of(simulation)->simulate(&parts, simulation, sink, context, end), end,
                   error);
 }

@@ -11,6 +11,7 @@ typedef struct {
     const gough_control *control;
     const gough_disturbance *disturbance;
     const gough_initial *initial;
+    uint64_t number; /* of the run, for its noise */
 } simulate_parts;
 
 /* gough_simulation_check() for a motion */

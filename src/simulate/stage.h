@@ -8,9 +8,11 @@
 #include "dynamics/machine.h"
 #include "dynamics/program.h"
 #include "dynamics/state.h"
+#include "gough/random.h"
 #include "gough/simulate.h"
 #include "integrate/rattle.h"
 #include "kernel/law.h"
+#include "kernel/real.h"
 
 /* What the program and the disturbances are at one time. */
 typedef struct {
@@ -32,7 +34,16 @@ typedef struct {
     const gough_machine *machine;
     const gough_control *control;
     const gough_disturbance *disturbance;
+    uint64_t number; /* of the run, for its noise */
 } run_lane;
+
+/* the noise between two knots: four coefficients for each leg, force and moment along three axes */
+enum { NOISE_CHANNELS = LEGS + 6 };
+typedef struct {
+    int present, fresh;
+    real knot; /* the one before */
+    number coefficient[NOISE_CHANNELS][4];
+} run_noise;
 
 typedef struct run {
     const gough_motion *motion;
@@ -53,6 +64,7 @@ typedef struct run {
     void (*replay)(struct run *r, real t); /* fills `now` from what another run recorded, or NULL */
     void *tape;                            /* its context */
 
+    run_noise noise;
     int limited[3]; /* some lane has a greatest length, speed, force */
     stage now;      /* the stage at `time`, kept since steppers come back to it */
     real time;
@@ -85,6 +97,8 @@ static inline void run_add_lane(run *r, int lane) {
         r->damped = r->damped || control->damping[v] > 0;
         r->shaken[v] = r->shaken[v] || !gough_formula_is_zero(&d->leg_force[v]);
     }
+    r->noise.present |= d->noise.leg_force > 0 || d->noise.force > 0 || d->noise.moment > 0;
+    r->loaded |= d->noise.force > 0 || d->noise.moment > 0;
     r->share = r->share || !gough_formula_is_zero(&d->vertical_force);
     for (int c = 0; c < 3; c++) {
         r->loaded = r->loaded || !gough_formula_is_zero(&d->force[c]) ||
@@ -100,6 +114,7 @@ static inline void run_begin(run *r, const gough_motion *motion, const gough_sim
     r->options = options;
     r->height = lane[0].machine->platform.height;
     r->damped = r->share = r->loaded = 0;
+    r->noise.present = r->noise.fresh = 0;
     for (int kind = 0; kind < 3; kind++) r->limited[kind] = 0;
     for (int v = 0; v < LEGS; v++) r->shaken[v] = 0;
     for (int i = 0; i < NUMBER_WIDTH; i++) {
@@ -120,7 +135,7 @@ static inline void run_begin(run *r, const gough_motion *motion, const gough_sim
 /* F^p alone, whatever control and disturbances the study has: the direct problem */
 static inline void run_program_only(run *r) {
     r->feeds = r->solves = 1;
-    r->share = r->loaded = 0;
+    r->share = r->loaded = r->noise.present = 0;
     for (int v = 0; v < LEGS; v++) r->shaken[v] = 0;
 }
 
@@ -197,6 +212,50 @@ static inline void run_disturbances(run *r, real t, stage *s) {
     s->turn.z = run_disturbance(r, moment + 2 * one, "disturbance.moment", t);
 }
 
+/* root of 315/151: over an interval the squares of the four weights below have the mean 151/315 */
+#define NOISE_SCALE REAL_LITERAL(1.44433123459675553728075145407450573874507)
+
+/* (law-3): the normal numbers around the knot, the draw of channel c at knot k being c + 12 k */
+static inline void run_draw_noise(run *r, real knot) {
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        const gough_noise *n = &r->lane[i].disturbance->noise;
+        const uint64_t first = (uint64_t)(long long)knot;
+        for (int c = 0; c < NOISE_CHANNELS; c++) {
+            const double size = c < LEGS ? n->leg_force : c < LEGS + 3 ? n->force : n->moment;
+            for (int k = 0; k < 4; k++) {
+                const uint64_t draw = (uint64_t)c + NOISE_CHANNELS * (first + (uint64_t)k);
+                const real x = size > 0 ? gough_random_normal(n->seed, r->lane[i].number, draw) : 0;
+                number_put(&r->noise.coefficient[c][k], i, NOISE_SCALE * (real)size * x);
+            }
+        }
+    }
+    r->noise.knot = knot;
+    r->noise.fresh = 1;
+}
+
+/* (law-3): a uniform cubic spline whose coefficients are normal numbers, one interval in all lanes */
+static inline void run_add_noise(run *r, real t, stage *s) {
+    const real place = t / (real)r->lane[0].disturbance->noise.interval, knot = real_floor(place);
+    const real x = place - knot, y = 1 - x;
+    const number weight[4] = {
+        number_of_real(y * y * y / 6), number_of_real((3 * x * x * x - 6 * x * x + 4) / 6),
+        number_of_real((3 * y * y * y - 6 * y * y + 4) / 6), number_of_real(x * x * x / 6)};
+    number value[NOISE_CHANNELS];
+
+    if (!(r->lane[0].disturbance->noise.interval > 0)) {
+        run_blame(r, "disturbance.noise.interval, which must be > 0: the noise", t);
+        return;
+    }
+    if (!r->noise.fresh || knot < r->noise.knot || knot > r->noise.knot) run_draw_noise(r, knot);
+    for (int c = 0; c < NOISE_CHANNELS; c++) {
+        const number *n = r->noise.coefficient[c];
+        value[c] = weight[0] * n[0] + weight[1] * n[1] + weight[2] * n[2] + weight[3] * n[3];
+    }
+    for (int v = 0; v < LEGS; v++) s->force[v] = s->force[v] + value[v];
+    s->push = add(s->push, (vector){value[LEGS], value[LEGS + 1], value[LEGS + 2]});
+    s->turn = add(s->turn, (vector){value[LEGS + 3], value[LEGS + 4], value[LEGS + 5]});
+}
+
 /* the program's motion in a stage, no forces yet */
 static inline void run_program(run *r, const jet component[GOUGH_COMPONENTS], stage *s) {
     for (int v = 0; v < LEGS; v++) s->force[v] = number_of(0);
@@ -219,6 +278,7 @@ static inline void run_evaluate(run *r, real t, stage *s) {
     run_program(r, component, s);
     if (r->solves) run_program_forces(r, r->share ? run_vertical(r, t) : number_of(0), s);
     run_disturbances(r, t, s);
+    if (r->noise.present) run_add_noise(r, t, s);
 }
 
 static inline const stage *run_stage(run *r, real t) {

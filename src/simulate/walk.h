@@ -194,7 +194,7 @@ static inline gough_status walk_looks(walk *a) {
 static inline gough_status walk_run(const gough_model *model, const gough_simulation *options,
                                     gough_sink sink, void *context, gough_crossing_sink crossings,
                                     void *crossings_context, gough_end *end) {
-    const run_lane lane = {&model->machine, &model->control, &model->disturbance};
+    const run_lane lane = {&model->machine, &model->control, &model->disturbance, 0};
     gough_status status;
     walk a;
 

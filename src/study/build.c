@@ -204,6 +204,20 @@ static void read_formulas(const study_node *node, gough_formula *formula, size_t
             study_formula(node && node->kind == STUDY_LIST ? study_node_item(node, i) : node);
 }
 
+static double number_or_zero(const study_node *node) { return node ? study_number(node) : 0; }
+
+static gough_noise read_noise(const study_node *node) {
+    if (!is_right(node)) return (gough_noise){.interval = 0};
+    return (gough_noise){
+        .leg_force = number_or_zero(study_node_child(node, "leg_force")),
+        .force = number_or_zero(study_node_child(node, "force")),
+        .moment = number_or_zero(study_node_child(node, "moment")),
+        .interval = number_or_zero(study_node_child(node, "interval")),
+        .seed = (uint64_t)number_or_zero(study_node_child(node, "seed")),
+        .run = (uint64_t)number_or_zero(study_node_child(node, "run")),
+    };
+}
+
 static void build_disturbance(study_build *build) {
     const study_node *node = study_node_child(build->root, "disturbance");
     gough_disturbance *disturbance = &build->study->model->disturbance;
@@ -212,6 +226,7 @@ static void build_disturbance(study_build *build) {
     disturbance->vertical_force = study_formula(study_node_child(node, "vertical_force"));
     read_formulas(study_node_child(node, "force"), disturbance->force, 3);
     read_formulas(study_node_child(node, "moment"), disturbance->moment, 3);
+    disturbance->noise = read_noise(study_node_child(node, "noise"));
 }
 
 static void build_control(study_build *build) {

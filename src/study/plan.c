@@ -3,6 +3,8 @@
  * Of a product the last key changes fastest. Draws are counted by run and key, so that each run is had without the others. */
 #include "study/plan.h"
 
+#include "gough/random.h"
+
 #include <math.h>
 #include <string.h>
 

@@ -254,3 +254,8 @@ gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run, const gough_
     *study = maker->study;
     return status;
 }
+
+uint64_t gough_sweep_noise_run(const gough_study *study, size_t run) {
+    const uint64_t given = study->model->disturbance.noise.run;
+    return given ? given : (uint64_t)run;
+}

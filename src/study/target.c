@@ -134,6 +134,7 @@ static unsigned touches_of(const char *path) {
                  {"load.", GOUGH_SWEEP_MACHINE},
                  {"gravity", GOUGH_SWEEP_MACHINE},
                  {"motion.", GOUGH_SWEEP_MOTION},
+                 {"disturbance.noise.interval", GOUGH_SWEEP_DISTURBANCE | GOUGH_SWEEP_SIMULATION},
                  {"disturbance.", GOUGH_SWEEP_DISTURBANCE},
                  {"control.", GOUGH_SWEEP_CONTROL},
                  {"initial.", GOUGH_SWEEP_INITIAL},

@@ -3,6 +3,7 @@
 
 #include "gough/batch.h"
 #include "gough/dynamics.h"
+#include "gough/random.h"
 #include "support/machines.h"
 #include "support/suite.h"
 
@@ -19,7 +20,7 @@ typedef struct {
 } fixture;
 
 /* which parts differ from run to run */
-enum { LOADS = 1, DISTURBANCES = 2, VERTICAL = 4 };
+enum { LOADS = 1, DISTURBANCES = 2, VERTICAL = 4, NOISE = 8 };
 
 static fixture *new_fixture(int differing, double damping) {
     fixture *f = calloc(1, sizeof *f);
@@ -32,6 +33,10 @@ static fixture *new_fixture(int differing, double damping) {
     set_formula(&f->model.disturbance.leg_force[1], "0.05*sin(2*t)");
     set_formula(&f->model.disturbance.force[0], "0.1*cos(t)");
     if (differing & VERTICAL) set_formula(&f->model.disturbance.vertical_force, "0.02*sin(t)");
+    if (differing & NOISE) {
+        f->model.disturbance.noise = (gough_noise){
+            .leg_force = 0.02, .force = 0.05, .moment = 0.01, .interval = 0.13, .seed = 9};
+    }
     for (int i = 0; i < RUNS; i++) {
         f->machine[i] = f->model.machine;
         f->control[i] = f->model.control;
@@ -58,7 +63,8 @@ static fixture *new_fixture(int differing, double damping) {
         }
         f->run[i] = (gough_batch_run){
             differing & LOADS ? &f->machine[i] : &f->model.machine, &f->control[i],
-            differing & DISTURBANCES ? &f->disturbance[i] : &f->model.disturbance, &f->initial[i]};
+            differing & DISTURBANCES ? &f->disturbance[i] : &f->model.disturbance, &f->initial[i],
+            (uint64_t)i + 1};
     }
     return f;
 }
@@ -105,6 +111,7 @@ static void check_alone(const fixture *f, const gough_simulation *s) {
         model->control = *f->run[i].control;
         model->disturbance = *f->run[i].disturbance;
         model->initial = *f->run[i].initial;
+        model->disturbance.noise.run = f->run[i].number;
         (void)gough_simulate(model, s, keep, row, &end, NULL);
         const gough_outcome *out = &f->outcome[i];
         ck_assert_int_eq(out->cause, end.cause);
@@ -151,6 +158,8 @@ START_TEST(runs_may_differ_in_everything_but_the_program) {
     check_everything_alike(DISTURBANCES, GOUGH_RK4, 0.01, 2);
     check_everything_alike(LOADS | DISTURBANCES | VERTICAL, GOUGH_DOP853, 0.05, 2);
     check_everything_alike(VERTICAL, GOUGH_RATTLE4, 0.02, 2);
+    check_everything_alike(NOISE, GOUGH_RK4, 0.01, 2);
+    check_everything_alike(NOISE | LOADS | DISTURBANCES, GOUGH_RATTLE4, 0.02, 0);
 }
 END_TEST
 

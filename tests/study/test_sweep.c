@@ -1,5 +1,6 @@
 /* The section `sweep` of a study: which runs it asks for, and that the study of a run is the one read with its values as
  * settings. */
+#include "gough/random.h"
 #include "gough/sweep.h"
 
 #include <math.h>

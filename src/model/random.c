@@ -3,7 +3,7 @@
  * before it. */
 #include <math.h>
 
-#include "gough/batch.h"
+#include "gough/random.h"
 
 static void philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4]) {
     const uint64_t m0 = 0xD2511F53u, m1 = 0xCD9E8D57u;
