@@ -96,7 +96,10 @@ static kernel_flops flops(const tally &t) {
 extern "C" int kernels_count(const reference *ref, kernel_counts *counts) {
     static run r;
     static gough_simulation options;
-    const run_lane lane = {&ref->model.machine, &ref->model.control, &ref->model.disturbance};
+    run_lane lane = {};
+    lane.machine = &ref->model.machine;
+    lane.control = &ref->model.control;
+    lane.disturbance = &ref->model.disturbance;
     number y[STATE], rate[STATE], raw[STATE], wrench[1][6];
     rattle_state s;
     instant m;

@@ -8,7 +8,9 @@ size_t kernel_rates_size(void) { return sizeof(run); }
 
 void kernel_rates_begin(void *memory, const reference *ref, double state[24]) {
     static const gough_simulation options = {.constraints = GOUGH_BAUMGARTE, .baumgarte = {5, 5}};
-    const run_lane lane = {&ref->model.machine, &ref->model.control, &ref->model.disturbance};
+    const run_lane lane = {.machine = &ref->model.machine,
+                           .control = &ref->model.control,
+                           .disturbance = &ref->model.disturbance};
     const hexapod *h = &((const run *)memory)->h;
     jet component[GOUGH_COMPONENTS];
     coordinates x[3];

@@ -32,7 +32,9 @@ static void begin(void *memory, const reference *ref) {
 
     k->options = gough_simulation_default();
     for (int i = 0; i < NUMBER_WIDTH; i++) {
-        lane[i] = (run_lane){&ref->model.machine, &ref->model.control, &ref->model.disturbance};
+        lane[i] = (run_lane){.machine = &ref->model.machine,
+                             .control = &ref->model.control,
+                             .disturbance = &ref->model.disturbance};
     }
     run_begin(&k->r, &ref->model.motion, &k->options, lane);
     (void)run_stage(&k->r, 5);

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gough/dynamics.h"
+#include "gough/gough.h"
 
 static const double degree = 3.14159265358979323846 / 180;
 
@@ -62,8 +62,10 @@ void reference_begin(reference *r, double duration) {
                 1 + 0.5 * gough_random_uniform(1, (uint64_t)i, (uint64_t)c);
         }
         if (i == 0) r->initial[i] = r->model.initial;
-        r->run[i] = (gough_batch_run){&r->model.machine, &r->model.control, &r->model.disturbance,
-                                      &r->initial[i]};
+        r->run[i] = (gough_batch_run){.machine = &r->model.machine,
+                                      .control = &r->model.control,
+                                      .disturbance = &r->model.disturbance,
+                                      .initial = &r->initial[i]};
     }
     s = reference_simulation(r, GOUGH_DOP853, 0, 1e-15);
     s.precision = GOUGH_QUADRUPLE;
