@@ -42,7 +42,7 @@ fuzz:
 	@scripts/install-packages.sh build test
 	@FUZZ_SECONDS=$(FUZZ_SECONDS) scripts/fuzz.sh
 
-bench: all
+bench: configure
 	@scripts/install-packages.sh bench
 	@scripts/bench.sh "$(BUILD)" $(BENCH)
 
