@@ -6,7 +6,7 @@
 #include "kernel/top.h"
 
 /* p: what the legs do; force (at the centre of mass) and moment: what else acts on the load, base axes; force NULL: nothing */
-static inline coordinates accelerations_under(const hexapod *h, const coordinates *x,
+KERNEL_INLINE coordinates accelerations_under(const hexapod *h, const coordinates *x,
                                               const coordinates *rate, const push *p,
                                               const vector *force, const vector *moment) {
     vector F = p->F, L = push_moment(p, &x->q);

@@ -47,22 +47,24 @@ static inline void hexapod_setup(hexapod *h, const double base[LEGS][3], const d
     }
 }
 
-/* (legs-1), (legs-2), (legs-3): ℓ = ρ + x i + y j + z k − b, l = |ℓ|, n = ℓ/l, of leg v */
-static inline number leg_at(const hexapod *h, const coordinates *x, int v, vector *n) {
-    const vector l = subtract(add(x->rho, out_of(&x->q, h->arm[v])), h->base[v]);
-    const number length = norm(l);
+/* (legs-1), (legs-2), (legs-3): ℓ = ρ + x i + y j + z k − b, l = |ℓ|, n = ℓ/l. All legs go through each step together: roots
+ * and quotients take long, and six at a time hide it */
+static inline void legs_at(const hexapod *h, const coordinates *x, legs *g) {
+    vector l[LEGS];
+    number square[LEGS], inverse[LEGS];
 
-    *n = scale(number_of(1) / length, l);
-    return length;
+    for (int v = 0; v < LEGS; v++) {
+        l[v] = subtract(add(x->rho, out_of(&x->q, h->arm[v])), h->base[v]);
+        square[v] = dot(l[v], l[v]);
+    }
+    for (int v = 0; v < LEGS; v++) g->length[v] = number_root(square[v]);
+    for (int v = 0; v < LEGS; v++) inverse[v] = number_of(1) / g->length[v];
+    for (int v = 0; v < LEGS; v++) g->n[v] = scale(inverse[v], l[v]);
 }
 
 /* (legs-4): l̇ = n·(ρ̇ + x i̇ + y j̇ + z k̇), of leg v */
 static inline number leg_rate(const hexapod *h, const coordinates *rate, int v, vector n) {
     return dot(n, add(rate->rho, out_of(&rate->q, h->arm[v])));
-}
-
-static inline void legs_at(const hexapod *h, const coordinates *x, legs *g) {
-    for (int v = 0; v < LEGS; v++) g->length[v] = leg_at(h, x, v, &g->n[v]);
 }
 
 static inline void legs_rates(const hexapod *h, const coordinates *rate, legs *g) {

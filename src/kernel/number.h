@@ -15,6 +15,9 @@
 #include <math.h>
 #include <stddef.h>
 
+/* where a call through memory would cost more than the function */
+#define KERNEL_INLINE __attribute__((always_inline)) static inline
+
 #if defined(NUMBER_DOUBLE)
 
 typedef double number;

@@ -30,7 +30,15 @@ typedef struct {
     number y0[STATE], rate0[STATE], raw[STATE], rate[STATE];
     dop853 *dense;
     int prepared;
+
+    /* the end of the step, and how far from trouble its beginning was */
+    instant now;
+    number length[LEGS], speed[LEGS];
+    real pose, program;
 } drive;
+
+/* determinants that change by less than an eighth of themselves in a step do not pass zero within it */
+static const double drive_ease = 8;
 
 static inline void drive_project(const drive *d, number *y) {
     coordinates x, rate;
@@ -126,11 +134,13 @@ static inline int drive_broken(drive *d, real theta) {
     const real t = theta < 1 ? d->t0 + theta * d->h : d->t;
     real margin[MARGINS];
     number y[STATE];
-    instant m;
+    instant inside;
 
-    if (theta < 1) drive_inside(d, theta, y);
-    run_instant(&d->r, t, theta < 1 ? y : d->y, &m);
-    limits_margins(&d->r, run_stage(&d->r, t), &m, &d->side, margin);
+    if (theta < 1) {
+        drive_inside(d, theta, y);
+        run_instant(&d->r, t, y, &inside);
+    }
+    limits_margins(&d->r, run_stage(&d->r, t), theta < 1 ? &inside : &d->now, &d->side, margin);
     return limits_broken(margin, 0, MARGINS);
 }
 
@@ -141,15 +151,44 @@ static inline void drive_prepare(drive *d) {
     d->prepared = 1;
 }
 
-/* Whether the step breaks a limit: at its end, and for long steps at quarters too. Sets the end. *until is where the valid
- * part of the step ends. */
+/* keeps what the next step is compared with */
+static inline void drive_remember(drive *d, const elimination *e) {
+    for (int v = 0; v < LEGS; v++) {
+        d->length[v] = d->now.g.length[v];
+        d->speed[v] = real_magnitude(d->now.g.rate[v]);
+    }
+    d->pose = e->determinant;
+    d->program = run_stage(&d->r, d->t)->singularity.determinant;
+}
+
+/* Whether nothing can have happened within the step that is not seen at its ends: no limits of speed or force, lengths further
+ * from their limits than the legs can go in a step, determinants far from zero */
+static inline int drive_comfortable(const drive *d, real program, const elimination *e) {
+    const real pose = e->determinant, ease = (real)drive_ease;
+
+    if (d->r.limited[1] || d->r.limited[2]) return 0;
+    for (int v = 0; v < LEGS; v++) {
+        const real after = real_magnitude(d->now.g.rate[v]), before = d->speed[v];
+        const real way = d->h * (after > before ? after : before);
+        const real one = d->length[v], two = d->now.g.length[v];
+        if (!(((one < two ? one : two) - way) * d->r.least > 1)) return 0;
+        if (!(((one < two ? two : one) + way) * d->r.most < 1)) return 0;
+    }
+    return real_magnitude(pose) > ease * real_magnitude(pose - d->pose) &&
+           real_magnitude(program) > ease * real_magnitude(program - d->program);
+}
+
+/* Whether the step breaks a limit: at its end, and for long steps at quarters too unless that cannot be. Sets the end. *until is
+ * where the valid part of the step ends. */
 static inline gough_status drive_watch(drive *d, int inside, real *until) {
+    const stage *s = run_stage(&d->r, d->t);
+    const elimination e = limits_pose(&d->r, &d->now);
+    const int quarters = inside && !drive_comfortable(d, s->singularity.determinant, &e);
     real low = 0, high = 0;
     int broken = -1;
-    instant m;
 
     *until = d->t;
-    for (int quarter = inside ? 1 : 4; quarter <= 4 && broken < 0; quarter++) {
+    for (int quarter = quarters ? 1 : 4; quarter <= 4 && broken < 0; quarter++) {
         low = high;
         high = (real)quarter / 4;
         broken = drive_broken(d, high);
@@ -170,8 +209,8 @@ static inline gough_status drive_watch(drive *d, int inside, real *until) {
         limits_end(&d->r, broken, *until, d->end);
         return GOUGH_ERROR_NUMERICAL;
     }
-    run_instant(&d->r, d->t, d->y, &m);
-    if (limits_nearly_singular(&d->r, run_stage(&d->r, d->t), &m)) {
+    drive_remember(d, &e);
+    if (limits_nearly_singular(&d->r, run_stage(&d->r, d->t), &d->now)) {
         limits_say_singular(0, (double)d->t, d->end);
         return GOUGH_ERROR_NUMERICAL;
     }
@@ -182,23 +221,25 @@ static inline gough_status drive_watch(drive *d, int inside, real *until) {
 static inline gough_status drive_begin(drive *d) {
     gough_status status;
     real margin[MARGINS];
-    instant m;
+    elimination e;
     int broken;
 
     d->t = 0;
     d->row = 0;
     d->drift = 0;
     drive_note_drift(d, d->y);
-    run_instant(&d->r, 0, d->y, &m);
+    run_instant(&d->r, 0, d->y, &d->now);
     if (d->r.fault.what) return limits_fault(&d->r, d->end);
-    d->side = limits_begin(&d->r, run_stage(&d->r, 0), &m);
-    if (limits_nearly_singular(&d->r, run_stage(&d->r, 0), &m)) {
+    d->side = limits_begin(&d->r, run_stage(&d->r, 0), &d->now);
+    e = limits_pose(&d->r, &d->now);
+    drive_remember(d, &e);
+    if (limits_nearly_singular(&d->r, run_stage(&d->r, 0), &d->now)) {
         limits_say_singular(0, 0, d->end);
         return GOUGH_ERROR_NUMERICAL;
     }
     status = drive_row(d, d->y);
     if (status != GOUGH_OK) return status;
-    limits_margins(&d->r, run_stage(&d->r, 0), &m, &d->side, margin);
+    limits_margins(&d->r, run_stage(&d->r, 0), &d->now, &d->side, margin);
     broken = limits_broken(margin, 0, MARGINS);
     if (broken < 0) return GOUGH_OK;
     limits_end(&d->r, broken, 0, d->end);
@@ -245,7 +286,9 @@ static inline gough_status drive_settle(drive *d, int inside, real *until) {
     drive_note_drift(d, d->raw);
     for (int i = 0; i < STATE; i++) d->y[i] = d->raw[i];
     drive_project(d, d->y);
-    run_rates(&d->r, d->t, d->y, d->rate);
+    run_instant(&d->r, d->t, d->y, &d->now);
+    coordinates_store(&d->now.rate, d->rate);
+    coordinates_store(&d->now.acceleration, d->rate + COORDINATES);
     if (d->r.fault.what) return limits_fault(&d->r, d->end);
     if (!drive_finite(d->y) || !drive_finite(d->rate)) return drive_not_finite(d, d->t);
     return drive_watch(d, inside, until);

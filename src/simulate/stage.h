@@ -327,20 +327,23 @@ static inline void run_instant(run *r, real t, const number *y, instant *m) {
     }
 }
 
-/* The rate_function of a run: run_instant() leg by leg, without keeping what only rows and limits need */
+/* The rate_function of a run: run_instant() without what only rows and limits need */
 static inline void run_rates(void *context, real t, const number *y, number *rate) {
     run *r = context;
     const stage *s = run_stage(r, t);
     const coordinates x = coordinates_load(y), v = coordinates_load(y + COORDINATES);
     push p = push_none();
     coordinates a;
+    legs g;
 
+    legs_at(&r->h, &x, &g);
     for (int i = 0; i < LEGS; i++) {
-        vector n;
-        const number length = leg_at(&r->h, &x, i, &n);
-        const number u = law_force(s->force[i], r->G[i], r->D[i], s->program.length[i],
-                                   s->program.rate[i], length, leg_rate(&r->h, &v, i, n));
-        push_add(&p, &r->h, i, u, n);
+        number u = law_stiff(s->force[i], r->G[i], s->program.length[i], g.length[i]);
+        if (r->damped) {
+            u = law_force(s->force[i], r->G[i], r->D[i], s->program.length[i], s->program.rate[i],
+                          g.length[i], leg_rate(&r->h, &v, i, g.n[i]));
+        }
+        push_add(&p, &r->h, i, u, g.n[i]);
     }
     a = accelerations_under(&r->h, &x, &v, &p, r->loaded ? &s->push : NULL, &s->turn);
     if (r->options->constraints == GOUGH_BAUMGARTE) {
