@@ -33,7 +33,7 @@ lint    | clang-format     | command -v clang-format
 lint    | clang-tidy       | command -v clang-tidy
 lint    | cppcheck         | command -v cppcheck
 lint    | shellcheck       | command -v shellcheck
-bench   | g++              | command -v "${CXX:-c++}"
+bench   | g++              | command -v g++
 bench   | libmujoco-dev    | test -e /usr/include/mujoco/mujoco.h
 bench   | libsundials-dev  | test -e /usr/include/cvode/cvode.h
 bench   | libgsl-dev       | pkg-config --exists gsl
