@@ -311,6 +311,19 @@ typedef struct {
     number u[LEGS];
 } instant;
 
+/* what the legs and all else that acts do to the load in a state */
+KERNEL_INLINE coordinates run_accelerations(const run *r, const stage *s, const coordinates *x,
+                                            const coordinates *rate, const legs *g,
+                                            const number u[LEGS]) {
+    const push p = legs_push(&r->h, g, u);
+    coordinates a = accelerations_under(&r->h, x, rate, &p, r->loaded ? &s->push : NULL, &s->turn);
+
+    if (r->options->constraints == GOUGH_BAUMGARTE) {
+        triad_stabilise(&r->h.load, &x->q, &rate->q, r->alpha, r->beta, &a.q);
+    }
+    return a;
+}
+
 static inline void run_instant(run *r, real t, const number *y, instant *m) {
     const stage *s = run_stage(r, t);
 
@@ -319,36 +332,22 @@ static inline void run_instant(run *r, real t, const number *y, instant *m) {
     legs_at(&r->h, &m->x, &m->g);
     legs_rates(&r->h, &m->rate, &m->g);
     run_leg_forces(r, s, &m->g, m->u);
-    const push p = legs_push(&r->h, &m->g, m->u);
-    m->acceleration =
-        accelerations_under(&r->h, &m->x, &m->rate, &p, r->loaded ? &s->push : NULL, &s->turn);
-    if (r->options->constraints == GOUGH_BAUMGARTE) {
-        triad_stabilise(&r->h.load, &m->x.q, &m->rate.q, r->alpha, r->beta, &m->acceleration.q);
-    }
+    m->acceleration = run_accelerations(r, s, &m->x, &m->rate, &m->g, m->u);
 }
 
-/* The rate_function of a run: run_instant() without what only rows and limits need */
+/* The rate_function of a run: run_instant() without the rates of legs that only rows and limits need */
 static inline void run_rates(void *context, real t, const number *y, number *rate) {
     run *r = context;
     const stage *s = run_stage(r, t);
     const coordinates x = coordinates_load(y), v = coordinates_load(y + COORDINATES);
-    push p = push_none();
+    number u[LEGS];
     coordinates a;
     legs g;
 
     legs_at(&r->h, &x, &g);
-    for (int i = 0; i < LEGS; i++) {
-        number u = law_stiff(s->force[i], r->G[i], s->program.length[i], g.length[i]);
-        if (r->damped) {
-            u = law_force(s->force[i], r->G[i], r->D[i], s->program.length[i], s->program.rate[i],
-                          g.length[i], leg_rate(&r->h, &v, i, g.n[i]));
-        }
-        push_add(&p, &r->h, i, u, g.n[i]);
-    }
-    a = accelerations_under(&r->h, &x, &v, &p, r->loaded ? &s->push : NULL, &s->turn);
-    if (r->options->constraints == GOUGH_BAUMGARTE) {
-        triad_stabilise(&r->h.load, &x.q, &v.q, r->alpha, r->beta, &a.q);
-    }
+    if (r->damped) legs_rates(&r->h, &v, &g);
+    run_leg_forces(r, s, &g, u);
+    a = run_accelerations(r, s, &x, &v, &g, u);
     coordinates_store(&v, rate);
     coordinates_store(&a, rate + COORDINATES);
 }

@@ -55,7 +55,10 @@ static kept tumble(const body *b, int level, double duration, double h) {
         worst.energy = fmax(worst.energy, fabs(energy(b, &s) / e0 - 1));
         worst.momentum =
             fmax(worst.momentum, norm(subtract(angular_momentum(b, &s), m0)) / norm(m0));
+        /* a maximum would pass over what is not a number */
         ck_assert(isfinite(energy(b, &s)));
+        ck_assert(isfinite(norm(angular_momentum(b, &s))));
+        ck_assert(isfinite(norm(s.x.q.i) + norm(s.x.q.j) + norm(s.x.q.k)));
     }
     return worst;
 }
