@@ -3,11 +3,11 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS gough_command RUNTIME)
 install(FILES ${PROJECT_BINARY_DIR}/libgough.a DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS gough_shared gough_files_shared EXPORT gough-targets LIBRARY)
+install(TARGETS gough_shared gough_analyse_shared gough_files_shared EXPORT gough-targets LIBRARY)
 install(DIRECTORY include/gough DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 install(FILES ${PROJECT_BINARY_DIR}/include/gough/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gough)
 
-# find_package(gough): targets gough::gough (core) and gough::files
+# find_package(gough): targets gough::gough (core), gough::analyse and gough::files
 set(GOUGH_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/gough)
 install(EXPORT gough-targets NAMESPACE gough:: DESTINATION ${GOUGH_CMAKE_FOLDER})
 file(WRITE ${PROJECT_BINARY_DIR}/gough-config.cmake
@@ -16,12 +16,12 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/gough-config-version.cmak
 install(FILES ${PROJECT_BINARY_DIR}/gough-config.cmake ${PROJECT_BINARY_DIR}/gough-config-version.cmake
     DESTINATION ${GOUGH_CMAKE_FOLDER})
 
-# pkg-config: gough (core) and gough-files
+# pkg-config: gough (core), gough-analyse and gough-files
 list(TRANSFORM GOUGH_MATH PREPEND "-l" OUTPUT_VARIABLE GOUGH_MATH_LINK)
 list(JOIN GOUGH_MATH_LINK " " GOUGH_MATH_LINK)
 file(RELATIVE_PATH GOUGH_PC_UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" GOUGH_PC_UP "${GOUGH_PC_UP}")
-foreach(name gough gough-files)
+foreach(name gough gough-analyse gough-files)
     configure_file(cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
     install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()

@@ -1,11 +1,12 @@
-# Two libraries: the core (kernel to batch: no dependency but the C library and libquadmath) and, over it, files and
-# figures (study, result, report). Each is compiled once, as position-independent code with only GOUGH_API visible, and
+# Three libraries: the core (kernel to batch: no dependency but the C library and libquadmath); over it the analysis of
+# stability (analyse: LAPACK); over both files and figures (study, result, report). Each is compiled once, as position-independent code with only GOUGH_API visible, and
 # serves as a static library (command, tests) and as a shared one (installed).
 configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/gough/version.h @ONLY)
 
 file(GLOB GOUGH_HEADERS CONFIGURE_DEPENDS include/gough/*.h)
 file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
-    src/kernel/*.c src/model/*.c src/dynamics/*.c src/integrate/*.c src/simulate/*.c src/batch/*.c src/analyse/*.c)
+    src/kernel/*.c src/model/*.c src/dynamics/*.c src/integrate/*.c src/simulate/*.c src/batch/*.c)
+file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/analyse/*.c)
 file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS src/study/*.c src/result/*.c src/report/*.c)
 
 # What steps is worth more of the compiler's time; the bits stay.
@@ -20,20 +21,23 @@ else()
     list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "batch_lanes_[48]\\.c$")
 endif()
 
-# gough_room_libraries(SUFFIX [FLAGS…]): the two static libraries gough_core<SUFFIX> and gough_files<SUFFIX>.
+# gough_room_libraries(SUFFIX [FLAGS…]): the static libraries gough_core<SUFFIX>, gough_analyse<SUFFIX> and gough_files<SUFFIX>.
 function(gough_room_libraries suffix)
     add_library(gough_core_objects${suffix} OBJECT ${GOUGH_HEADERS} ${GOUGH_CORE_SOURCES})
+    add_library(gough_analyse_objects${suffix} OBJECT ${GOUGH_HEADERS} ${GOUGH_ANALYSE_SOURCES})
     add_library(gough_files_objects${suffix} OBJECT ${GOUGH_HEADERS} ${GOUGH_FILES_SOURCES})
-    foreach(part core files)
+    foreach(part core analyse files)
         set_target_properties(gough_${part}_objects${suffix} PROPERTIES POSITION_INDEPENDENT_CODE ON)
         target_compile_definitions(gough_${part}_objects${suffix} PRIVATE GOUGH_SHARED)
         target_link_libraries(gough_${part}_objects${suffix} PRIVATE gough_flags ${ARGN})
         add_library(gough_${part}${suffix} STATIC $<TARGET_OBJECTS:gough_${part}_objects${suffix}>)
         set_target_properties(gough_${part}${suffix} PROPERTIES LINKER_LANGUAGE C)
     endforeach()
+    target_link_libraries(gough_analyse_objects${suffix} PRIVATE PkgConfig::LAPACKE)
     target_link_libraries(gough_files_objects${suffix} PRIVATE PkgConfig::LIBFYAML PkgConfig::HDF5)
     target_link_libraries(gough_core${suffix} PUBLIC gough_flags ${ARGN} ${GOUGH_MATH})
-    target_link_libraries(gough_files${suffix} PUBLIC gough_core${suffix} PRIVATE PkgConfig::LIBFYAML PkgConfig::HDF5)
+    target_link_libraries(gough_analyse${suffix} PUBLIC gough_core${suffix} PRIVATE PkgConfig::LAPACKE)
+    target_link_libraries(gough_files${suffix} PUBLIC gough_analyse${suffix} PRIVATE PkgConfig::LIBFYAML PkgConfig::HDF5)
 endfunction()
 
 gough_room_libraries("")
@@ -42,7 +46,7 @@ if(GOUGH_TESTS_SANITIZED)
     gough_room_libraries(_sanitized gough_sanitizers)
 endif()
 
-# Installed: libgough.a, libgough.so, libgough-files.so. The archive is one object whose inner names are made local, so
+# Installed: libgough.a, libgough.so, libgough-analyse.so, libgough-files.so. The archive is one object whose inner names are made local, so
 # that a user's program sees only what GOUGH_API shows, as in the shared libraries.
 add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/libgough.a
     COMMAND ${CMAKE_C_COMPILER} -r -nostdlib -o gough-core.o $<TARGET_OBJECTS:gough_core_objects>
@@ -53,15 +57,19 @@ add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/libgough.a
     WORKING_DIRECTORY ${PROJECT_BINARY_DIR} COMMAND_EXPAND_LISTS VERBATIM)
 add_custom_target(gough_archive ALL DEPENDS ${PROJECT_BINARY_DIR}/libgough.a)
 add_library(gough_shared SHARED $<TARGET_OBJECTS:gough_core_objects>)
+add_library(gough_analyse_shared SHARED $<TARGET_OBJECTS:gough_analyse_objects>)
 add_library(gough_files_shared SHARED $<TARGET_OBJECTS:gough_files_objects>)
 set_target_properties(gough_shared PROPERTIES OUTPUT_NAME gough EXPORT_NAME gough)
+set_target_properties(gough_analyse_shared PROPERTIES OUTPUT_NAME gough-analyse EXPORT_NAME analyse)
 set_target_properties(gough_files_shared PROPERTIES OUTPUT_NAME gough-files EXPORT_NAME files)
-foreach(library gough_shared gough_files_shared)
+foreach(library gough_shared gough_analyse_shared gough_files_shared)
     set_target_properties(${library} PROPERTIES
         LINKER_LANGUAGE C VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
     target_include_directories(${library} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_link_options(${library} PRIVATE $<$<NOT:$<BOOL:${GOUGH_SANITIZE}>>:-Wl,--no-undefined>)
 endforeach()
 target_link_libraries(gough_shared PRIVATE $<BUILD_INTERFACE:gough_flags> ${GOUGH_MATH})
+target_link_libraries(gough_analyse_shared PUBLIC gough_shared
+    PRIVATE $<BUILD_INTERFACE:gough_flags> $<BUILD_INTERFACE:PkgConfig::LAPACKE> ${GOUGH_MATH})
 target_link_libraries(gough_files_shared PUBLIC gough_shared
     PRIVATE $<BUILD_INTERFACE:gough_flags> $<BUILD_INTERFACE:PkgConfig::LIBFYAML> $<BUILD_INTERFACE:PkgConfig::HDF5> ${GOUGH_MATH})

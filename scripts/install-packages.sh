@@ -14,6 +14,7 @@ build   | pkg-config       | command -v pkg-config
 build   | libfyaml-dev     | pkg-config --exists libfyaml
 build   | libhdf5-dev      | pkg-config --exists hdf5-serial
 build   | libjansson-dev   | pkg-config --exists jansson
+build   | liblapacke-dev   | pkg-config --exists lapacke
 build   | gnuplot-nox      | command -v gnuplot
 test    | check            | pkg-config --exists check
 test    | clang            | command -v clang

@@ -4,6 +4,7 @@
 #ifndef GOUGH_GOUGH_H
 #define GOUGH_GOUGH_H
 
+#include "gough/analyse.h"
 #include "gough/batch.h"
 #include "gough/dynamics.h"
 #include "gough/model.h"

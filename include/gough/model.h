@@ -169,7 +169,10 @@ typedef struct gough_motion {
     const gough_move *move; /**< caller's memory, in increasing time, not overlapping */
     size_t moves;           /**< how many */
     gough_samples samples;  /**< prepared by gough_samples_prepare() */
-    double period;          /**< 0: to be found from the formulas */
+    double period;    /**< of the motion as run, scaled or not; 0: to be found from the formulas */
+    bool scaled;      /**< whether the two below hold; false: the motion as it is */
+    double amplitude; /**< when scaled: factor on all six components */
+    double frequency; /**< when scaled: factor on the time at which they are taken, > 0 */
 } gough_motion;
 
 /** The six components at t with their first and second derivatives: component[c][order], radians. Before the first and

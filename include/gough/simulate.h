@@ -162,6 +162,39 @@ GOUGH_API gough_status gough_simulate(const gough_model *model, const gough_simu
                                       gough_sink sink, void *context, gough_end *end,
                                       gough_error *error);
 
+/* ---- a model and how to run it as one array --------------------------------------------------------------------- */
+
+/** Doubles that gough_model_flatten() writes for @p model. */
+GOUGH_API size_t gough_model_flat_size(const gough_model *model);
+
+/** Writes a model and its options as an array of doubles: for another process, another machine, a page.
+ *
+ *  The array begins with the number of its format, 1, and the number of its doubles. It holds what the model was made from; what
+ *  follows from that is found anew by gough_model_unflatten() with the same bits. Safe to call concurrently on one model.
+ *  @param model       validated
+ *  @param simulation  how to run it
+ *  @param[out] flat   gough_model_flat_size() doubles */
+GOUGH_API void gough_model_flatten(const gough_model *model, const gough_simulation *simulation,
+                                   double *flat);
+
+/** Bytes of memory that gough_model_unflatten() needs beside the model, for moves or the spline of recorded motion; 0 where it
+ *  needs none, or where the array's head is damaged. Never more than twenty times the array's own size. */
+GOUGH_API size_t gough_model_flat_memory(const double *flat, size_t count);
+
+/** Reads a model and its options from such an array, which need not be trusted.
+ *
+ *  A run of them has the same bits as a run of what was flattened.
+ *  @param[out] model       complete on GOUGH_OK only
+ *  @param[out] simulation  likewise, checked by gough_simulation_check()
+ *  @param memory  gough_model_flat_memory() bytes, aligned for doubles; NULL where that is 0. It and @p flat, in which recorded
+ *                 motion stays, must live as long as the model
+ *  @param flat,count  the array and its length
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with a sentence: another format, an array cut short or too long, a number out of its
+ *  range, a formula that is none, a machine or options that their own checks refuse. */
+GOUGH_API gough_status gough_model_unflatten(gough_model *model, gough_simulation *simulation,
+                                             void *memory, const double *flat, size_t count,
+                                             gough_error *error);
+
 /* ---- what a run leaves in a few numbers ----------------------------------------------------------------------- */
 
 /** One leg over a run. */

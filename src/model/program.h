@@ -180,8 +180,8 @@ static inline real motion_angle_unit(const gough_motion *m) {
     return fabs(unit) > 0 ? (real)unit : 1;
 }
 
-/* Surge, sway, heave, roll, pitch, yaw with their derivatives at t, angles in radians. */
-static inline void motion_components(const gough_motion *m, real t, jet out[GOUGH_COMPONENTS]) {
+/* Surge, sway, heave, roll, pitch, yaw with their derivatives at t, angles in radians, as given. */
+static inline void motion_unscaled(const gough_motion *m, real t, jet out[GOUGH_COMPONENTS]) {
     if (m->kind == GOUGH_MOTION_SAMPLES) {
         samples_jets(&m->samples, t, out);
         return;
@@ -193,6 +193,18 @@ static inline void motion_components(const gough_motion *m, real t, jet out[GOUG
     for (int c = 0; c < GOUGH_COMPONENTS; c++) out[c] = formula_jet(&m->formula[c], t);
     const real unit = motion_angle_unit(m);
     for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++) out[c] = jet_scale(unit, out[c]);
+}
+
+/* The same larger by the amplitude and faster by the frequency, (motion-6): a f(w t). */
+static inline void motion_components(const gough_motion *m, real t, jet out[GOUGH_COMPONENTS]) {
+    const real a = (real)m->amplitude, w = (real)m->frequency;
+    if (!m->scaled) {
+        motion_unscaled(m, t, out);
+        return;
+    }
+    motion_unscaled(m, w * t, out);
+    for (int c = 0; c < GOUGH_COMPONENTS; c++)
+        out[c] = (jet){a * out[c].v, a * w * out[c].d, a * w * w * out[c].dd};
 }
 
 #endif

@@ -112,6 +112,7 @@ static gough_status check_samples(const gough_motion *motion, const gough_simula
     if (motion->kind != GOUGH_MOTION_SAMPLES) return GOUGH_OK;
     first = samples->time[0];
     last = samples->time[samples->count - 1];
+    if (motion->scaled) first /= motion->frequency, last /= motion->frequency;
     if (first > 0 || last < s->duration * (1 - division_slack)) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "simulation.duration: the run from 0 to %.9g goes beyond the recorded "

@@ -107,5 +107,10 @@ bool study_motion_build(study_build *build) {
     const study_node *period = study_node_child(node, "period");
     study_numbers(study_node_child(node, "about"), motion->about);
     if (period) motion->period = study_number(period);
+    const study_node *amplitude = study_node_child(node, "amplitude");
+    const study_node *frequency = study_node_child(node, "frequency");
+    motion->scaled = amplitude || frequency;
+    motion->amplitude = amplitude ? study_number(amplitude) : 1;
+    motion->frequency = frequency ? study_number(frequency) : 1;
     return true;
 }

@@ -14,7 +14,7 @@ for header in include/gough/*.h; do
         clang -x c++ -nostdinc++ -isystem /dev/null -Wall -Wextra -Werror -fsyntax-only -Iinclude -I"$BUILD/include" "$scratch/one.cpp" || failed=1
     fi
 done
-nm -D --defined-only "$BUILD/libgough.so" "$BUILD/libgough-files.so" | awk '{ print $3 }' | sort -u >"$scratch/have"
+nm -D --defined-only "$BUILD/libgough.so" "$BUILD/libgough-analyse.so" "$BUILD/libgough-files.so" | awk '{ print $3 }' | sort -u >"$scratch/have"
 "${CC:-cc}" -E -P -Iinclude -I"$BUILD/include" include/gough/gough.h | tr '\n' ' ' | sed 's/;/;\n/g' |
     grep -oE '\bgough_[a-z0-9_]+ *\([^;]*\).*;' | grep -v typedef | grep -oE '^gough_[a-z0-9_]+' | sort -u >"$scratch/want"
 [[ $(wc -l <"$scratch/want") -gt 40 ]] || { echo "found too few declarations: $(wc -l <"$scratch/want")"; failed=1; }

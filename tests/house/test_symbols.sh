@@ -21,7 +21,7 @@ writable=$(nm -f sysv "$archive" | awk -F'|' '$NF ~ /^ *(\.data|\.bss|\*COM\*|CO
 [[ -z $writable ]] || { echo "libgough.a has variables:" $writable; failed=1; }
 foreign=$(nm -g --defined-only "$archive" | awk 'NF == 3 && $3 !~ /^gough_/ { print $3 }')
 [[ -z $foreign ]] || { echo "libgough.a shows" $foreign; failed=1; }
-for library in "$BUILD"/libgough.so "$BUILD"/libgough-files.so; do
+for library in "$BUILD"/libgough.so "$BUILD"/libgough-analyse.so "$BUILD"/libgough-files.so; do
     [[ -e $library ]] || { echo "$library is missing"; failed=1; continue; }
     foreign=$(nm -D --defined-only "$library" | awk '$3 !~ /^gough_/ { print $3 }')
     [[ -z $foreign ]] || { echo "$(basename "$library") shows" $foreign; failed=1; }

@@ -1,0 +1,132 @@
+/** @file analyse.h
+ *  Stability of the closed loop: linearised exactly (complex steps through the equations, no differences) at rest and about
+ *  a periodic program. Theory: docs/theory/stability.md. This part of the library needs LAPACK and lives in libgough-analyse.
+ *
+ *  Linear state ξ = (δr, δθ, δv, δω), twelve numbers: displacement of the centre of mass, small rotation, and the changes of its
+ *  velocity and of the angular velocity, all in base axes. The disturbances of a study are no part of its loop: here they are 0.
+ */
+#ifndef GOUGH_ANALYSE_H
+#define GOUGH_ANALYSE_H
+
+#include "gough/dynamics.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { GOUGH_LINEAR = 12 };
+
+/** ξ̇ = matrix · ξ, the closed loop linearised about a state at time t, (stab-13).
+ *  @param state  NULL: the program's at t, where it is that of the variation about the program
+ *  @param[out] matrix  rows: derivatives of ξ. About a state that is no equilibrium the constant part is left out
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT where a formula is not finite at t, GOUGH_ERROR_NUMERICAL for a singular pose
+ *  of the program whose forces are fed forward, or a leg of no length. Exact up to rounding. Allocates nothing. Thread-safe. */
+GOUGH_API gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
+                                       double matrix[GOUGH_LINEAR][GOUGH_LINEAR],
+                                       gough_error *error);
+
+/* ---- at rest --------------------------------------------------------------------------------------------------- */
+
+enum { GOUGH_MODE_NAME = 32 };
+
+/** What moves, and how. */
+typedef struct gough_mode {
+    char name
+        [GOUGH_MODE_NAME]; /**< "heave", "yaw", "sway–tilt" …: the kinds of motion that hold a share of its energy */
+    double shape[6][2]; /**< δr, δθ as complex numbers, the largest share real and positive */
+    double share
+        [4]; /**< shares of sway (surge and sway), heave, tilt (roll and pitch) and yaw; sum 1 */
+} gough_mode;
+
+/** One eigenvalue: deviations go as e^{λt}. */
+typedef struct gough_eigenvalue {
+    double value[2]; /**< λ: growth rate, angular frequency */
+    gough_mode mode; /**< what moves */
+} gough_eigenvalue;
+
+/** From which stiffness a mode at rest holds. */
+typedef struct gough_threshold {
+    double stiffness; /**< G, the same in all legs; 0: the mode needs no feedback */
+    gough_mode mode;  /**< what then begins to move, (stab-10) */
+} gough_threshold;
+
+/** The loop at rest. */
+typedef struct gough_rest {
+    gough_state
+        state; /**< of equilibrium: where the loop rests, which without feed-forward is below the pose asked for */
+    double force[GOUGH_LEGS];                  /**< leg forces there */
+    double matrix[GOUGH_LINEAR][GOUGH_LINEAR]; /**< of gough_linearise() */
+    double geometric[6][6]; /**< K_geo: stiffness of constant leg forces, on (δr, δθ), symmetric */
+    double legs[6][6];      /**< JᵀJ: stiffness of legs with G = 1 */
+    double
+        asymmetry; /**< largest |K − Kᵀ| of the stiffness found, over its largest element: 0 up to rounding */
+    double
+        trace; /**< of the translational part of K_geo: < 0 tells that without feedback some mode grows */
+    double trace_theorem; /**< −2Mg/h of (stab-5), NaN where joints are not in two level planes */
+    gough_eigenvalue
+        eigenvalue[GOUGH_LINEAR]; /**< by falling growth rate, then by rising frequency */
+    gough_threshold threshold[6]; /**< by falling stiffness */
+    bool
+        stable; /**< no growth rate over 1e-7 in units of √(g/R_b) (or, without gravity, as it is) */
+    double growth; /**< largest growth rate */
+} gough_rest;
+
+/** The loop at rest in a pose.
+ *  @param component  surge … yaw from home, radians; NULL: home
+ *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL: singular pose, or no equilibrium found without feed-forward (the sentence says
+ *  from which pose it was sought). Allocates nothing. Thread-safe. */
+GOUGH_API gough_status gough_stability_at_rest(const gough_model *model,
+                                               const double component[GOUGH_COMPONENTS],
+                                               gough_rest *rest, gough_error *error);
+
+/* ---- about a periodic program ----------------------------------------------------------------------------------- */
+
+/** When and how a program repeats itself. */
+typedef struct gough_period {
+    bool resting;  /**< the program ends at rest: no motion, no period */
+    double start;  /**< from when on, up to 1e-12: a start-up ramp has died out by then */
+    double period; /**< T, or 0 for resting */
+} gough_period;
+
+/** Finds the period from the formulas (common period of all sines and cosines of linear arguments; decaying exponentials and
+ *  ramps die out), or checks the one given by the motion.
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, or not with the period given, with a sentence that says by how much, which
+ *  component and what to do. */
+GOUGH_API gough_status gough_motion_period(const gough_motion *motion, gough_period *period,
+                                           gough_error *error);
+
+/** One Floquet multiplier: deviations grow by it in each period. */
+typedef struct gough_multiplier {
+    double value[2]; /**< μ */
+    gough_mode mode; /**< what moves at the beginning of the period */
+} gough_multiplier;
+
+/** The loop about a periodic motion. */
+typedef struct gough_floquet {
+    double start;  /**< when the period taken begins */
+    double period; /**< T */
+    gough_state
+        state; /**< at its beginning: the program's, or without feed-forward that of the periodic motion found */
+    double monodromy[GOUGH_LINEAR][GOUGH_LINEAR]; /**< ξ after a period from ξ before */
+    gough_multiplier multiplier[GOUGH_LINEAR];    /**< by falling magnitude */
+    double growth;                                /**< largest |μ|: growth per period */
+    double determinant;                           /**< of the monodromy matrix */
+    double determinant_defect; /**< |det − 1|, where D = 0; else NaN: |det − exp ∫tr| */
+    double pair_defect; /**< largest |μ μ' − 1| over reciprocal pairs, where D = 0; else NaN */
+    bool stable;        /**< no |μ| over 1 + 1e-7 */
+    size_t steps;       /**< taken in the period */
+} gough_floquet;
+
+/** Multipliers over one period.
+ *  @param period     of gough_motion_period(); NULL: found here
+ *  @param tolerance  of the steps; 0: 1e-13
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic; GOUGH_ERROR_NUMERICAL: the program passes a singular pose, or without
+ *  feed-forward no periodic motion was found near it. Allocates nothing. Thread-safe. */
+GOUGH_API gough_status gough_floquet_multipliers(const gough_model *model,
+                                                 const gough_period *period, double tolerance,
+                                                 gough_floquet *floquet, gough_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,36 @@
+/* The equations of motion linearised: what the complex compilation of the run's texts offers to this room. */
+#ifndef GOUGH_ANALYSE_LINEAR_H
+#define GOUGH_ANALYSE_LINEAR_H
+
+#include "gough/analyse.h"
+
+/* A closed loop without disturbances. */
+typedef struct {
+    const gough_machine *machine;
+    const gough_motion *motion;
+    const gough_control *control;
+} linear_loop;
+
+typedef double linear_matrix[GOUGH_LINEAR][GOUGH_LINEAR];
+
+struct linear_complex {
+    /* (stab-13) at a time; state NULL: about the program. Returns what is not finite, such as "motion.heave", or NULL */
+    const char *(*matrix)(const linear_loop *loop, double t, const gough_state *state,
+                          linear_matrix matrix);
+
+    /* the same about the program at many times */
+    const char *(*along)(const linear_loop *loop, const double *t, size_t count,
+                         linear_matrix *matrix);
+
+    /* accelerations of the centre of mass and of the angle, base axes, and leg forces, in a state at time t */
+    const char *(*accelerations)(const linear_loop *loop, double t, const gough_state *state,
+                                 double acceleration[6], double force[GOUGH_LEGS]);
+};
+
+extern const struct linear_complex linear_complex;
+
+/* The sentence for a matrix that could not be found: `wrong` as returned above, a singular pose, a number not finite. */
+gough_status linear_check(const linear_loop *loop, double t, const gough_state *state,
+                          linear_matrix matrix, const char *wrong, gough_error *error);
+
+#endif
