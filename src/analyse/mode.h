@@ -1,0 +1,13 @@
+/* What moves in a mode: its shape with a fixed phase, the shares of its kinds of motion, its name. Theory: docs/theory/stability.md. */
+#ifndef GOUGH_ANALYSE_MODE_H
+#define GOUGH_ANALYSE_MODE_H
+
+#include <complex.h>
+
+#include "gough/analyse.h"
+
+/* Shares, name and normed shape of a displacement (δr, δθ), base axes, of any size and phase, (stab-16). A displacement that is
+ * zero or not finite gives the name "none" and shares of 0. */
+void mode_of(const gough_machine *machine, const double complex shape[6], gough_mode *mode);
+
+#endif
