@@ -7,13 +7,49 @@ add_custom_command(OUTPUT ${GOUGH_EMBEDDED}
             -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
     DEPENDS ${GOUGH_EXAMPLES} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
     COMMENT "Embedding the examples" VERBATIM)
-add_executable(gough_command ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED})
+
+# The page travels inside it too, as the assembler takes it in; without the page its length is 0.
+set(GOUGH_PAGE_OBJECT ${PROJECT_BINARY_DIR}/generated/page_template.c)
+if(TARGET page_template)
+    set(GOUGH_PAGE_TEMPLATE ${PROJECT_BINARY_DIR}/web/report.html)
+    file(CONFIGURE OUTPUT ${GOUGH_PAGE_OBJECT} @ONLY CONTENT [[
+#include "cli/page.h"
+
+__asm__(".section .rodata\n"
+        ".globl page_template_bytes\n"
+        "page_template_bytes:\n"
+        ".incbin \"@GOUGH_PAGE_TEMPLATE@\"\n"
+        ".globl page_template_end\n"
+        "page_template_end:\n"
+        ".byte 0\n"
+        ".text\n");
+extern const char page_template_bytes[], page_template_end[];
+
+gough_page_template page_template(void) {
+    return (gough_page_template){page_template_bytes, (size_t)(page_template_end - page_template_bytes)};
+}
+]])
+    set_source_files_properties(${GOUGH_PAGE_OBJECT} PROPERTIES OBJECT_DEPENDS ${GOUGH_PAGE_TEMPLATE})
+else()
+    file(CONFIGURE OUTPUT ${GOUGH_PAGE_OBJECT} @ONLY CONTENT [[
+#include "cli/page.h"
+
+gough_page_template page_template(void) { return (gough_page_template){"", 0}; }
+]])
+endif()
+add_executable(gough_command ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED} ${GOUGH_PAGE_OBJECT})
+if(TARGET page_template)
+    add_dependencies(gough_command page_template)
+endif()
 set_target_properties(gough_command PROPERTIES OUTPUT_NAME gough)
 target_link_libraries(gough_command PRIVATE gough_files PkgConfig::JANSSON)
 
 # for the tests of the command
 if(GOUGH_TESTS_SANITIZED)
-    add_executable(gough_command_sanitized ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED})
+    add_executable(gough_command_sanitized ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED} ${GOUGH_PAGE_OBJECT})
+    if(TARGET page_template)
+        add_dependencies(gough_command_sanitized page_template)
+    endif()
     set_target_properties(gough_command_sanitized PROPERTIES RUNTIME_OUTPUT_DIRECTORY sanitized OUTPUT_NAME gough)
     target_link_libraries(gough_command_sanitized PRIVATE gough_files_sanitized gough_sanitizers PkgConfig::JANSSON)
 endif()

@@ -1,5 +1,5 @@
 /** @file report.h
- *  Figures of results as PNG, SVG or PDF, drawn by gnuplot. This room runs a program and writes files.
+ *  Figures of results as PNG, SVG or PDF, drawn by gnuplot, and the page. This room runs a program and writes files.
  */
 #ifndef GOUGH_REPORT_H
 #define GOUGH_REPORT_H
@@ -38,6 +38,18 @@ GOUGH_API gough_status gough_figure_draw(const gough_figure *figure,
                                          const gough_table *const *tables,
                                          const char *const *labels, size_t table_count,
                                          const char *path, gough_error *error);
+
+/** The page without data, as the build makes it from the sources in web/: one HTML text. */
+typedef struct gough_page_template {
+    const char *text; /**< need not be terminated */
+    size_t length;    /**< bytes; 0: the program was built without the page */
+} gough_page_template;
+
+/** Writes the page with data to a file, complete or absent.
+ *  @param data,length  one JSON value, UTF-8; text in it, whatever it is, stays text: it cannot end the element that holds it
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT (a template without a place for data) or GOUGH_ERROR_FILE. */
+GOUGH_API gough_status gough_page_write(const gough_page_template *page, const char *data,
+                                        size_t length, const char *path, gough_error *error);
 
 #ifdef __cplusplus
 }

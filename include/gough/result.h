@@ -49,6 +49,19 @@ GOUGH_API void gough_result_set_end(gough_result *result, const gough_end *end);
 GOUGH_API gough_status gough_result_write(const gough_result *result, const char *path,
                                           gough_error *error);
 
+/** One column of a table in memory, its numbers as they are written. */
+typedef struct gough_result_column {
+    const char *name;      /**< as in the header row */
+    const char *long_name; /**< what it is */
+    char unit[24];         /**< "m/s", "degree", "1" … */
+    const double *value;   /**< [rows]; valid until a row is added or the table freed */
+    size_t rows;           /**< rows so far */
+} gough_result_column;
+
+/** The column at @p index, from 0. @return false, and nothing written, beyond the last. */
+GOUGH_API bool gough_result_column_at(const gough_result *result, int index,
+                                      gough_result_column *column);
+
 /** Frees a table; NULL is allowed. */
 GOUGH_API void gough_result_free(gough_result *result);
 

@@ -17,6 +17,8 @@ gough_status simulate_verb(int count, char **argument);
 gough_status sweep_verb(int count, char **argument);
 gough_status merge_verb(int count, char **argument);
 gough_status plot_verb(int count, char **argument);
+gough_status stability_verb(int count, char **argument);
+gough_status report_verb(int count, char **argument);
 
 /* ---- line.c: what may stand on the command line ---- */
 
@@ -38,12 +40,29 @@ enum option_key {
     OPTION_THREADS,
     OPTION_LANES,
     OPTION_SHARD,
-    OPTION_RUN
+    OPTION_RUN,
+    OPTION_POSE,
+    OPTION_MATRIX,
+    OPTION_AT,
+    OPTION_SWEEP_STIFFNESS,
+    OPTION_SWEEP_AMPLITUDE,
+    OPTION_SWEEP_FREQUENCY,
+    OPTION_SWEEP_DAMPING
 };
+
+/* Values of one axis of a map: `count` of them from `from` to `to`, by equal steps or equal ratios. */
+typedef struct axis_values {
+    int key; /* which option asked for it; 0: not asked for */
+    double from, to;
+    size_t count;
+    bool logarithmic;
+} axis_values;
 
 typedef struct command_line {
     const char *verb;
-    const char *output; /* NULL: none */
+    const char *output;   /* the last one; NULL: none */
+    const char **outputs; /* all, where a verb takes several */
+    size_t output_count;
     bool json, quiet, reactions, dimensionless;
     gough_precision precision;
     gough_setting *settings; /* from --set */
@@ -55,6 +74,10 @@ typedef struct command_line {
     gough_figure figure;
     int threads, lanes;            /* 0: as many as there are */
     size_t shard, shards, one_run; /* 0: not asked for */
+    bool posed, matrix;
+    double pose[GOUGH_COMPONENTS]; /* from --pose: lengths and degrees, from home */
+    double at;                     /* NaN: not asked for */
+    axis_values stiffness, second; /* of a stability map */
 } command_line;
 
 /* What a verb accepts; the text of its --help. */
@@ -70,6 +93,14 @@ typedef struct verb_usage {
 /* Reads the command line; what is wrong with it ends the process with a sentence and exit code 2. */
 command_line command_line_read(const verb_usage *usage, int count, char **argument);
 void command_line_free(command_line *line);
+
+/* ---- ranges.c: what options are made of ---- */
+
+/* "heave=0.1,yaw=10": adds to the components. Returns false with a sentence for the user. */
+bool read_pose(const char *text, double pose[GOUGH_COMPONENTS], gough_error *error);
+
+/* "a:b:n" or "a:b:n:log", as option --NAME has it. Returns false with a sentence for the user. */
+bool read_axis(const char *name, const char *text, axis_values *axis, gough_error *error);
 
 /* ---- talk.c: what is said on standard error ---- */
 
@@ -108,6 +139,9 @@ gough_status read_sweep(const command_line *line, const gough_study *study, goug
 /* What can be known about the output before a long run: -o with an ending of no known kind (endings: "h5" and "csv", or one
  * other), a folder that is not there. */
 gough_status check_output(const command_line *line, const char *other);
+
+/* Whether the folder is there that a file is to go to. */
+gough_status check_folder(const char *verb, const char *path);
 
 /* forces and simulate differ in the function that they call. */
 gough_status run_verb(const verb_usage *usage, bool simulated, int count, char **argument);

@@ -24,6 +24,17 @@ gough_status read_study(const command_line *line, gough_study **study) {
     return status;
 }
 
+/* The folder that a file is to go to. */
+gough_status check_folder(const char *verb, const char *path) {
+    const char *slash = strrchr(path, '/');
+    char *folder = slash ? strndup(path, slash == path ? 1 : (size_t)(slash - path)) : strdup(".");
+    struct stat status;
+    const bool there = folder && stat(folder, &status) == 0 && S_ISDIR(status.st_mode);
+    if (!there) complain(verb, "%s: there is no folder '%s'", path, folder ? folder : "?");
+    free(folder);
+    return there ? GOUGH_OK : GOUGH_ERROR_FILE;
+}
+
 gough_status check_output(const command_line *line, const char *other) {
     const char *path = line->output;
     if (!path) return GOUGH_OK;
@@ -47,13 +58,7 @@ gough_status check_output(const command_line *line, const char *other) {
                  path);
         return GOUGH_ERROR_INPUT;
     }
-    const char *slash = strrchr(path, '/');
-    char *folder = slash ? strndup(path, slash == path ? 1 : (size_t)(slash - path)) : strdup(".");
-    struct stat status;
-    const bool there = folder && stat(folder, &status) == 0 && S_ISDIR(status.st_mode);
-    if (!there) complain(line->verb, "%s: there is no folder '%s'", path, folder ? folder : "?");
-    free(folder);
-    return there ? GOUGH_OK : GOUGH_ERROR_FILE;
+    return check_folder(line->verb, path);
 }
 
 gough_status read_sweep(const command_line *line, const gough_study *study, gough_sweep **sweep) {

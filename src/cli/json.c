@@ -55,7 +55,7 @@ static json_t *leg_object(const run_report *report, const gough_leg_summary *leg
     return object;
 }
 
-int run_report_print_json(const run_report *report) {
+json_t *run_report_json(const run_report *report) {
     const gough_summary *s = &report->summary;
     const gough_end *ended = &report->end;
     json_t *object = json_object(), *end = json_object(), *deviation = json_object();
@@ -77,5 +77,7 @@ int run_report_print_json(const run_report *report) {
     json_object_set_new(object, "condition", json_number(s->condition));
     json_object_set_new(object, "deviation", deviation);
     json_object_set_new(object, "drift", json_number(report->simulated ? s->drift : NAN));
-    return json_print(object);
+    return object;
 }
+
+int run_report_print_json(const run_report *report) { return json_print(run_report_json(report)); }

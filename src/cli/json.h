@@ -4,10 +4,15 @@
 
 #include <jansson.h>
 
+#include "cli/summary.h"
+
 /* null for NaN and infinities, which JSON does not have */
 json_t *json_number(double value);
 json_t *json_numbers(const double *value, size_t count);
 json_t *json_words(const char *text);
+
+/* The summary of forces and simulate. */
+json_t *run_report_json(const run_report *report);
 
 /* Prints on standard output and lets go of the object. Returns 0, or -1 when memory is out or the output fails. */
 int json_print(json_t *object);

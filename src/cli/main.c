@@ -17,7 +17,7 @@ typedef struct verb {
 static const verb verbs[] = {{"example", example_verb}, {"check", check_verb},
                              {"forces", forces_verb},   {"simulate", simulate_verb},
                              {"sweep", sweep_verb},     {"merge", merge_verb},
-                             {"plot", plot_verb}};
+                             {"plot", plot_verb},       {"report", report_verb}};
 enum { VERBS = sizeof verbs / sizeof *verbs };
 
 static const char text[] =
@@ -30,6 +30,7 @@ static const char text[] =
     "  gough sweep STUDY       many runs of a study with other numbers\n"
     "  gough merge SHARD...    one table of the shards of a sweep\n"
     "  gough plot RESULT...    figures as PNG, SVG or PDF\n"
+    "  gough report STUDY...   all of it as one HTML page\n"
     "\n"
     "'gough VERB --help' says more about each."
     "\v"

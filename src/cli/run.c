@@ -59,11 +59,9 @@ static void explain_end(const command_line *line, const run_report *report) {
              rescaled ? " (in the study's own units)" : "");
 }
 
-static gough_status write_table(const command_line *line, gough_result *result,
-                                const gough_end *end) {
+static gough_status write_table(const command_line *line, gough_result *result) {
     gough_error error = {0};
     fflush(stdout);
-    gough_result_set_end(result, end);
     const gough_status status = gough_result_write(result, line->output, &error);
     if (status) complain(line->verb, "%s", error.message);
     return status;
@@ -79,25 +77,31 @@ static gough_status print_summary(const command_line *line, const run_report *re
     return GOUGH_OK;
 }
 
-static gough_status execute(const command_line *line, running *run, gough_error *error) {
-    run_report *report = run->report;
+gough_status run_report_fill(run_report *report, const command_line *line, gough_result *result,
+                             gough_error *error) {
     const gough_study *study = report->study;
     gough_simulation simulation = study->simulation;
     if (line->precision == GOUGH_QUADRUPLE) simulation.precision = GOUGH_QUADRUPLE;
 
+    running run = {.machine = &study->model->machine, .report = report, .result = result};
     gough_summary_begin(&report->summary);
-    run->progress = progress_begin(line->verb, simulation.duration, line->quiet);
+    run.progress = progress_begin(line->verb, simulation.duration, line->quiet);
     const gough_status status =
         report->simulated
-            ? gough_simulate(study->model, &simulation, take_row, run, &report->end, error)
-            : gough_forces(study->model, &simulation, take_row, run, take_crossing, run,
+            ? gough_simulate(study->model, &simulation, take_row, &run, &report->end, error)
+            : gough_forces(study->model, &simulation, take_row, &run, take_crossing, &run,
                            &report->end, error);
-    progress_end(&run->progress);
+    progress_end(&run.progress);
     gough_summary_end(&report->summary);
     /* they come when they are over */
     if (report->crossings.count)
         qsort(report->crossings.list, report->crossings.count, sizeof *report->crossings.list,
               by_beginning);
+    if (result) gough_result_set_end(result, &report->end);
+    if (run.memory_out)
+        return gough_fail(
+            error, GOUGH_ERROR_FILE,
+            "memory is out for the table; a greater simulation.output_step needs less");
     return status;
 }
 
@@ -109,8 +113,8 @@ static gough_status run_study(const command_line *line, const gough_study *study
         complain(line->verb, "%s: %s", study->name, error.message);
         return status;
     }
-    running run = {.machine = &study->model->machine, .report = report};
-    if (line->output && !(run.result = gough_result_new(study, line->verb, &report->units))) {
+    gough_result *result = NULL;
+    if (line->output && !(result = gough_result_new(study, line->verb, &report->units))) {
         complain(line->verb, "memory is out");
         return GOUGH_ERROR_FILE;
     }
@@ -119,15 +123,12 @@ static gough_status run_study(const command_line *line, const gough_study *study
                "open loop: a hexapod at rest under given leg forces always has a growing mode, and "
                "round-off grows with it; feedback (control.stiffness) is what holds it");
 
-    status = execute(line, &run, &error);
-    const gough_end end = report->end; /* the table scales by itself */
-    if (run.memory_out) {
-        complain(line->verb,
-                 "memory is out for the table; a greater simulation.output_step needs less");
-        status = GOUGH_ERROR_FILE;
+    status = run_report_fill(report, line, result, &error);
+    if (status == GOUGH_ERROR_FILE) {
+        complain(line->verb, "%s", error.message);
     } else if (status == GOUGH_OK || status == GOUGH_ERROR_NUMERICAL) {
         run_report_scale(report);
-        const gough_status written = run.result ? write_table(line, run.result, &end) : GOUGH_OK;
+        const gough_status written = result ? write_table(line, result) : GOUGH_OK;
         report->output =
             written || !line->output || strcmp(line->output, "-") == 0 ? NULL : line->output;
         const gough_status printed = print_summary(line, report);
@@ -136,7 +137,7 @@ static gough_status run_study(const command_line *line, const gough_study *study
     } else {
         complain(line->verb, "%s: %s", study->name, error.message);
     }
-    gough_result_free(run.result);
+    gough_result_free(result);
     return status;
 }
 

@@ -25,6 +25,12 @@ typedef struct run_report {
     const char *output;      /* NULL: no table was written */
 } run_report;
 
+/* Runs the study of a report, `simulated` or not, whose numbers are then in units of the run; rows go into `result` too, which
+ * may be NULL. Without memory for them it is GOUGH_ERROR_FILE. */
+struct command_line;
+gough_status run_report_fill(run_report *report, const struct command_line *line,
+                             gough_result *result, gough_error *error);
+
 /* Turns the numbers of a run into the output's units. */
 void run_report_scale(run_report *report);
 

@@ -131,6 +131,17 @@ void gough_result_set_end(gough_result *result, const gough_end *end) {
     result->end.time = end->time / (double)result->time;
 }
 
+bool gough_result_column_at(const gough_result *result, int index, gough_result_column *column) {
+    if (index < 0 || index >= result->columns) return false;
+    const gough_column_info *info = &gough_column_table[result->column[index]];
+    *column = (gough_result_column){.name = info->name,
+                                    .long_name = info->long_name,
+                                    .value = result->value[index],
+                                    .rows = result->rows};
+    result_unit_label(result->column[index], result->units.dimensionless, column->unit);
+    return true;
+}
+
 void gough_result_free(gough_result *result) {
     if (result == NULL) return;
     for (int i = 0; i < result->columns; i++) {
