@@ -59,12 +59,32 @@ static void read_shard(struct argp_state *state, command_line *line, const char 
     }
 }
 
+/* An axis of a stability map; the second is one of three. */
+static void read_map_axis(struct argp_state *state, command_line *line, int key, const char *text) {
+    static const char *const name[] = {"sweep-stiffness", "sweep-amplitude", "sweep-frequency",
+                                       "sweep-damping"};
+    axis_values *axis = key == OPTION_SWEEP_STIFFNESS ? &line->stiffness : &line->second;
+    gough_error error = {0};
+    if (axis->key && axis->key != key)
+        argp_error(state, "a map has two axes: --sweep-stiffness and one of --sweep-amplitude, "
+                          "--sweep-frequency and --sweep-damping");
+    if (!read_axis(name[key - OPTION_SWEEP_STIFFNESS], text, axis, &error))
+        argp_error(state, "%s", error.message);
+    axis->key = key;
+}
+
+static void read_pose_option(struct argp_state *state, command_line *line, const char *text) {
+    gough_error error = {0};
+    line->posed = true;
+    if (!read_pose(text, line->pose, &error)) argp_error(state, "%s", error.message);
+}
+
 static error_t read_option(int key, char *text, struct argp_state *state) {
     reader *reading = state->input;
     command_line *o = reading->line;
     switch (key) {
     case OPTION_OUTPUT:
-        o->output = text;
+        o->output = o->outputs[o->output_count++] = text;
         break;
     case OPTION_QUIET:
         o->quiet = true;
@@ -122,6 +142,21 @@ static error_t read_option(int key, char *text, struct argp_state *state) {
     case OPTION_RUN:
         o->one_run = read_count(state, "--run", text);
         break;
+    case OPTION_POSE:
+        read_pose_option(state, o, text);
+        break;
+    case OPTION_MATRIX:
+        o->matrix = true;
+        break;
+    case OPTION_AT:
+        o->at = read_time(state, "--at", text);
+        break;
+    case OPTION_SWEEP_STIFFNESS:
+    case OPTION_SWEEP_AMPLITUDE:
+    case OPTION_SWEEP_FREQUENCY:
+    case OPTION_SWEEP_DAMPING:
+        read_map_axis(state, o, key, text);
+        break;
     case ARGP_KEY_ARG:
         if (o->files == reading->usage->most_files)
             argp_error(state, "too many arguments: '%s'", text);
@@ -144,8 +179,10 @@ command_line command_line_read(const verb_usage *usage, int count, char **argume
                       .settings = calloc(room, sizeof *o.settings),
                       .file = calloc(room, sizeof *o.file),
                       .label = calloc(room, sizeof *o.label),
+                      .outputs = calloc(room, sizeof *o.outputs),
+                      .at = NAN,
                       .figure = gough_figure_default()};
-    if (!o.settings || !o.file || !o.label) {
+    if (!o.settings || !o.file || !o.label || !o.outputs) {
         complain(usage->verb, "memory is out");
         exit(GOUGH_ERROR_FILE);
     }
@@ -164,4 +201,5 @@ void command_line_free(command_line *o) {
     free(o->settings);
     free(o->file);
     free(o->label);
+    free(o->outputs);
 }

@@ -1,0 +1,108 @@
+/* What some options are made of: a pose by its components, the values of an axis. Numbers have a point, whatever the locale. */
+#define _GNU_SOURCE
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/command.h"
+
+enum { MOST_VALUES = 10000 };
+
+/* A number from `text` up to `end`, and nothing else. */
+static bool read_part(const char *text, const char *end, double *value) {
+    char *rest = NULL;
+    if (text == end || *text == ' ') return false;
+    *value = strtod(text, &rest);
+    return rest == end && isfinite(*value);
+}
+
+/* ---- a pose ------------------------------------------------------------------------------------------------------- */
+
+static int component_of(const char *name, size_t length) {
+    int c = 0;
+    while (c < GOUGH_COMPONENTS && (strlen(gough_component_name(c)) != length ||
+                                    strncmp(gough_component_name(c), name, length) != 0))
+        c++;
+    return c;
+}
+
+static bool refuse_component(const char *name, size_t length, gough_error *error) {
+    const char *known[GOUGH_COMPONENTS];
+    char word[40];
+    snprintf(word, sizeof word, "%.*s", (int)(length < 39 ? length : 39), name);
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) known[c] = gough_component_name(c);
+    const char *near = nearest_word(word, known, GOUGH_COMPONENTS);
+    gough_fail(error, GOUGH_ERROR_INPUT,
+               "--pose has no component '%s'%s%s%s; there are surge, sway, heave (lengths), roll, "
+               "pitch, yaw (degrees)",
+               word, near ? "; is '" : "", near ? near : "", near ? "' meant?" : "");
+    return false;
+}
+
+bool read_pose(const char *text, double pose[GOUGH_COMPONENTS], gough_error *error) {
+    for (const char *at = text;; at++) {
+        const char *end = at + strcspn(at, ","), *equal = memchr(at, '=', (size_t)(end - at));
+        double value;
+        if (!equal) {
+            gough_fail(error, GOUGH_ERROR_INPUT,
+                       "--pose takes components from home, as in --pose heave=0.1,yaw=10 "
+                       "(lengths and degrees); '%s' is not of this form",
+                       text);
+            return false;
+        }
+        const int c = component_of(at, (size_t)(equal - at));
+        if (c == GOUGH_COMPONENTS) return refuse_component(at, (size_t)(equal - at), error);
+        if (!read_part(equal + 1, end, &value)) {
+            gough_fail(error, GOUGH_ERROR_INPUT, "--pose: %s takes a number; '%.*s' is none",
+                       gough_component_name(c), (int)(end - equal - 1), equal + 1);
+            return false;
+        }
+        pose[c] = value;
+        at = end;
+        if (!*at) return true;
+    }
+}
+
+/* ---- an axis ------------------------------------------------------------------------------------------------------ */
+
+static bool refuse_axis(const char *name, const char *text, const char *reason,
+                        gough_error *error) {
+    gough_fail(error, GOUGH_ERROR_INPUT,
+               "--%s takes from:to:count or from:to:count:log%s; found '%s'", name, reason, text);
+    return false;
+}
+
+/* Splits at colons; the number of pieces, at most 5. piece[i] … end[i]. */
+static int split(const char *text, const char *piece[5], const char *end[5]) {
+    int count = 0;
+    for (const char *at = text; count < 5; at = end[count - 1] + 1) {
+        piece[count] = at;
+        end[count] = at + strcspn(at, ":");
+        if (!*end[count++]) break;
+    }
+    return count;
+}
+
+bool read_axis(const char *name, const char *text, axis_values *axis, gough_error *error) {
+    const char *piece[5], *end[5];
+    const int pieces = split(text, piece, end);
+    const bool positive = strcmp(name, "sweep-frequency") == 0;
+    double count;
+    if (pieces < 3 || pieces > 4 || (pieces == 4 && strcmp(piece[3], "log") != 0))
+        return refuse_axis(name, text, ", as in 0:2:201", error);
+    if (!read_part(piece[0], end[0], &axis->from) || !read_part(piece[1], end[1], &axis->to) ||
+        !read_part(piece[2], end[2], &count))
+        return refuse_axis(name, text, " with numbers", error);
+    if (!(count >= 2 && count <= MOST_VALUES) || floor(count) < count)
+        return refuse_axis(name, text, ", the count a whole number from 2 to 10000", error);
+    if (!(axis->to > axis->from))
+        return refuse_axis(name, text, ", 'to' greater than 'from'", error);
+    if (axis->from < 0 || (positive && !(axis->from > 0)))
+        return refuse_axis(name, text, positive ? ", values greater than 0" : ", no value below 0",
+                           error);
+    axis->logarithmic = pieces == 4;
+    if (axis->logarithmic && !(axis->from > 0))
+        return refuse_axis(name, text, ", with log the values greater than 0", error);
+    axis->count = (size_t)count;
+    return true;
+}
