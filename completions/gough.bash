@@ -1,7 +1,7 @@
 # bash completion for gough
 _gough() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]-}
-    local verbs="example check forces simulate sweep merge plot" always="--quiet --help --usage --version"
+    local verbs="example check forces simulate sweep merge plot report" always="--quiet --help --usage --version"
     local options=""
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
@@ -15,6 +15,7 @@ _gough() {
         sweep) options="--output --json --set --threads --lanes --shard --run --dimensionless" ;;
         merge) options="--output --json" ;;
         plot) options="--output --figure --columns --from --to --log --label --title" ;;
+        report) options="--output --set" ;;
     esac
     # bash splits --precision=quad at the sign
     [[ $current == = ]] && current=""

@@ -1,5 +1,5 @@
 # fish completion for gough
-set -l verbs example check forces simulate sweep merge plot
+set -l verbs example check forces simulate sweep merge plot report
 complete -c gough -f
 complete -c gough -n "not __fish_seen_subcommand_from $verbs" -a example -d "print a ready study file to start from"
 complete -c gough -n "not __fish_seen_subcommand_from $verbs" -a check -d "validate a study and print its machine"
@@ -8,6 +8,7 @@ complete -c gough -n "not __fish_seen_subcommand_from $verbs" -a simulate -d "th
 complete -c gough -n "not __fish_seen_subcommand_from $verbs" -a sweep -d "many runs of a study with other numbers"
 complete -c gough -n "not __fish_seen_subcommand_from $verbs" -a merge -d "one table of the shards of a sweep"
 complete -c gough -n "not __fish_seen_subcommand_from $verbs" -a plot -d "figures as PNG, SVG or PDF"
+complete -c gough -n "not __fish_seen_subcommand_from $verbs" -a report -d "all of it as one HTML page"
 
 complete -c gough -s q -l quiet -d "say nothing but what is wrong"
 complete -c gough -s '?' -l help -d "what the verb does"
@@ -15,8 +16,8 @@ complete -c gough -l usage -d "the same in short"
 complete -c gough -s V -l version -d "the version"
 
 complete -c gough -n "__fish_seen_subcommand_from example check forces simulate sweep merge" -l json -d "print as JSON"
-complete -c gough -n "__fish_seen_subcommand_from example forces simulate sweep merge plot" -s o -l output -r -F -d "where the result goes"
-complete -c gough -n "__fish_seen_subcommand_from check forces simulate sweep" -l set -x -d "override a key of the study"
+complete -c gough -n "__fish_seen_subcommand_from example forces simulate sweep merge plot report" -s o -l output -r -F -d "where the result goes"
+complete -c gough -n "__fish_seen_subcommand_from check forces simulate sweep report" -l set -x -d "override a key of the study"
 complete -c gough -n "__fish_seen_subcommand_from forces simulate" -l precision -x -a "double quad" -d digits
 complete -c gough -n "__fish_seen_subcommand_from forces simulate" -l reactions -d "add the constraint reactions to the table"
 complete -c gough -n "__fish_seen_subcommand_from forces simulate sweep" -l dimensionless -d "in units of R_b, M and sqrt(R_b/g)"
@@ -33,6 +34,6 @@ complete -c gough -n "__fish_seen_subcommand_from plot" -l label -x -d "what a r
 complete -c gough -n "__fish_seen_subcommand_from plot" -l title -x -d "heading of the figure"
 
 complete -c gough -n "__fish_seen_subcommand_from example" -a "(gough example 2>/dev/null | string match -rg '^  (\S+)')"
-complete -c gough -n "__fish_seen_subcommand_from check forces simulate sweep" -a "(__fish_complete_suffix .yaml)"
+complete -c gough -n "__fish_seen_subcommand_from check forces simulate sweep report" -a "(__fish_complete_suffix .yaml)"
 complete -c gough -n "__fish_seen_subcommand_from plot" -a "(__fish_complete_suffix .h5)"
 complete -c gough -n "__fish_seen_subcommand_from merge" -a "(__fish_complete_suffix .shard)"
