@@ -87,6 +87,21 @@ GOUGH_API gough_status gough_table_read(const char *path, gough_table **table, g
 /** Frees a table; NULL is allowed. */
 GOUGH_API void gough_table_free(gough_table *table);
 
+/** A table of zeros to fill, its columns without names yet; free it with gough_table_free(). NULL if memory is out. */
+GOUGH_API gough_table *gough_table_new(const char *title, const char *verb, size_t columns,
+                                       size_t rows);
+
+/** Names a column and its unit ("" or "1": none).
+ *  @return its numbers, to be filled; NULL if memory is out */
+GOUGH_API double *gough_table_name(gough_table *table, size_t column, const char *name,
+                                   const char *unit);
+
+/** Writes a table: .h5 or .csv by extension, "-" CSV on standard output, as gough_result_write() does.
+ *  @param study  text of the study, kept in HDF5; NULL: none
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT (unknown extension), GOUGH_ERROR_FILE. */
+GOUGH_API gough_status gough_table_write(const gough_table *table, const char *study,
+                                         const char *path, gough_error *error);
+
 /** Column by name; NULL if absent. */
 GOUGH_API const double *gough_table_column(const gough_table *table, const char *name);
 
