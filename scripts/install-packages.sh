@@ -16,8 +16,14 @@ build   | libhdf5-dev      | pkg-config --exists hdf5-serial
 build   | libjansson-dev   | pkg-config --exists jansson
 build   | liblapacke-dev   | pkg-config --exists lapacke
 build   | gnuplot-nox      | command -v gnuplot
+build   | clang            | command -v clang
+build   | lld              | command -v wasm-ld
+build   | wasi-libc        | test -e /usr/lib/wasm32-wasi/libc.a
+build   | libclang-rt-14-dev-wasm32 | ls "$(clang -print-resource-dir)"/lib/wasi/libclang_rt.builtins-wasm32.a
+build   | nodejs           | command -v node
+build   | npm              | command -v npm
 test    | check            | pkg-config --exists check
-test    | clang            | command -v clang
+test    | chromium         | command -v chromium
 test    | libclang-rt-dev  | ls "$(clang -print-resource-dir)"/lib/*/libclang_rt.fuzzer*
 test    | binutils         | command -v nm
 test    | dpkg-dev         | command -v dpkg-shlibdeps || ! command -v dpkg

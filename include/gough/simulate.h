@@ -178,7 +178,7 @@ GOUGH_API void gough_model_flatten(const gough_model *model, const gough_simulat
                                    double *flat);
 
 /** Bytes of memory that gough_model_unflatten() needs beside the model, for moves or the spline of recorded motion; 0 where it
- *  needs none, or where the array's head is damaged. Never more than twenty times the array's own size. */
+ *  needs none, or where the array's head is damaged. Never more than twice the size of the array. */
 GOUGH_API size_t gough_model_flat_memory(const double *flat, size_t count);
 
 /** Reads a model and its options from such an array, which need not be trusted.

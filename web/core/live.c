@@ -1,0 +1,412 @@
+/* The core in the page: a study that is stepped as gough_simulate() steps it, while gains, disturbances, the size and speed of
+ * its program and a push of the hand change between the steps. The texts of the library, compiled here once more; nothing of
+ * the equations or the steppers is written anew. */
+#define NUMBER_DOUBLE
+#include "live.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "simulate/drive.h"
+#include "simulate/walk.h"
+
+/* in place of simulate_double.c; the page has no quadruple precision, and live_begin() takes none */
+const struct simulate_table simulate_double = {walk_run, drive_run};
+const struct simulate_table simulate_quad = {NULL, NULL};
+
+/* A number that a slider moves, and its passage from `from` since time `since` to `to`. */
+typedef struct {
+    double from, to, since;
+} setting;
+
+/* The module holds one study; this is it. */
+static struct {
+    double *input; /* the flat model; recorded motion stays in it */
+    size_t count;
+    void *memory;
+    gough_model model;
+    gough_simulation study; /* how the study is run */
+    int begun;
+
+    gough_control control;
+    setting amplitude, frequency;
+    double phase; /* the program's own time at frequency.since */
+    double disturbance;
+    vector push;
+    double passage; /* how long a setting takes */
+
+    gough_simulation options; /* how it is stepped */
+    drive d;
+    dop853 work;
+    gough_end end;
+    double origin; /* time from which steps are counted: t = origin + steps·h */
+    long long steps;
+    double goal; /* time to which live_advance() has been asked */
+    int seen;    /* the row was looked at since the last step */
+
+    double row[GOUGH_COLUMNS], pose[6];
+    char message[500];
+    double *table;
+    size_t rows, room;
+} live;
+
+/* more than a page could want of one call, or of a table */
+static const double most_steps = 1e7;
+static const size_t most_input = (size_t)1 << 26, most_room = (size_t)1 << 21;
+
+static void say(const char *sentence) { strncpy(live.message, sentence, sizeof live.message - 1); }
+
+/* ---- the program under its sliders ---- */
+
+/* a setting on its way, (motion-3) */
+static jet setting_at(const setting *s, real t) {
+    const jet way = jet_smooth_step((jet){(t - s->since) / live.passage, 1 / live.passage, 0});
+    jet value = jet_scale(s->to - s->from, way);
+
+    value.v = value.v + s->from;
+    return value;
+}
+
+/* The program's own time: the integral of the frequency, which over the passage adds that of (motion-3), 5/2 s⁴ − 3 s⁵ + s⁶ */
+static jet clock_at(real t) {
+    const setting *f = &live.frequency;
+    const jet rate = setting_at(f, t);
+    const real all = t - f->since, s = all / live.passage, past = s < 1 ? s : 1;
+    const real rise = past * past * past * past * ((real)2.5 + past * (past - 3));
+    const real gained = live.passage * rise + (s > 1 ? all - live.passage : 0);
+
+    return (jet){live.phase + f->from * all + (f->to - f->from) * gained, rate.v, rate.d};
+}
+
+/* In place of run_evaluate(): the program larger and faster, the disturbances larger, the push added. */
+static void live_stage(run *r, real t) {
+    const jet clock = clock_at(t), amplitude = setting_at(&live.amplitude, t);
+    const real factor = live.disturbance;
+    jet component[GOUGH_COMPONENTS];
+    number program[LEGS];
+    stage *s = &r->now;
+    const int sound = r->fault.what == NULL;
+
+    run_components(r, clock.v, component);
+    if (sound && r->fault.what) r->fault.time = t;
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        const jet *at = &component[c];
+        component[c] = jet_multiply(amplitude, jet_chain(clock, at->v, at->d, at->dd));
+    }
+    run_program(r, component, s);
+    if (r->solves) {
+        run_program_forces(r, r->share ? factor * run_vertical(r, t) : number_of(0), s);
+    }
+
+    for (int v = 0; v < LEGS; v++) program[v] = s->force[v], s->force[v] = number_of(0);
+    run_disturbances(r, t, s);
+    if (r->noise.present) run_add_noise(r, t, s);
+    for (int v = 0; v < LEGS; v++) s->force[v] = program[v] + factor * s->force[v];
+    s->push = along(live.push, factor, s->push);
+    s->turn = scale(factor, s->turn);
+}
+
+static int is_one(const setting *s) {
+    return !(s->from < 1 || s->from > 1 || s->to < 1 || s->to > 1);
+}
+static int pushed(void) { return norm(live.push) > 0; }
+
+/* whether nothing was changed but gains: then each stage is that of a run, to the last bit */
+static int as_given(void) {
+    return is_one(&live.amplitude) && is_one(&live.frequency) && !pushed() &&
+           !(live.disturbance < 1 || live.disturbance > 1);
+}
+
+/* ---- steps ---- */
+
+static void set_up_run(void) {
+    const run_lane lane = {&live.model.machine, &live.control, &live.model.disturbance,
+                           live.model.disturbance.noise.run};
+    run *r = &live.d.r;
+
+    run_begin(r, &live.model.motion, &live.options, &lane);
+    if (as_given()) return;
+    r->replay = live_stage;
+    r->loaded = r->loaded || pushed();
+}
+
+/* forces and rates at the present time, from which the next step starts */
+static void refresh(void) {
+    drive *d = &live.d;
+
+    run_instant(&d->r, d->t, d->y, &d->now);
+    coordinates_store(&d->now.rate, d->rate);
+    coordinates_store(&d->now.acceleration, d->rate + COORDINATES);
+}
+
+/* after a change of settings; before the first step the run begins anew, as they may change where it starts */
+static void settle(void) {
+    drive *d = &live.d;
+    const int solved = d->r.solves;
+
+    if (!live.begun || live.end.cause != GOUGH_END_DONE) return;
+    if (!(d->t > 0)) {
+        const vector push = live.push;
+        live_restart();
+        live.push = push;
+        if (!pushed() || live.end.cause != GOUGH_END_DONE) return;
+    }
+    set_up_run();
+    if (d->r.solves != solved) {
+        d->side.program = limits_sign(run_stage(&d->r, d->t)->singularity.determinant);
+    }
+    refresh();
+}
+
+static void conclude(void) { say(live.end.message); }
+
+/* the state where the step was left that broke off at `until` */
+static void step_back(real until) {
+    drive *d = &live.d;
+    number y[STATE];
+
+    if (!(until > d->t0)) {
+        memcpy(d->y, d->y0, sizeof d->y);
+        d->t = d->t0;
+    } else if (until < d->t) {
+        drive_inside(d, (until - d->t0) / d->h, y);
+        memcpy(d->y, y, sizeof d->y);
+        d->t = until;
+    }
+    d->r.fault.what = NULL;
+    conclude();
+}
+
+/* one step as drive_fixed() takes it; whether the motion goes on */
+static int step_on(void) {
+    drive *d = &live.d;
+    real until;
+
+    d->t0 = live.origin + (real)live.steps * d->h;
+    memcpy(d->y0, d->y, sizeof d->y);
+    memcpy(d->rate0, d->rate, sizeof d->rate);
+    drive_explicit_step(d, &live.work);
+    d->t = live.origin + (real)(live.steps + 1) * d->h;
+    live.steps++;
+    if (drive_settle(d, 0, &until) == GOUGH_OK) return 1;
+    step_back(until);
+    return 0;
+}
+
+int live_advance(double duration, double step) {
+    drive *d = &live.d;
+
+    if (!live.begun || !(step > 0) || !(duration >= 0) || !(duration / step <= most_steps) ||
+        !isfinite(live.goal + duration)) {
+        return GOUGH_END_INVALID;
+    }
+    if (live.end.cause != GOUGH_END_DONE) return (int)live.end.cause;
+    if (step < d->h || step > d->h) {
+        live.origin = d->t;
+        live.steps = 0;
+        d->h = step;
+    }
+    live.goal += duration;
+    if (live.seen) d->drift = 0;
+    live.seen = 0;
+    while (live.origin + (double)(live.steps + 1) * step <= live.goal + 1e-9 * step) {
+        if (!step_on()) break;
+    }
+    return (int)live.end.cause;
+}
+
+/* ---- beginning ---- */
+
+double *live_input(size_t count) {
+    live.begun = 0;
+    free(live.input);
+    live.count = 0;
+    live.input = count > 0 && count <= most_input ? malloc(count * sizeof(double)) : NULL;
+    if (live.input) live.count = count;
+    return live.input;
+}
+
+/* the state at t = 0 with the program as large and as fast as it is set; where it starts follows from that */
+static void start(void) {
+    gough_motion *motion = &live.model.motion;
+    const gough_motion given = *motion;
+    const simulate_parts parts = {motion,
+                                  &live.model.machine,
+                                  &live.control,
+                                  &live.model.disturbance,
+                                  &live.model.initial,
+                                  live.model.disturbance.noise.run};
+
+    drive_open(&live.d, &parts, &live.options, NULL, NULL, &live.end);
+    if (!is_one(&live.amplitude) || !is_one(&live.frequency)) {
+        motion->amplitude = live.amplitude.to * (given.scaled ? given.amplitude : 1);
+        motion->frequency = live.frequency.to * (given.scaled ? given.frequency : 1);
+        motion->scaled = true;
+    }
+    drive_start(&live.d);
+    *motion = given;
+    set_up_run();
+}
+
+void live_restart(void) {
+    if (live.input == NULL || !live.begun) return;
+    live.push = (vector){0, 0, 0};
+    live.amplitude = (setting){live.amplitude.to, live.amplitude.to, 0};
+    live.frequency = (setting){live.frequency.to, live.frequency.to, 0};
+    live.phase = live.origin = live.goal = 0;
+    live.steps = live.seen = 0;
+    live.end = (gough_end){.cause = GOUGH_END_DONE};
+    live.message[0] = '\0';
+    start();
+    live.d.h = 0;
+    if (drive_begin(&live.d) != GOUGH_OK) {
+        live.d.r.fault.what = NULL;
+        conclude();
+    } else {
+        refresh();
+    }
+}
+
+int live_begin(void) {
+    gough_error error = {.message = ""};
+    size_t bytes;
+    gough_status status;
+
+    live.begun = 0;
+    free(live.memory);
+    live.memory = NULL;
+    bytes = live.input ? gough_model_flat_memory(live.input, live.count) : 0;
+    if (bytes > 0 && (live.memory = malloc(bytes)) == NULL) {
+        say("there is not enough memory for the recorded motion");
+        return GOUGH_ERROR_FILE;
+    }
+    status = gough_model_unflatten(&live.model, &live.study, live.memory, live.input, live.count,
+                                   &error);
+    say(error.message);
+    if (status != GOUGH_OK) return (int)status;
+
+    live.study.precision = GOUGH_DOUBLE;
+    live.options = live.study;
+    if (live.study.method != GOUGH_RK4) live.options.method = GOUGH_DOP853;
+    if (live.study.method >= GOUGH_RATTLE2) live.options.constraints = GOUGH_PROJECTION;
+    live.control = live.model.control;
+    live.amplitude = live.frequency = (setting){1, 1, 0};
+    live.disturbance = 1;
+    live.passage = live.model.machine.gravity_magnitude > 0
+                       ? sqrt(live.model.machine.base_radius / live.model.machine.gravity_magnitude)
+                       : 1;
+    live.begun = 1;
+    live_restart();
+    return GOUGH_OK;
+}
+
+const char *live_message(void) { return live.message; }
+
+/* ---- settings ---- */
+
+void live_set_stiffness(double stiffness) {
+    if (!isfinite(stiffness)) return;
+    for (int v = 0; v < LEGS; v++) live.control.stiffness[v] = fmax(stiffness, 0);
+    settle();
+}
+
+void live_set_damping(double damping) {
+    if (!isfinite(damping)) return;
+    for (int v = 0; v < LEGS; v++) live.control.damping[v] = fmax(damping, 0);
+    settle();
+}
+
+void live_set_feedforward(int feedforward) {
+    live.control.feedforward = feedforward != 0;
+    settle();
+}
+
+void live_set_disturbance(double factor) {
+    if (!isfinite(factor)) return;
+    live.disturbance = factor;
+    settle();
+}
+
+void live_set_amplitude(double factor) {
+    if (!isfinite(factor)) return;
+    live.amplitude = (setting){setting_at(&live.amplitude, live.d.t).v, factor, live.d.t};
+    settle();
+}
+
+void live_set_frequency(double factor) {
+    if (!isfinite(factor)) return;
+    live.phase = clock_at(live.d.t).v;
+    live.frequency = (setting){setting_at(&live.frequency, live.d.t).v, fmax(factor, 0), live.d.t};
+    settle();
+}
+
+void live_push(double x, double y, double z) {
+    if (!isfinite(x) || !isfinite(y) || !isfinite(z)) return;
+    live.push = (vector){x, y, z};
+    settle();
+}
+
+/* ---- what there is to see ---- */
+
+const double *live_row(void) {
+    drive *d = &live.d;
+    instant m;
+
+    if (!live.begun) return NULL;
+    run_instant(&d->r, d->t, d->y, &m);
+    row_fill(&d->r, run_stage(&d->r, d->t), d->t, &m, 1, d->drift, live.row);
+    live.seen = 1;
+    return live.row;
+}
+
+const double *live_program(void) {
+    drive *d = &live.d;
+
+    if (!live.begun) return NULL;
+    row_pose(&d->r.h, &run_stage(&d->r, d->t)->x[0], live.pose, 0, 3);
+    return live.pose;
+}
+
+int live_columns(void) { return GOUGH_COLUMNS; }
+
+const char *live_column_name(int column) {
+    return column >= 0 && column < GOUGH_COLUMNS ? gough_column_table[column].name : NULL;
+}
+
+const char *live_cause_name(int cause) { return gough_cause_name((gough_cause)cause); }
+
+int live_end_leg(void) { return live.end.leg; }
+
+/* ---- a whole run ---- */
+
+static int keep(void *context, const gough_row *row) {
+    (void)context;
+    if (live.rows == live.room) {
+        const size_t room = live.room ? 2 * live.room : 512;
+        double *table = room > most_room ? NULL : realloc(live.table, room * sizeof row->value);
+        if (table == NULL) return 1;
+        live.table = table;
+        live.room = room;
+    }
+    memcpy(live.table + live.rows++ * GOUGH_COLUMNS, row->value, sizeof row->value);
+    return 0;
+}
+
+int live_run(void) {
+    gough_error error = {.message = ""};
+    gough_end end;
+
+    live.rows = 0;
+    if (!live.begun) return GOUGH_END_INVALID;
+    gough_simulate(&live.model, &live.study, keep, NULL, &end, &error);
+    say(error.message);
+    if (end.cause == GOUGH_END_STOPPED) {
+        say("there is not enough memory for the rows of the run");
+        return GOUGH_END_INVALID;
+    }
+    return error.message[0] && end.cause == GOUGH_END_DONE ? GOUGH_END_INVALID : (int)end.cause;
+}
+
+size_t live_run_rows(void) { return live.rows; }
+const double *live_run_data(void) { return live.table; }
