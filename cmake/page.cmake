@@ -24,7 +24,8 @@ endif()
 # Whether compiler, linker, C library and the compiler's own library are all there: a module that needs each.
 file(WRITE ${GOUGH_PAGE_FOLDER}/probe.c "#include <math.h>
 #include <stdio.h>
-__attribute__((export_name(\"probe\"))) int probe(double x) {
+__attribute__((export_name(\"probe\"))) int probe(double x);
+int probe(double x) {
     char text[40];
     return snprintf(text, sizeof text, \"%g\", (double)((long double)x * x) + sin(x));
 }
