@@ -1,0 +1,320 @@
+/* The loop at rest: its stiffness, its eigenvalues and what moves in them, and from which stiffness of the legs on it holds.
+ * Theory: docs/theory/stability.md. */
+#include <complex.h>
+#include <lapacke.h>
+#include <math.h>
+#include <string.h>
+
+#include "analyse/equilibrium.h"
+#include "analyse/linear.h"
+#include "analyse/mode.h"
+
+enum { FREEDOMS = 6, WORK = 512 };
+
+/* of the symmetric problem, below it an eigenvalue is no more than the rounding of the largest */
+static const double rounding = 16 * 2.3e-16;
+
+/* eigenvalues this close, relative to the largest, are one */
+static const double same_value = 1e-9;
+
+/* a growth rate over this, in √(g/R_b), is instability */
+static const double growth_limit = 1e-7;
+
+/* joints this far out of a plane, in base radii, are in it */
+static const double plane_tolerance = 1e-9;
+
+static const char no_eigenvalues[] =
+    "the eigenvalues of the loop at rest were not found: its numbers are too far apart in size; "
+    "use units in which they are near 1";
+
+/* the loop at rest and what follows from its pose */
+typedef struct {
+    linear_loop loop;
+    gough_state state;
+    double mass[FREEDOMS][FREEDOMS]; /* M, and the inertia about the centre of mass in base axes */
+} at_rest;
+
+/* J = Σ_a (I_b + I_c) e_a e_aᵀ, with e = R P and the second moments that the equations of motion use */
+static void mass_matrix(const gough_machine *machine, const gough_state *state,
+                        double mass[FREEDOMS][FREEDOMS]) {
+    memset(mass, 0, sizeof(double[FREEDOMS][FREEDOMS]));
+    for (int a = 0; a < 3; a++) {
+        const double moment =
+            machine->second_moments[(a + 1) % 3] + machine->second_moments[(a + 2) % 3];
+        double e[3] = {0, 0, 0};
+        for (int r = 0; r < 3; r++) {
+            for (int c = 0; c < 3; c++)
+                e[r] += state->rotation[r][c] * machine->principal_axes[c][a];
+        }
+        for (int r = 0; r < 3; r++) {
+            for (int c = 0; c < 3; c++) mass[3 + r][3 + c] += moment * e[r] * e[c];
+        }
+        mass[a][a] = machine->load.mass;
+    }
+}
+
+/* largest |K − Kᵀ| and |K|, angles counted as lengths on the base radius */
+static void measure(double K[FREEDOMS][FREEDOMS], double radius, double *skew, double *size) {
+    for (int i = 0; i < FREEDOMS; i++) {
+        for (int j = 0; j < FREEDOMS; j++) {
+            const double unit = (i < 3 ? 1 : radius) * (j < 3 ? 1 : radius);
+            *skew = fmax(*skew, fabs(K[i][j] - K[j][i]) / unit);
+            *size = fmax(*size, fabs(K[i][j]) / unit);
+        }
+    }
+}
+
+/* (stab-15): K = −M̄ A₂₁ of a loop at rest, made symmetric; returns the asymmetry found */
+static gough_status stiffness_of(const at_rest *r, const linear_loop *loop, double *asymmetry,
+                                 double K[FREEDOMS][FREEDOMS], gough_error *error) {
+    double found[FREEDOMS][FREEDOMS], skew = 0, size = 0;
+    linear_matrix A;
+    const char *wrong = linear_complex.matrix(loop, 0, NULL, A);
+    const gough_status status = linear_check(loop, 0, NULL, A, wrong, error);
+
+    if (status != GOUGH_OK) return status;
+    for (int i = 0; i < FREEDOMS; i++) {
+        for (int j = 0; j < FREEDOMS; j++) {
+            found[i][j] = 0;
+            for (int k = 0; k < FREEDOMS; k++) found[i][j] -= r->mass[i][k] * A[6 + k][j];
+        }
+    }
+    measure(found, loop->machine->base_radius, &skew, &size);
+    if (asymmetry != NULL) *asymmetry = size > 0 ? skew / size : 0;
+    for (int i = 0; i < FREEDOMS; i++) {
+        for (int j = 0; j < FREEDOMS; j++) K[i][j] = 0.5 * (found[i][j] + found[j][i]);
+    }
+    return GOUGH_OK;
+}
+
+/* K_geo, of the loop that only feeds forward; JᵀJ, of springs of stiffness 1 that bear nothing, so that no difference is taken */
+static gough_status parts_of_stiffness(const at_rest *r, gough_rest *rest, gough_error *error) {
+    const gough_control forces = {.feedforward = true},
+                        springs = {.feedforward = true, .stiffness = {1, 1, 1, 1, 1, 1}};
+    gough_machine weightless = *r->loop.machine;
+    const linear_loop constant = {r->loop.machine, r->loop.motion, &forces},
+                      elastic = {&weightless, r->loop.motion, &springs};
+    gough_status status = stiffness_of(r, &constant, NULL, rest->geometric, error);
+
+    memset(weightless.gravity, 0, sizeof weightless.gravity);
+    if (status == GOUGH_OK) status = stiffness_of(r, &elastic, NULL, rest->legs, error);
+    return status;
+}
+
+/* ---- eigenvalues ---------------------------------------------------------------------------------------------- */
+
+/* K v = κ B v with symmetric K and B > 0, κ rising; those that are but rounding become 0. Returns the largest |κ|, or −1. */
+static double symmetric_problem(const double *K, const double *B, double kappa[FREEDOMS],
+                                double complex shape[FREEDOMS][6]) {
+    double a[FREEDOMS * FREEDOMS], b[FREEDOMS * FREEDOMS], work[WORK], largest = 0;
+
+    memcpy(a, K, sizeof a);
+    memcpy(b, B, sizeof b);
+    if (LAPACKE_dsygv_work(LAPACK_COL_MAJOR, 1, 'V', 'U', FREEDOMS, a, FREEDOMS, b, FREEDOMS, kappa,
+                           work, WORK) != 0) {
+        return -1;
+    }
+    for (int k = 0; k < FREEDOMS; k++) {
+        for (int i = 0; i < FREEDOMS; i++) shape[k][i] = a[i + FREEDOMS * k];
+        largest = fmax(largest, fabs(kappa[k]));
+    }
+    for (int k = 0; k < FREEDOMS; k++) {
+        if (fabs(kappa[k]) <= rounding * largest) kappa[k] = 0;
+    }
+    return isfinite(largest) ? largest : -1;
+}
+
+static void equal_apart(const gough_machine *machine, const double kappa[FREEDOMS], double largest,
+                        double complex shape[FREEDOMS][6]) {
+    double complex value[FREEDOMS];
+
+    for (int k = 0; k < FREEDOMS; k++) value[k] = kappa[k];
+    mode_separate(machine, FREEDOMS, value, same_value * largest, shape);
+}
+
+/* Without damping: M̄ẍ + K x = 0, so that λ = ±√−κ is real or imaginary, exactly */
+static bool undamped(const at_rest *r, const double *K, double complex value[GOUGH_LINEAR],
+                     double complex shape[GOUGH_LINEAR][6]) {
+    double kappa[FREEDOMS];
+    double complex x[FREEDOMS][6];
+    const double largest = symmetric_problem(K, r->mass[0], kappa, x);
+
+    if (largest < 0) return false;
+    equal_apart(r->loop.machine, kappa, largest, x);
+    for (int k = 0; k < FREEDOMS; k++) {
+        const double root = sqrt(fabs(kappa[k]));
+        const double complex lambda = kappa[k] < 0 ? root : I * root;
+        for (int side = 0; side < 2; side++) {
+            value[2 * k + side] = side ? 0 - lambda : lambda;
+            memcpy(shape[2 * k + side], x[k], sizeof x[k]);
+        }
+    }
+    return true;
+}
+
+/* With damping: eigenvalues of the whole matrix, balanced */
+static bool damped(const at_rest *r, linear_matrix A, double complex value[GOUGH_LINEAR],
+                   double complex shape[GOUGH_LINEAR][6]) {
+    enum { N = GOUGH_LINEAR };
+    double a[N * N], re[N], im[N], right[N * N], work[WORK], left = 0, largest = 0;
+
+    for (int i = 0; i < N; i++) {
+        for (int j = 0; j < N; j++) a[i + N * j] = A[i][j];
+    }
+    if (LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'V', N, a, N, re, im, &left, 1, right, N, work,
+                           WORK) != 0) {
+        return false;
+    }
+    for (int k = 0; k < N; k++) {
+        /* of a pair the first has the real part, the second the imaginary part of the shape */
+        const int first = im[k] < 0 ? k - 1 : k;
+        const double sign = im[k] > 0 ? 1 : im[k] < 0 ? -1 : 0;
+        value[k] = re[k] + I * im[k];
+        largest = fmax(largest, cabs(value[k]));
+        for (int i = 0; i < 6; i++) {
+            const double other = first + 1 < N ? right[i + N * (first + 1)] : 0;
+            shape[k][i] = right[i + N * first] + I * (sign * other);
+        }
+    }
+    mode_separate(r->loop.machine, N, value, same_value * largest, shape);
+    return isfinite(largest);
+}
+
+/* by falling growth rate, then by rising frequency, of two opposite ones the positive first */
+static bool comes_before(double complex a, double complex b) {
+    if (creal(a) > creal(b) || creal(a) < creal(b)) return creal(a) > creal(b);
+    if (fabs(cimag(a)) < fabs(cimag(b)) || fabs(cimag(a)) > fabs(cimag(b)))
+        return fabs(cimag(a)) < fabs(cimag(b));
+    return cimag(a) > cimag(b);
+}
+
+static void list_eigenvalues(const gough_machine *machine, double complex value[GOUGH_LINEAR],
+                             double complex shape[GOUGH_LINEAR][6], gough_rest *rest) {
+    int order[GOUGH_LINEAR];
+
+    for (int k = 0; k < GOUGH_LINEAR; k++) {
+        int place = k;
+        for (; place > 0 && comes_before(value[k], value[order[place - 1]]); place--) {
+            order[place] = order[place - 1];
+        }
+        order[place] = k;
+    }
+    for (int k = 0; k < GOUGH_LINEAR; k++) {
+        gough_eigenvalue *e = &rest->eigenvalue[k];
+        e->value[0] = creal(value[order[k]]) + 0; /* no minus zero */
+        e->value[1] = cimag(value[order[k]]) + 0;
+        mode_of(machine, shape[order[k]], &e->mode);
+    }
+}
+
+static gough_status eigenvalues(const at_rest *r, double K[FREEDOMS][FREEDOMS], gough_rest *rest,
+                                gough_error *error) {
+    const gough_machine *machine = r->loop.machine;
+    double complex value[GOUGH_LINEAR], shape[GOUGH_LINEAR][6];
+    bool damping = false, found;
+    double unit = 1;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) damping |= fabs(r->loop.control->damping[v]) > 0;
+    found = damping ? damped(r, rest->matrix, value, shape) : undamped(r, K[0], value, shape);
+    if (!found) return gough_fail(error, GOUGH_ERROR_NUMERICAL, "%s", no_eigenvalues);
+
+    list_eigenvalues(machine, value, shape, rest);
+    rest->growth = rest->eigenvalue[0].value[0];
+    if (machine->gravity_magnitude > 0) {
+        unit = sqrt(machine->gravity_magnitude / machine->base_radius);
+    }
+    rest->stable = rest->growth <= growth_limit * unit;
+    return GOUGH_OK;
+}
+
+/* ---- thresholds and the theorem ------------------------------------------------------------------------------- */
+
+/* (stab-10) in all six freedoms: −K_geo v = γ JᵀJ v */
+static gough_status thresholds(const gough_machine *machine, gough_rest *rest, gough_error *error) {
+    double kappa[FREEDOMS];
+    double complex shape[FREEDOMS][6];
+    const double largest = symmetric_problem(rest->geometric[0], rest->legs[0], kappa, shape);
+
+    if (largest < 0) {
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "the pose is too near a singular one for thresholds of the stiffness: no "
+                          "stiffness of the legs holds the load there; ask for another pose");
+    }
+    equal_apart(machine, kappa, largest, shape);
+    for (int k = 0; k < FREEDOMS; k++) {
+        rest->threshold[k].stiffness = kappa[k] < 0 ? -kappa[k] : 0;
+        mode_of(machine, shape[k], &rest->threshold[k].mode);
+    }
+    return GOUGH_OK;
+}
+
+/* the height of six joints over the base frame's origin against gravity, or NaN where they are not in one level plane */
+static double level_of(double joint[GOUGH_LEGS][3], const double up[3], double tolerance) {
+    double height[GOUGH_LEGS], sum = 0;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        height[v] = joint[v][0] * up[0] + joint[v][1] * up[1] + joint[v][2] * up[2];
+        sum += height[v];
+    }
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        if (!(fabs(height[v] - sum / GOUGH_LEGS) <= tolerance)) return NAN;
+    }
+    return sum / GOUGH_LEGS;
+}
+
+/* (stab-5) */
+static void traces(const at_rest *r, gough_rest *rest) {
+    const gough_machine *machine = r->loop.machine;
+    const double g = machine->gravity_magnitude, tolerance = plane_tolerance * machine->base_radius;
+    double up[3] = {0, 0, 1}, base[GOUGH_LEGS][3], top[GOUGH_LEGS][3], h;
+
+    for (int i = 0; i < 3 && g > 0; i++) up[i] = -machine->gravity[i] / g;
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        for (int i = 0; i < 3; i++) {
+            top[v][i] = r->state.position[i];
+            for (int j = 0; j < 3; j++)
+                top[v][i] += r->state.rotation[i][j] * machine->platform.top[v][j];
+        }
+    }
+    memcpy(base, machine->platform.base, sizeof base);
+    h = level_of(top, up, tolerance) - level_of(base, up, tolerance);
+    rest->trace = rest->geometric[0][0] + rest->geometric[1][1] + rest->geometric[2][2];
+    rest->trace_theorem = -2 * machine->load.mass * g / h;
+}
+
+/* (stab-15) at the equilibrium, whose forces count as fed forward: the loop about it is the same */
+static gough_status analyse(const at_rest *r, gough_rest *rest, gough_error *error) {
+    const linear_loop *loop = &r->loop;
+    double K[FREEDOMS][FREEDOMS], acceleration[6];
+    const char *wrong = linear_complex.matrix(loop, 0, NULL, rest->matrix);
+    gough_status status = linear_check(loop, 0, NULL, rest->matrix, wrong, error);
+
+    if (status == GOUGH_OK) status = stiffness_of(r, loop, &rest->asymmetry, K, error);
+    if (status == GOUGH_OK) status = parts_of_stiffness(r, rest, error);
+    if (status == GOUGH_OK) status = eigenvalues(r, K, rest, error);
+    if (status == GOUGH_OK) status = thresholds(loop->machine, rest, error);
+    if (status != GOUGH_OK) return status;
+
+    linear_complex.accelerations(loop, 0, &r->state, acceleration, rest->force);
+    traces(r, rest);
+    return GOUGH_OK;
+}
+
+gough_status gough_stability_at_rest(const gough_model *model,
+                                     const double component[GOUGH_COMPONENTS], gough_rest *rest,
+                                     gough_error *error) {
+    gough_control control = model->control;
+    gough_motion motion;
+    gough_acceleration none;
+    at_rest r = {.loop = {&model->machine, &motion, &control}};
+    gough_status status;
+
+    memset(rest, 0, sizeof *rest);
+    status = equilibrium_find(model, component, &motion, error);
+    if (status != GOUGH_OK) return status;
+    control.feedforward = true;
+    gough_program(&model->machine, &motion, 0, &r.state, &none);
+    mass_matrix(&model->machine, &r.state, r.mass);
+    rest->state = r.state;
+    return analyse(&r, rest, error);
+}
