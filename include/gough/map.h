@@ -1,6 +1,6 @@
 /** @file map.h
- *  The stability map: over stiffness, and over amplitude, frequency or damping as a second axis, what grows and how fast, with the
- *  intervals of stiffness in which a mode grows (resonance tongues, and what lies below a threshold) found whatever the grid.
+ *  The stability map: over stiffness, and over amplitude, frequency or damping as a second axis, what grows and how fast, with
+ *  the intervals of stiffness in which a mode grows (resonance tongues, and what lies below a threshold) found whatever the grid.
  *  Theory: docs/theory/floquet.md. In lanes and threads; the same bits for any number of either. Part of libgough-analyse.
  *
  *  A row of the map is one value of the second axis; without a second axis there is one row. In a row whose program rests the map is
@@ -116,8 +116,9 @@ GOUGH_API gough_status gough_map_size(const gough_model *model, const gough_map_
 /** The map. The disturbances of the study are no part of it.
  *  @param memory  of gough_map_size(), aligned to 64; nothing else is allocated
  *  @return GOUGH_OK, also where rows have no values: a program that is not periodic or passes a singular pose at that amplitude,
- *  say (their errors tell); GOUGH_ERROR_INPUT for options; GOUGH_ERROR_NUMERICAL if progress stopped it. Without feed-forward the
- *  periodic motion depends on G and is sought at each: some hundred times slower, and intervals are sought between grid points only. */
+ *  say (their errors tell); GOUGH_ERROR_INPUT for options; GOUGH_ERROR_NUMERICAL if progress stopped it. Without feed-forward
+ *  the periodic motion depends on G and is sought at each: some hundred times slower, and intervals are sought on the grid
+ *  only. Safe to call concurrently. */
 GOUGH_API gough_status gough_map_find(const gough_model *model, const gough_map_options *options,
                                       gough_map *map, void *memory, gough_error *error);
 
