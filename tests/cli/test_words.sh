@@ -27,7 +27,7 @@ for verb in $verbs; do
     grep -q "^ *'$verb:" completions/_gough || fail "the zsh completion lacks $verb"
     grep -q -- "-a $verb " completions/gough.fish || fail "the fish completion lacks $verb"
 
-    options=$("$GOUGH" "$verb" --help | grep -oE '(^|[ ,])--[a-z]+' | tr -d ' ,' | sort -u)
+    options=$("$GOUGH" "$verb" --help | grep -oE '(^|[ ,])--[a-z-]+' | tr -d ' ,' | sort -u)
     [[ $(wc -w <<<"$options") -ge 5 ]] || fail "$verb --help names too few options"
     [[ $(offered "$verb" -- | sort -u) == "$options" ]] ||
         fail "$verb: bash completes $(offered "$verb" -- | sort | tr '\n' ' '), --help says $(tr '\n' ' ' <<<"$options")"
@@ -41,7 +41,7 @@ done
 
 # nothing more than that: options of the man page exist
 for verb in $verbs; do "$GOUGH" "$verb" --help; done >"$scratch/help"
-for option in $(grep -oE -- '--[a-z]+' "$scratch/man" | sort -u); do
+for option in $(grep -oE -- '--[a-z-]+' "$scratch/man" | sort -u); do
     grep -q -- "$option" "$scratch/help" || fail "the man page invents $option"
 done
 # the examples that help texts quote exist
