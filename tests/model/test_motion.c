@@ -295,6 +295,96 @@ START_TEST(degrees_have_all_digits_in_quad) {
 }
 END_TEST
 
+/* ---- amplitude and frequency ---- */
+
+/* of both motions at many times, relative to the greatest of each derivative; NAN differs from all */
+static void same_motion(const gough_motion *one, const gough_motion *other, double until) {
+    double greatest[3] = {0, 0, 0}, worst[3] = {0, 0, 0};
+    for (int i = 0; i <= 300; i++) {
+        double a[GOUGH_COMPONENTS][3], b[GOUGH_COMPONENTS][3];
+        evaluate(one, until * i / 300, a);
+        evaluate(other, until * i / 300, b);
+        for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+            for (int k = 0; k < 3; k++) {
+                ck_assert(isfinite(a[c][k]) && isfinite(b[c][k]));
+                greatest[k] = fmax(greatest[k], fabs(b[c][k]));
+                worst[k] = fmax(worst[k], fabs(a[c][k] - b[c][k]));
+            }
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        ck_assert(greatest[k] > 0);
+        ck_assert_msg(worst[k] <= 1e-15 * greatest[k], "derivative %d: %g of %g", k, worst[k],
+                      greatest[k]);
+    }
+}
+
+/* (motion-6), written out */
+START_TEST(scaled_formulas_are_the_formulas_written_out) {
+    gough_motion plain = {.angle_unit = 3.14159265358979323846 / 180}, written = plain;
+    plain.formula[GOUGH_SURGE] = formula_of("0.05*cos(3*t) - 0.02*t");
+    plain.formula[GOUGH_HEAVE] = formula_of("0.2*sin(t)*(1 - exp(-t/2))^2");
+    plain.formula[GOUGH_PITCH] = formula_of("10*ramp(t, 4)");
+    plain.formula[GOUGH_YAW] = formula_of("5*tanh(t - 3)");
+    written.formula[GOUGH_SURGE] = formula_of("1.5*(0.05*cos(3*(0.75*t)) - 0.02*(0.75*t))");
+    written.formula[GOUGH_HEAVE] = formula_of("1.5*(0.2*sin(0.75*t)*(1 - exp(-(0.75*t)/2))^2)");
+    written.formula[GOUGH_PITCH] = formula_of("1.5*(10*ramp(0.75*t, 4))");
+    written.formula[GOUGH_YAW] = formula_of("1.5*(5*tanh(0.75*t - 3))");
+    plain.scaled = true;
+    plain.amplitude = 1.5;
+    plain.frequency = 0.75;
+    same_motion(&plain, &written, 10);
+}
+END_TEST
+
+START_TEST(scaled_moves_are_moves_further_and_sooner) {
+    gough_move quick[2];
+    gough_motion scaled = MOVING, written = MOVING;
+    for (int i = 0; i < 2; i++) {
+        quick[i] = MOVES[i];
+        quick[i].start /= 2;
+        quick[i].duration /= 2;
+        for (int c = 0; c < GOUGH_COMPONENTS; c++) quick[i].target[c] *= -1.5;
+    }
+    written.move = quick;
+    scaled.scaled = true;
+    scaled.amplitude = -1.5;
+    scaled.frequency = 2;
+    same_motion(&scaled, &written, 3);
+}
+END_TEST
+
+START_TEST(scaled_samples_are_rows_larger_and_later) {
+    static double time[40], value[40 * GOUGH_COMPONENTS], curvature[40 * GOUGH_COMPONENTS];
+    double scratch[80];
+    gough_error error = {GOUGH_OK, ""};
+    gough_motion written = {.kind = GOUGH_MOTION_SAMPLES, .samples = {40, time, value, curvature}};
+    record_wave(40);
+    for (int i = 0; i < 40; i++) time[i] = kept.time[i] * 2;
+    for (int i = 0; i < 40 * GOUGH_COMPONENTS; i++) value[i] = kept.value[i] * 0.25;
+    ck_assert(gough_samples_prepare(&written.samples, scratch, &error) == GOUGH_OK);
+    kept.motion.scaled = true;
+    kept.motion.amplitude = 0.25;
+    kept.motion.frequency = 0.5;
+    same_motion(&kept.motion, &written, 25); /* the last row, at 20, holds */
+}
+END_TEST
+
+START_TEST(factors_hold_only_where_they_are_asked_for) {
+    double c[GOUGH_COMPONENTS][3];
+    gough_motion m = {.amplitude = 7, .frequency = 3};
+    m.formula[GOUGH_SWAY] = formula_of("t^2");
+    evaluate(&m, 2, c);
+    close_to(c[GOUGH_SWAY], 4, 4, 2, 0);
+    m.scaled = true;
+    evaluate(&m, 2, c);
+    close_to(c[GOUGH_SWAY], 7 * 36, 7 * 3 * 12, 7 * 9 * 2, 0);
+    m.amplitude = 0;
+    evaluate(&m, 2, c);
+    close_to(c[GOUGH_SWAY], 0, 0, 0, 0);
+}
+END_TEST
+
 START_TEST(components_have_names) {
     static const char *const NAMES[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
     for (int c = 0; c < GOUGH_COMPONENTS; c++) ck_assert_str_eq(gough_component_name(c), NAMES[c]);
@@ -321,6 +411,10 @@ int main(void) {
                         (int)(sizeof BAD_SAMPLES / sizeof BAD_SAMPLES[0]));
     tcase_add_test(tests, angles_are_taken_in_their_unit);
     tcase_add_test(tests, degrees_have_all_digits_in_quad);
+    tcase_add_test(tests, scaled_formulas_are_the_formulas_written_out);
+    tcase_add_test(tests, scaled_moves_are_moves_further_and_sooner);
+    tcase_add_test(tests, scaled_samples_are_rows_larger_and_later);
+    tcase_add_test(tests, factors_hold_only_where_they_are_asked_for);
     tcase_add_test(tests, components_have_names);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);

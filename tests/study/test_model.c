@@ -233,6 +233,47 @@ START_TEST(moves_are_those_of_the_file) {
 }
 END_TEST
 
+START_TEST(motion_is_scaled_where_a_factor_is_given) {
+    reading made = expect_good("motion: {heave: 0.5*t, yaw: 90*t}\n", NULL);
+    double c[GOUGH_COMPONENTS][3];
+    ck_assert(!made.study->model->motion.scaled);
+    reading_free(&made);
+
+    made = expect_good("motion: {heave: 0.5*t, yaw: 90*t, frequency: 0.25}\n", NULL);
+    ck_assert(made.study->model->motion.scaled);
+    EXACTLY(made.study->model->motion.amplitude, 1);
+    EXACTLY(made.study->model->motion.frequency, 0.25);
+    reading_free(&made);
+
+    made = expect_good("motion: {heave: 0.5*t, yaw: 90*t, amplitude: 9}\n",
+                       (const char *const[]){"motion.amplitude=-2", "motion.frequency=3", NULL});
+    gough_motion_evaluate(&made.study->model->motion, 0.5, c);
+    EXACTLY(c[GOUGH_HEAVE][0], -1.5);
+    EXACTLY(c[GOUGH_HEAVE][1], -3);
+    NEARLY(c[GOUGH_YAW][0], -1.5 * pi);
+    reading_free(&made);
+
+    made = expect_good("motion: {amplitude: 2, moves: [{start: 0, duration: 1, heave: 0.125}]}\n",
+                       NULL);
+    gough_motion_evaluate(&made.study->model->motion, 1, c);
+    EXACTLY(c[GOUGH_HEAVE][0], 0.25);
+    reading_free(&made);
+}
+END_TEST
+
+START_TEST(motion_does_not_run_backwards_or_stand_by_its_frequency) {
+    static const char *const bad[] = {"0", "-1", ".nan", "t"};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        char setting[100] = "motion.frequency=";
+        reading made = read_more("motion: {heave: 0.5*t}\n",
+                                 (const char *const[]){strcat(setting, bad[i]), NULL});
+        ck_assert_msg(made.status == GOUGH_ERROR_INPUT, "%s", setting);
+        ck_assert_msg(strstr(made.messages, "motion.frequency"), "%s", made.messages);
+        reading_free(&made);
+    }
+}
+END_TEST
+
 START_TEST(numbers_are_correctly_rounded) {
     static const struct {
         const char *text;
@@ -264,5 +305,7 @@ int main(void) {
     return SUITE_RUN("study/model", 30, machine_has_the_numbers_of_the_file,
                      motion_and_forces_are_those_of_the_file, start_and_run_are_those_of_the_file,
                      what_is_left_out_has_the_defaults, gravity_depends_on_the_units,
-                     moves_are_those_of_the_file, numbers_are_correctly_rounded);
+                     moves_are_those_of_the_file, motion_is_scaled_where_a_factor_is_given,
+                     motion_does_not_run_backwards_or_stand_by_its_frequency,
+                     numbers_are_correctly_rounded);
 }
