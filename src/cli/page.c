@@ -117,6 +117,18 @@ static json_t *end_object(const gough_end *end) {
     return object;
 }
 
+/* The model for the live simulation; null for recorded motion so long that it would swell the page. */
+static json_t *live_object(const gough_study *study) {
+    enum { MOST_NUMBERS = 100000 };
+    const size_t count = gough_model_flat_size(study->model);
+    double *flat = count <= MOST_NUMBERS ? malloc(count * sizeof *flat) : NULL;
+    if (!flat) return json_null();
+    gough_model_flatten(study->model, &study->simulation, flat);
+    json_t *text = base64_of_numbers(flat, count);
+    free(flat);
+    return text;
+}
+
 /* Runs forces or simulate and adds its summary and table to the object. */
 static gough_status add_run(const command_line *line, const gough_study *study, bool simulated,
                             json_t *object) {
@@ -155,6 +167,7 @@ gough_status page_study(const command_line *line, gough_study *study, json_t **o
     json_object_set_new(page, "motion", motion);
     json_object_set_new(page, "control", control_object(&model->control));
     json_object_set_new(page, "simulation", simulation_object(&study->simulation));
+    json_object_set_new(page, "live", live_object(study));
     const gough_status simulated = add_run(line, study, true, page);
     if (simulated > GOUGH_ERROR_NUMERICAL) return simulated;
     const gough_status forced = add_run(line, study, false, page);
