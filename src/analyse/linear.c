@@ -6,14 +6,14 @@
 /* as in a run: beyond it a pose is called nearly singular */
 static const double greatest_condition = 1e8;
 
-static gough_status check_pose(const linear_loop *loop, double t, gough_error *error) {
-    gough_state state;
-    gough_acceleration acceleration;
+/* as in a run: a shorter leg, in base radii, has no direction worth the name */
+static const double leg_no_length = 1e-9;
+
+static gough_status check_condition(const gough_machine *machine, double t,
+                                    const gough_state *program, gough_error *error) {
     double condition;
 
-    if (!loop->control->feedforward) return GOUGH_OK;
-    gough_program(loop->machine, loop->motion, t, &state, &acceleration);
-    gough_conditioning(loop->machine, &state, &condition, NULL);
+    gough_conditioning(machine, program, &condition, NULL);
     if (condition <= greatest_condition) return GOUGH_OK;
     return gough_fail(
         error, GOUGH_ERROR_NUMERICAL,
@@ -22,25 +22,51 @@ static gough_status check_pose(const linear_loop *loop, double t, gough_error *e
         t, condition);
 }
 
+static gough_status check_legs(const gough_machine *machine, double t, const gough_state *state,
+                               const char *whose, gough_error *error) {
+    double length[GOUGH_LEGS];
+
+    gough_leg_kinematics(machine, state, NULL, length, NULL, NULL);
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        if (length[v] > leg_no_length * machine->base_radius) continue;
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "at t = %.9g leg %d of the %s has no length: the motion has no "
+                          "derivative there",
+                          t, v + 1, whose);
+    }
+    return GOUGH_OK;
+}
+
+static gough_status check_matrix(double t, linear_matrix matrix, gough_error *error) {
+    for (int i = 0; i < GOUGH_LINEAR; i++) {
+        for (int j = 0; j < GOUGH_LINEAR; j++) {
+            if (isfinite(matrix[i][j])) continue;
+            return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                              "at t = %.9g the derivatives of the motion are not finite", t);
+        }
+    }
+    return GOUGH_OK;
+}
+
 gough_status linear_check(const linear_loop *loop, double t, const gough_state *state,
                           linear_matrix matrix, const char *wrong, gough_error *error) {
+    const gough_machine *machine = loop->machine;
+    gough_acceleration none;
+    gough_state program;
     gough_status status;
 
     if (wrong != NULL) {
         return gough_fail(error, GOUGH_ERROR_INPUT, "%s is not finite at t = %.9g", wrong, t);
     }
-    status = check_pose(loop, t, error);
-    if (status != GOUGH_OK) return status;
-    for (int i = 0; i < GOUGH_LINEAR; i++) {
-        for (int j = 0; j < GOUGH_LINEAR; j++) {
-            if (isfinite(matrix[i][j])) continue;
-            return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                              "at t = %.9g a leg of the %s has no length: the motion has no "
-                              "derivative there",
-                              t, state ? "pose" : "program");
-        }
+    gough_program(machine, loop->motion, t, &program, &none);
+    status = check_legs(machine, t, &program, "program", error);
+    if (status == GOUGH_OK && loop->control->feedforward) {
+        status = check_condition(machine, t, &program, error);
     }
-    return GOUGH_OK;
+    if (status == GOUGH_OK && state != NULL) {
+        status = check_legs(machine, t, state, "pose", error);
+    }
+    return status == GOUGH_OK ? check_matrix(t, matrix, error) : status;
 }
 
 gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
