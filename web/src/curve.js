@@ -1,0 +1,323 @@
+// One figure of curves: a card with heading, key with the values of the moment, and uPlot below. All figures share the range of
+// time (zoom) and the cursor.
+import uPlot from "uplot";
+import { element, themed } from "./dom.js";
+import { number, powers, ticks, unit } from "./format.js";
+import { download, fileName, svgOf } from "./save.js";
+import { lowerBound, thin } from "./thin.js";
+
+/** The common range of time; null is all of it. */
+export class Range {
+  constructor(from, to) {
+    this.whole = [from, to];
+    this.shown = [from, to];
+    this.listeners = new Set();
+  }
+
+  set(from, to) {
+    this.shown = [Math.max(from, this.whole[0]), Math.min(to, this.whole[1])];
+    for (const listener of this.listeners) listener();
+  }
+
+  reset() {
+    this.set(...this.whole);
+  }
+
+  get zoomed() {
+    return this.shown[0] > this.whole[0] || this.shown[1] < this.whole[1];
+  }
+}
+
+/** The height of a plot in pixels. */
+const HEIGHT = 210;
+
+export class Curve {
+  /** @param spec {id, title, unit, lines: [{label, color, t, y, leg, dash, width, optional}], limits: [{value}], logarithmic, note}:
+   *  arrays of a line are as long as its t. @param range common Range; @param onSeek called with a time that the reader points at,
+   *  and whether it was a click. @param timeUnit of the abscissa. */
+  constructor(spec, range, { onSeek, timeUnit, study }) {
+    this.spec = spec;
+    this.range = range;
+    this.onSeek = onSeek;
+    this.timeUnit = timeUnit;
+    this.study = study;
+    this.logarithmic = Boolean(spec.logarithmic);
+    this.hidden = new Set(spec.lines.filter((line) => line.off).map((line) => line));
+    this.time = 0;
+    this.visible = false;
+    this.stale = true;
+    this.build();
+    range.listeners.add((this.onRange = () => this.refresh()));
+  }
+
+  build() {
+    const { spec } = this;
+    const unitWords = unit(spec.unit);
+    this.plotHost = element("div", { class: "plot", role: "img", "aria-label": this.spoken() });
+    this.key = element("div", { class: "key" });
+    this.values = spec.lines.map((line) => {
+      const value = element("output", { class: "value", "data-testid": `value-${spec.id}-${line.name ?? line.label}` });
+      const chip = element(
+        "button",
+        { class: line.program ? "chip plan" : "chip", type: "button", "aria-pressed": "true", title: `${line.long ?? line.label}: show or hide`, style: { "--mark": line.color } },
+        element("i", { class: line.dash ? "swatch dashed" : "swatch" }), element("span", {}, line.label), value,
+      );
+      chip.addEventListener("click", () => this.show([line], this.hidden.has(line)));
+      line.chip = chip;
+      this.key.append(chip);
+      return value;
+    });
+    this.logButton = element("button", { class: "mini", type: "button", "aria-pressed": String(this.logarithmic), title: "magnitudes on a logarithmic axis" }, "log");
+    this.logButton.addEventListener("click", () => this.setLogarithmic(!this.logarithmic));
+    const save = (kind, action) => element("button", { class: "mini", type: "button", title: `save this figure as ${kind}`, "data-testid": `save-${kind.toLowerCase()}-${spec.id}`, onclick: action }, kind);
+    this.card = element(
+      "figure",
+      { class: `curve${spec.wide ? " wide" : ""}`, id: `curve-${spec.id}`, "data-testid": `curve-${spec.id}` },
+      element(
+        "figcaption", {},
+        element("h3", {}, spec.title), unitWords && element("span", { class: "unit" }, unitWords),
+        element("span", { class: "acts" }, spec.logable && this.logButton, save("PNG", () => this.savePng()), save("SVG", () => this.saveSvg())),
+      ),
+      spec.note && element("p", { class: "note" }, spec.note),
+      this.key, this.plotHost,
+    );
+    spec.lines.forEach((line) => this.mark(line));
+  }
+
+  /** For a screen reader: what is drawn, between what. */
+  spoken() {
+    const { lines, title, unit: unitText } = this.spec;
+    const parts = lines.slice(0, 8).map((line) => {
+      let least = Infinity;
+      let greatest = -Infinity;
+      for (const value of line.y) {
+        if (value < least) least = value;
+        if (value > greatest) greatest = value;
+      }
+      return `${line.label} from ${number(least, 3)} to ${number(greatest, 3)}`;
+    });
+    return `${title} against time${unit(unitText) ? ` in ${unit(unitText)}` : ""}: ${parts.join("; ")}`;
+  }
+
+  mark(line) {
+    line.chip.setAttribute("aria-pressed", String(!this.hidden.has(line)));
+  }
+
+  /** Shows or hides lines. */
+  show(lines, visible) {
+    for (const line of lines) {
+      if (visible) this.hidden.delete(line);
+      else this.hidden.add(line);
+      this.mark(line);
+    }
+    this.refresh();
+  }
+
+  setLogarithmic(logarithmic) {
+    this.logarithmic = logarithmic;
+    this.logButton.setAttribute("aria-pressed", String(logarithmic));
+    this.rebuild();
+  }
+
+  get shownLines() {
+    return this.spec.lines.filter((line) => !this.hidden.has(line));
+  }
+
+  /** What is drawn: thinned lines over one abscissa. */
+  data() {
+    const [from, to] = this.range.shown;
+    const buckets = Math.max(200, Math.round(this.plotHost.clientWidth || 600));
+    const lines = this.shownLines;
+    const tables = [];
+    const order = [];
+    for (const t of new Set(lines.map((line) => line.t))) {
+      const group = lines.filter((line) => line.t === t);
+      const thinned = thin(t, group.map((line) => line.y), from, to, buckets);
+      if (this.logarithmic) thinned.lines = thinned.lines.map((y) => y.map((value) => (value === null || value === 0 ? null : Math.abs(value))));
+      tables.push([thinned.x, ...thinned.lines]);
+      order.push(...group);
+    }
+    if (!tables.length) return { order: [], data: [[from, to]] };
+    return { order, data: tables.length === 1 ? tables[0] : uPlot.join(tables) };
+  }
+
+  /** Range of the ordinate: of the data, with the limits where they are not far off. */
+  ordinate(least, greatest) {
+    if (least === null || greatest === null) return this.logarithmic ? [0.1, 1] : [0, 1];
+    if (this.logarithmic) return [10 ** Math.floor(Math.log10(least) - 1e-9), 10 ** Math.ceil(Math.log10(greatest) + 1e-9)];
+    let [low, high] = [least, greatest];
+    const size = Math.max(Math.abs(low), Math.abs(high));
+    for (const { value } of this.spec.limits ?? []) {
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    }
+    // what varies by rounding alone is not blown up
+    const span = Math.max(high - low, 1e-6 * size) || 1e-12;
+    const middle = (low + high) / 2;
+    return [middle - 0.56 * span, middle + 0.56 * span];
+  }
+
+  options(order) {
+    const axis = {
+      stroke: themed("--muted"), grid: { stroke: themed("--rule"), width: 1 }, ticks: { show: false }, font: "11px system-ui, sans-serif",
+    };
+    return {
+      width: this.plotHost.clientWidth || 400,
+      height: HEIGHT,
+      legend: { show: false },
+      padding: [8, 12, 0, 0],
+      cursor: {
+        x: false, y: false, points: { show: false },
+        drag: { x: true, y: false, setScale: false },
+        bind: { dblclick: () => () => { this.range.reset(); return null; } },
+      },
+      scales: {
+        x: { time: false, range: () => this.range.shown },
+        y: { distr: this.logarithmic ? 3 : 1, range: (_, least, greatest) => this.ordinate(least, greatest) },
+      },
+      axes: [
+        { ...axis, size: 30, values: (_, values) => ticks(values) },
+        { ...axis, size: 58, values: (_, values) => (this.logarithmic ? powers(values) : ticks(values)) },
+      ],
+      series: [{}, ...order.map((line) => ({
+        stroke: line.color, width: line.width ?? 1.5, dash: line.dash, spanGaps: false, points: { show: false },
+      }))],
+      hooks: { setSelect: [(plot) => this.select(plot)], drawAxes: [(plot) => this.drawLimits(plot)] },
+    };
+  }
+
+  select(plot) {
+    const { left, width } = plot.select;
+    plot.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
+    if (width > 4) this.range.set(plot.posToVal(left, "x"), plot.posToVal(left + width, "x"));
+  }
+
+  drawLimits(plot) {
+    const { ctx, bbox } = plot;
+    ctx.save();
+    ctx.strokeStyle = themed("--limit");
+    ctx.fillStyle = themed("--limit");
+    ctx.lineWidth = devicePixelRatio;
+    for (const { value, beyond } of this.spec.limits ?? []) {
+      if (this.logarithmic && !(value > 0)) continue;
+      const y = plot.valToPos(value, "y", true);
+      ctx.setLineDash([4 * devicePixelRatio, 4 * devicePixelRatio]);
+      ctx.beginPath();
+      ctx.moveTo(bbox.left, y);
+      ctx.lineTo(bbox.left + bbox.width, y);
+      ctx.stroke();
+      ctx.globalAlpha = 0.09;
+      if (beyond > 0) ctx.fillRect(bbox.left, bbox.top, bbox.width, Math.max(0, y - bbox.top));
+      else ctx.fillRect(bbox.left, y, bbox.width, Math.max(0, bbox.top + bbox.height - y));
+      ctx.globalAlpha = 1;
+    }
+    ctx.restore();
+  }
+
+  /** Draws anew, at once if it can be seen, else when it is scrolled to. */
+  refresh() {
+    this.stale = true;
+    if (this.visible) this.draw();
+  }
+
+  rebuild() {
+    this.plot?.destroy();
+    this.plot = null;
+    this.refresh();
+  }
+
+  setVisible(visible) {
+    this.visible = visible;
+    if (visible && this.stale) this.draw();
+    if (visible) this.setTime(this.time);
+  }
+
+  draw() {
+    this.stale = false;
+    const { order, data } = this.data();
+    const signature = order.map((line) => this.spec.lines.indexOf(line)).join();
+    if (!this.plot || signature !== this.signature) {
+      this.plot?.destroy();
+      this.signature = signature;
+      this.plot = new uPlot(this.options(order), data, this.plotHost);
+      this.cursor = element("div", { class: "cursor", "data-testid": `cursor-${this.spec.id}` });
+      this.plot.over.append(this.cursor);
+      this.listen(this.plot.over);
+    } else this.plot.setData(data);
+    this.setTime(this.time);
+  }
+
+  /** Pointing moves the common cursor; a click always does. */
+  listen(over) {
+    const at = (event) => this.plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x");
+    let pressed = null;
+    over.addEventListener("pointerdown", (event) => (pressed = event.clientX));
+    over.addEventListener("pointermove", (event) => {
+      if (event.pointerType === "touch") this.onSeek(at(event), true);
+      else if (event.buttons === 0) this.onSeek(at(event), false);
+    });
+    over.addEventListener("pointerup", (event) => {
+      if (pressed !== null && Math.abs(event.clientX - pressed) < 4) this.onSeek(at(event), true);
+      pressed = null;
+    });
+  }
+
+  resize() {
+    if (!this.plot || !this.plotHost.clientWidth || this.plot.width === this.plotHost.clientWidth) return;
+    this.plot.setSize({ width: this.plotHost.clientWidth, height: HEIGHT });
+    this.refresh();
+  }
+
+  /** Moves the cursor and shows the values there: those of the row at or before the time. */
+  setTime(time) {
+    this.time = time;
+    if (!this.visible || !this.plot) return;
+    const [from, to] = this.range.shown;
+    this.cursor.style.transform = `translateX(${this.plot.valToPos(time, "x").toFixed(1)}px)`;
+    this.cursor.style.visibility = time >= from && time <= to ? "visible" : "hidden";
+    this.spec.lines.forEach((line, index) => {
+      const row = lowerBound(line.t, time + 1e-9 * Math.max(1, time)) - 1;
+      const text = row >= 0 && time <= line.t[line.t.length - 1] * (1 + 1e-9) + 1e-9 ? number(line.y[row], 5) : "–";
+      if (this.values[index].textContent !== text) this.values[index].textContent = text;
+    });
+  }
+
+  get name() {
+    return `${fileName(this.study)}-${this.spec.id}`;
+  }
+
+  saveSvg() {
+    const { order, data } = this.data();
+    download(svgOf(this.figure(order, data)), `${this.name}.svg`, "image/svg+xml");
+  }
+
+  figure(order, data) {
+    const { spec, timeUnit } = this;
+    if (!this.plot) this.draw();
+    const { min, max } = this.plot.scales.y;
+    return {
+      title: `${spec.title} · ${this.study}`,
+      ordinate: unit(spec.unit) ? `${spec.title} [${unit(spec.unit)}]` : spec.title,
+      abscissa: unit(timeUnit) ? `t [${unit(timeUnit)}]` : "t",
+      x: data[0], xRange: this.range.shown, yRange: [min, max], logarithmic: this.logarithmic, limits: spec.limits,
+      lines: order.map((line, index) => ({ ...line, y: data[index + 1] })),
+    };
+  }
+
+  /** The same drawing as the SVG, at twice its size. */
+  savePng() {
+    const { order, data } = this.data();
+    const image = new Image();
+    image.onload = () => {
+      const sheet = element("canvas", { width: 1760, height: 880 });
+      sheet.getContext("2d").drawImage(image, 0, 0, 1760, 880);
+      sheet.toBlob((blob) => download(blob, `${this.name}.png`));
+    };
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svgOf(this.figure(order, data)))}`;
+  }
+
+  dispose() {
+    this.range.listeners.delete(this.onRange);
+    this.plot?.destroy();
+  }
+}

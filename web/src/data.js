@@ -1,0 +1,129 @@
+// What `gough report` wrote into the page: studies with their tables. A column is decoded when it is first asked for, so that a
+// recording of many rows opens at once.
+import { blendAngle, poseOf } from "./pose.js";
+
+const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
+
+/** Little-endian doubles from base64. */
+export function decode(text) {
+  const characters = atob(text);
+  const bytes = new Uint8Array(characters.length);
+  for (let index = 0; index < bytes.length; index++) bytes[index] = characters.charCodeAt(index);
+  if (new Uint8Array(new Uint16Array([1]).buffer)[0] === 1) return new Float64Array(bytes.buffer, 0, bytes.length >> 3);
+  const view = new DataView(bytes.buffer);
+  return Float64Array.from({ length: bytes.length >> 3 }, (_, index) => view.getFloat64(8 * index, true));
+}
+
+/** A table of columns, rows at equal steps of time. */
+export class Table {
+  constructor(columns) {
+    this.info = new Map((columns ?? []).map((column) => [column.name, column]));
+    this.decoded = new Map();
+    this.t = this.column("t") ?? new Float64Array(0);
+    this.rows = this.t.length;
+    this.step = this.rows > 1 ? (this.t[this.rows - 1] - this.t[0]) / (this.rows - 1) : 1;
+  }
+
+  get names() {
+    return [...this.info.keys()];
+  }
+
+  has(name) {
+    return this.info.has(name);
+  }
+
+  /** The values of a column, or null. */
+  column(name) {
+    if (!this.decoded.has(name)) {
+      const info = this.info.get(name);
+      this.decoded.set(name, info ? decode(info.data) : null);
+    }
+    return this.decoded.get(name);
+  }
+
+  /** Unit of a column as in the tables: "m/s2", "degree", "1". */
+  unit(name) {
+    return this.info.get(name)?.unit ?? "";
+  }
+
+  longName(name) {
+    return this.info.get(name)?.long_name ?? name;
+  }
+
+  /** Row at or before a time, and the share of the way to the next one. */
+  at(time) {
+    const last = Math.max(this.rows - 1, 0);
+    const position = Math.min(Math.max((time - (this.t[0] ?? 0)) / this.step, 0), last);
+    // times are k·step: a time that is a row's own lies within rounding of it
+    const near = Math.round(position);
+    if (Math.abs(position - near) < 1e-6) return { row: near, share: 0 };
+    return { row: Math.floor(position), share: position - Math.floor(position) };
+  }
+
+  /** Value of a column at a time, linear between rows; angles turn the short way. */
+  value(name, time) {
+    const values = this.column(name);
+    if (!values || !this.rows) return NaN;
+    const { row, share } = this.at(time);
+    if (share === 0) return values[row];
+    if (name === "roll" || name === "pitch" || name === "yaw") return blendAngle(values[row], values[row + 1], share);
+    return values[row] + share * (values[row + 1] - values[row]);
+  }
+
+  /** Pose at a time. */
+  pose(time) {
+    return poseOf(POSE.map((name) => this.value(name, time)));
+  }
+}
+
+/** One study: what the command wrote, its run and its program as tables. */
+export class Study {
+  constructor(raw, index) {
+    Object.assign(this, raw);
+    this.index = index;
+    this.run = new Table(raw.columns);
+    this.plan = new Table(raw.program);
+    this.label = raw.title || raw.name || `study ${index + 1}`;
+    this.complete = raw.end.status === "done";
+    this.lastTime = this.run.rows ? this.run.t[this.run.rows - 1] : 0;
+  }
+
+  /** Time up to which there is anything to see. */
+  get duration() {
+    return Math.max(this.run.rows ? this.lastTime : 0, this.plan.rows ? this.plan.t[this.plan.rows - 1] : 0);
+  }
+
+  /** Unit of a dimension: of a column that has it. */
+  unit(name) {
+    return this.run.has(name) ? this.run.unit(name) : this.plan.unit(name);
+  }
+
+  /** The largest |force| of a leg in run and program: the end of the colour scale. */
+  get peakForce() {
+    let peak = 0;
+    for (const summary of [this.simulate, this.forces])
+      for (const leg of summary?.legs ?? []) peak = Math.max(peak, Math.abs(leg.force[0] ?? 0), Math.abs(leg.force[1] ?? 0));
+    return peak || 1;
+  }
+
+  /** Whether the program is the paper's equation (3.1), heave 0.2 sin t (1 − e^{−t/2})² and nothing else, by its numbers. */
+  get isPaper() {
+    if (this.units !== "dimensionless" || this.plan.rows < 2) return false;
+    const { t } = this.plan;
+    const z = this.plan.column("z");
+    for (const name of ["x", "y", "roll", "pitch", "yaw"]) if (this.plan.column(name).some((value) => Math.abs(value) > 1e-9)) return false;
+    return t.every((time, row) => Math.abs(z[row] - this.machine.height - 0.2 * Math.sin(time) * (1 - Math.exp(-time / 2)) ** 2) < 1e-9);
+  }
+
+  /** Whether the legs' forces do not depend on where the top is. */
+  get openLoop() {
+    return [...this.control.stiffness, ...this.control.damping].every((gain) => gain === 0);
+  }
+}
+
+/** The studies of the page, or null in the template that nothing has filled yet. */
+export function readStudies() {
+  const page = JSON.parse(document.getElementById("gough-data").textContent);
+  if (!page) return null;
+  return { version: page.version, studies: page.studies.map((raw, index) => new Study(raw, index)) };
+}

@@ -1,0 +1,38 @@
+// Energies along a run: of the load, and the work that the legs have done.
+import { rotation, turned } from "./pose.js";
+
+const DEGREE = Math.PI / 180;
+
+/** Work of each leg since the first row: the integral of its power by the trapezoidal rule over the rows. */
+export function legWork(table) {
+  return [1, 2, 3, 4, 5, 6].map((leg) => {
+    const power = table.column(`p${leg}`);
+    const work = new Float64Array(table.rows);
+    for (let row = 1; row < table.rows; row++) work[row] = work[row - 1] + 0.5 * (table.t[row] - table.t[row - 1]) * (power[row] + power[row - 1]);
+    return work;
+  });
+}
+
+/** Kinetic and potential energy of the load: ½ m v_c² + ½ ω·Jω, and −m g·r_c counted from the first row. */
+export function loadEnergy(table, machine) {
+  const names = ["x", "y", "z", "roll", "pitch", "yaw", "vx", "vy", "vz", "wx", "wy", "wz"];
+  const columns = names.map((name) => table.column(name));
+  const kinetic = new Float64Array(table.rows);
+  const potential = new Float64Array(table.rows);
+  for (let row = 0; row < table.rows; row++) {
+    const [x, y, z, roll, pitch, yaw, vx, vy, vz, ...spin] = columns.map((column) => column[row]);
+    const r = rotation(roll * DEGREE, pitch * DEGREE, yaw * DEGREE);
+    const arm = turned(r, machine.center_of_mass);
+    const [wx, wy, wz] = spin.map((rate) => rate * DEGREE);
+    // velocity of the centre of mass: v + ω × R c
+    const velocity = [vx + wy * arm[2] - wz * arm[1], vy + wz * arm[0] - wx * arm[2], vz + wx * arm[1] - wy * arm[0]];
+    // ω in the top's axes: Rᵀω
+    const own = [0, 1, 2].map((axis) => r[axis] * wx + r[3 + axis] * wy + r[6 + axis] * wz);
+    const spun = machine.inertia.map((line) => line[0] * own[0] + line[1] * own[1] + line[2] * own[2]);
+    kinetic[row] = 0.5 * machine.mass * velocity.reduce((sum, v) => sum + v * v, 0) + 0.5 * own.reduce((sum, w, axis) => sum + w * spun[axis], 0);
+    const centre = [x + arm[0], y + arm[1], z + arm[2]];
+    potential[row] = -machine.mass * machine.gravity.reduce((sum, g, axis) => sum + g * centre[axis], 0);
+  }
+  const zero = potential[0] ?? 0;
+  return { kinetic, potential: potential.map((value) => value - zero) };
+}

@@ -1,0 +1,72 @@
+// Numbers and units as people read them. What is saved does not pass through here.
+
+const MINUS = "\u2212";
+const SUPERSCRIPT = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
+const raised = (power) => [...String(power)].map((digit) => SUPERSCRIPT[digit]).join("");
+
+/** A number in a few significant digits: 0.2034, −12.5, 3.1·10⁻⁷; a dash where there is none. */
+export function number(value, digits = 4) {
+  if (value === null || value === undefined || Number.isNaN(value)) return "–";
+  if (!Number.isFinite(value)) return value > 0 ? "∞" : `${MINUS}∞`;
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size >= 1e-3 && size < 1e6) {
+    const text = Number(value.toPrecision(digits)).toString();
+    return text.replace("-", MINUS);
+  }
+  const [mantissa, power] = value.toExponential(digits - 1).split("e");
+  return `${Number(mantissa).toString().replace("-", MINUS)}·10${raised(Number(power))}`;
+}
+
+/** A number with a fixed count of decimals, for what changes while it is read. */
+export function fixed(value, decimals) {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+  const text = value.toFixed(decimals);
+  return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", MINUS);
+}
+
+/** A unit of the tables as it is printed: "m/s2" gives "m/s²", "degree" gives "°"; "" for the bare number. */
+export function unit(text) {
+  if (!text || text === "1") return "";
+  return text.replace("degree", "°").replace(/([a-z])([2-9])/g, (_, letter, power) => letter + raised(power)).replace(" ", " ");
+}
+
+/** " N" after a number, "" for the bare number; with a space, lest a degree sign look like a power. */
+export function unitAfter(text) {
+  const word = unit(text);
+  if (!word) return "";
+  return ` ${word}`;
+}
+
+/** Tick labels of an axis: enough digits to tell neighbours apart. */
+export function ticks(values) {
+  const present = values.filter((value) => value !== null);
+  const largest = Math.max(...present.map(Math.abs), 0);
+  const step = present.length > 1 ? Math.abs(present[1] - present[0]) : largest;
+  if (largest === 0) return values.map((value) => (value === null ? "" : "0"));
+  if (largest < 1e-3 || largest >= 1e6) return values.map((value) => (value === null ? "" : number(value, 3)));
+  const decimals = Math.max(0, Math.min(6, -Math.floor(Math.log10(step || largest) + 1e-9)));
+  return values.map((value) => (value === null ? "" : fixed(value, decimals)));
+}
+
+/** Ticks of a logarithmic axis: powers of ten. */
+export const powers = (values) =>
+  values.map((value) => (value === null || Math.abs(Math.log10(value) % 1) > 1e-9 ? "" : `10${raised(Math.round(Math.log10(value)))}`));
+
+/** Words for how a run ended, by gough_cause_name(). */
+export function causeWords(status) {
+  return (
+    {
+      done: "completed",
+      leg_short: "a leg is shorter than it can be",
+      leg_long: "a leg is longer than it can be",
+      leg_speed: "a leg exceeds its greatest speed",
+      leg_force: "a leg exceeds its greatest force",
+      leg_no_length: "both joints of a leg met",
+      singular: "singular pose",
+      not_finite: "a number ceased to be finite",
+      no_convergence: "the steps did not converge",
+      stopped: "stopped",
+    }[status] ?? status
+  );
+}

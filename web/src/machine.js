@@ -1,0 +1,290 @@
+// One machine as meshes: base and top through their joints, legs of cylinder and piston, the load, the program's ghost and the
+// paths. Frame of the software, z up; the caller scales and places the group.
+import {
+  BufferAttribute, BufferGeometry, Color, CylinderGeometry, DoubleSide, EdgesGeometry, Group, Line, LineBasicMaterial, LineDashedMaterial,
+  LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, Quaternion, SphereGeometry, Vector3,
+} from "three";
+import { forceColor, LEGS } from "./color.js";
+import { equalEllipsoid } from "./inertia.js";
+import { legsOf } from "./pose.js";
+
+const UP = new Vector3(0, 0, 1);
+
+/** Joints in order around their centre, pushed outwards by `margin`: the outline of a plate. */
+function outline(joints, margin) {
+  const centre = [0, 1, 2].map((axis) => joints.reduce((sum, joint) => sum + joint[axis], 0) / joints.length);
+  return joints
+    .map((joint) => ({ joint, angle: Math.atan2(joint[1] - centre[1], joint[0] - centre[0]) }))
+    .sort((a, b) => a.angle - b.angle)
+    .map(({ joint }) => {
+      const [dx, dy] = [joint[0] - centre[0], joint[1] - centre[1]];
+      const distance = Math.hypot(dx, dy) || 1;
+      return [joint[0] + (dx / distance) * margin, joint[1] + (dy / distance) * margin, joint[2]];
+    });
+}
+
+/** A plate between `low` and `high` (along z) over an outline, with flat sides. */
+function plate(points, low, high) {
+  const positions = [];
+  const triangle = (...corners) => corners.forEach((corner) => positions.push(...corner));
+  const centre = [0, 1, 2].map((axis) => points.reduce((sum, point) => sum + point[axis], 0) / points.length);
+  const at = (point, z) => [point[0], point[1], point[2] + z];
+  points.forEach((point, index) => {
+    const next = points[(index + 1) % points.length];
+    triangle(at(centre, high), at(point, high), at(next, high));
+    triangle(at(centre, low), at(next, low), at(point, low));
+    triangle(at(point, low), at(next, low), at(next, high));
+    triangle(at(point, low), at(next, high), at(point, high));
+  });
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
+  geometry.computeVertexNormals();
+  return geometry;
+}
+
+/** A cylinder from the origin along z to (0, 0, 1). */
+function rod(radius, segments = 28) {
+  return new CylinderGeometry(radius, radius, 1, segments, 1).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+}
+
+/** The mark of a centre of mass: a ball whose octants are dark and light in turn. */
+function centreMark(radius) {
+  const geometry = new SphereGeometry(radius, 24, 16).toNonIndexed();
+  const position = geometry.getAttribute("position");
+  const colors = new Float32Array(position.count * 3);
+  for (let corner = 0; corner < position.count; corner += 3) {
+    const sign = [0, 1, 2].map((axis) => {
+      const sum = [0, 1, 2].reduce((total, k) => total + position.array[3 * (corner + k) + axis], 0);
+      return sum >= 0 ? 1 : -1;
+    });
+    colors.fill(sign[0] * sign[1] * sign[2] > 0 ? 0.02 : 0.95, 3 * corner, 3 * corner + 9);
+  }
+  geometry.setAttribute("color", new BufferAttribute(colors, 3));
+  return new Mesh(geometry, new MeshBasicMaterial({ vertexColors: true, depthTest: false, transparent: true }));
+}
+
+const matrixOf = ({ position: p, rotation: r }) =>
+  new Matrix4().set(r[0], r[1], r[2], p[0], r[3], r[4], r[5], p[1], r[6], r[7], r[8], p[2], 0, 0, 0, 1);
+
+/** Part that is moved by its matrix alone. */
+function posed(group) {
+  group.matrixAutoUpdate = false;
+  return group;
+}
+
+export class Machine {
+  /** @param machine as in the page's data; @param size the length that all thicknesses follow, the base radius; @param peak the
+   *  force at the end of the colour scale; @param accent CSS colour of the ghost and the path. */
+  constructor(machine, size, peak, accent) {
+    this.machine = machine;
+    this.size = size;
+    this.peak = peak;
+    this.group = new Group();
+    this.solid = new Group();
+    this.group.add(this.solid);
+    this.material = {
+      base: new MeshStandardMaterial({ roughness: 0.75, metalness: 0.1 }),
+      top: new MeshStandardMaterial({ roughness: 0.5, metalness: 0.15 }),
+      piston: new MeshStandardMaterial({ roughness: 0.28, metalness: 0.55 }),
+      load: new MeshStandardMaterial({ roughness: 0.6, metalness: 0, transparent: true, opacity: 0.42, depthWrite: false }),
+      edge: new LineBasicMaterial({ transparent: true, opacity: 0.5 }),
+      ghost: new MeshBasicMaterial({ color: accent, transparent: true, opacity: 0.16, side: DoubleSide, depthWrite: false }),
+      ghostEdge: new LineBasicMaterial({ color: accent, transparent: true, opacity: 0.8 }),
+      path: new LineBasicMaterial({ color: accent, depthTest: false, transparent: true }),
+      plan: new LineDashedMaterial({ depthTest: false, transparent: true, opacity: 0.55, dashSize: 0.03 * size, gapSize: 0.03 * size }),
+    };
+    this.buildBase();
+    this.buildTop();
+    this.buildLegs();
+    this.buildGhost();
+    this.buildPaths();
+  }
+
+  withEdges(geometry, material) {
+    const mesh = new Mesh(geometry, material);
+    mesh.castShadow = mesh.receiveShadow = true;
+    mesh.add(new LineSegments(new EdgesGeometry(geometry, 20), this.material.edge));
+    return mesh;
+  }
+
+  buildBase() {
+    const s = this.size;
+    this.solid.add(this.withEdges(plate(outline(this.machine.base, 0.13 * s), -0.11 * s, -0.05 * s), this.material.base));
+    this.machine.base.forEach((joint, leg) => {
+      const foot = new Mesh(new CylinderGeometry(0.032 * s, 0.06 * s, 0.055 * s, 24).rotateX(Math.PI / 2), this.material.base);
+      foot.position.set(joint[0], joint[1], joint[2] - 0.03 * s);
+      const ball = new Mesh(new SphereGeometry(0.042 * s, 24, 16), new MeshStandardMaterial({ color: LEGS[leg], roughness: 0.5 }));
+      ball.position.set(...joint);
+      ball.castShadow = foot.castShadow = true;
+      this.solid.add(foot, ball);
+    });
+  }
+
+  buildTop() {
+    const s = this.size;
+    this.top = posed(new Group());
+    this.platform = this.withEdges(plate(outline(this.machine.top, 0.075 * s), 0.02 * s, 0.07 * s), this.material.top);
+    this.top.add(this.platform);
+    this.machine.top.forEach((joint, leg) => {
+      const ball = new Mesh(new SphereGeometry(0.034 * s, 24, 16), new MeshStandardMaterial({ color: LEGS[leg], roughness: 0.5 }));
+      ball.position.set(...joint);
+      ball.castShadow = true;
+      this.top.add(ball);
+    });
+    const { axes, vectors } = equalEllipsoid(this.machine.mass, this.machine.inertia);
+    const [u, v, w] = [0, 1, 2].map((k) => vectors.map((line) => line[k]));
+    const right = u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]) > 0 ? 1 : -1;
+    const c = this.machine.center_of_mass;
+    this.load = posed(new Mesh(new SphereGeometry(1, 48, 32), this.material.load));
+    this.load.matrix.set(
+      u[0] * axes[0], v[0] * axes[1], right * w[0] * axes[2], c[0],
+      u[1] * axes[0], v[1] * axes[1], right * w[1] * axes[2], c[1],
+      u[2] * axes[0], v[2] * axes[1], right * w[2] * axes[2], c[2], 0, 0, 0, 1,
+    );
+    // how far the load rises over the top frame's origin: the ellipsoid's height along z
+    this.rise = Math.max(0.15 * s, c[2] + Math.hypot(u[2] * axes[0], v[2] * axes[1], w[2] * axes[2]));
+    this.load.renderOrder = 2;
+    this.centre = centreMark(0.05 * s);
+    this.centre.position.set(...c);
+    this.centre.renderOrder = 5;
+    this.top.add(this.load, this.centre);
+    this.solid.add(this.top);
+  }
+
+  buildLegs() {
+    const s = this.size;
+    const shared = { cylinder: rod(0.036 * s), collar: rod(0.044 * s), piston: rod(0.02 * s) };
+    const least = this.machine.limits?.length?.[0];
+    this.legs = this.machine.home_length.map((home) => {
+      const body = new MeshStandardMaterial({ roughness: 0.45, metalness: 0.05 });
+      const leg = {
+        body,
+        cylinderLength: least ? 0.92 * least : 0.6 * home,
+        group: new Group(),
+        cylinder: new Mesh(shared.cylinder, body),
+        collar: new Mesh(shared.collar, body),
+        piston: new Mesh(shared.piston, this.material.piston),
+      };
+      leg.group.add(leg.cylinder, leg.collar, leg.piston);
+      leg.group.children.forEach((mesh) => (mesh.castShadow = mesh.receiveShadow = true));
+      leg.collar.scale.z = 0.04 * s;
+      this.solid.add(leg.group);
+      return leg;
+    });
+  }
+
+  buildGhost() {
+    const s = this.size;
+    this.ghost = new Group();
+    this.ghostTop = posed(new Group());
+    const geometry = plate(outline(this.machine.top, 0.085 * s), 0.015 * s, 0.075 * s);
+    this.ghostTop.add(new Mesh(geometry, this.material.ghost), new LineSegments(new EdgesGeometry(geometry, 20), this.material.ghostEdge));
+    const lines = new BufferGeometry();
+    lines.setAttribute("position", new BufferAttribute(new Float32Array(36), 3));
+    this.ghostLegs = new LineSegments(lines, this.material.ghostEdge);
+    this.ghostLegs.frustumCulled = false;
+    this.ghost.add(this.ghostTop, this.ghostLegs);
+    this.group.add(this.ghost);
+  }
+
+  buildPaths() {
+    this.paths = new Group();
+    const line = (material) => {
+      const path = new Line(new BufferGeometry(), material);
+      path.frustumCulled = false;
+      path.renderOrder = 4;
+      path.visible = false;
+      this.paths.add(path);
+      return path;
+    };
+    this.path = line(this.material.path);
+    this.plan = line(this.material.plan);
+    this.group.add(this.paths);
+  }
+
+  /** The whole path of the run (drawn up to the present row) and of the program: arrays of x, y, z. */
+  setPaths(run, plan) {
+    for (const [path, points] of [[this.path, run], [this.plan, plan]]) {
+      path.geometry.dispose();
+      path.geometry = new BufferGeometry();
+      path.visible = Boolean(points?.length);
+      if (!path.visible) continue;
+      path.geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
+      if (path === this.plan) path.computeLineDistances();
+    }
+  }
+
+  /** Draws the run's path up to a point. */
+  showPath(points) {
+    this.path.geometry.setDrawRange(0, points);
+  }
+
+  /** A path that grows while it is drawn: the trail of a live run, as x, y, z, …. */
+  showTrail(points) {
+    const room = 3 * 1024;
+    const position = this.path.geometry.getAttribute("position");
+    if (position?.array.length !== room) {
+      this.path.geometry.dispose();
+      this.path.geometry = new BufferGeometry();
+      this.path.geometry.setAttribute("position", new BufferAttribute(new Float32Array(room), 3));
+      return this.showTrail(points);
+    }
+    const kept = points.slice(-room);
+    position.array.set(kept);
+    position.needsUpdate = true;
+    this.path.visible = true;
+    return this.showPath(kept.length / 3);
+  }
+
+  /** Pose and leg forces of the moment. */
+  move(pose, forces) {
+    this.top.matrix.copy(matrixOf(pose));
+    this.top.matrixWorldNeedsUpdate = true;
+    const direction = new Vector3();
+    legsOf(this.machine, pose).forEach(({ base, along, length }, index) => {
+      const leg = this.legs[index];
+      const cylinder = Math.min(leg.cylinderLength, 0.96 * length);
+      const inside = Math.min(0.1 * this.size, cylinder);
+      leg.group.visible = length > 0;
+      leg.group.position.set(...base);
+      leg.group.quaternion.copy(new Quaternion().setFromUnitVectors(UP, direction.set(...along).normalize()));
+      leg.cylinder.scale.z = cylinder;
+      leg.collar.position.z = cylinder - leg.collar.scale.z;
+      leg.piston.position.z = cylinder - inside;
+      leg.piston.scale.z = length - cylinder + inside;
+      const [red, green, blue] = forceColor(forces[index] / this.peak);
+      leg.body.color.setRGB(red / 255, green / 255, blue / 255, "srgb");
+    });
+  }
+
+  /** The program's pose; null hides the ghost. */
+  moveGhost(pose) {
+    this.ghost.visible = pose !== null && !this.ghostHidden;
+    if (!pose) return;
+    this.ghostTop.matrix.copy(matrixOf(pose));
+    this.ghostTop.matrixWorldNeedsUpdate = true;
+    const position = this.ghostLegs.geometry.getAttribute("position");
+    legsOf(this.machine, pose).forEach(({ base, top }, leg) => {
+      position.setXYZ(2 * leg, ...base);
+      position.setXYZ(2 * leg + 1, ...top);
+    });
+    position.needsUpdate = true;
+  }
+
+  /** Colours of the theme. */
+  paint(theme) {
+    this.material.base.color = new Color(theme.base);
+    this.material.top.color = new Color(theme.top);
+    this.material.piston.color = new Color(theme.piston);
+    this.material.load.color = new Color(theme.load);
+    this.material.edge.color = new Color(theme.edge);
+    this.material.plan.color = new Color(theme.plan);
+  }
+
+  dispose() {
+    this.group.traverse((part) => {
+      part.geometry?.dispose();
+      part.material?.dispose?.();
+    });
+  }
+}

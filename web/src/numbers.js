@@ -1,0 +1,165 @@
+// The numbers: how the run ended, peaks of each leg, the machine, stability, the study's text, the version.
+import { multiplierCircle } from "./circle.js";
+import { LEGS } from "./color.js";
+import { element } from "./dom.js";
+import { causeWords, number, unit, unitAfter } from "./format.js";
+
+/** A table with headings; cells are text or nodes. */
+function table(caption, headings, rows, attributes = {}) {
+  return element(
+    "div", { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
+    element(
+      "table", attributes,
+      element("caption", {}, caption),
+      element("thead", {}, element("tr", {}, headings.map((heading) => element("th", { scope: "col" }, heading)))),
+      element("tbody", {}, rows.map((row) => element("tr", {}, row.map((cell, column) => (column ? element("td", {}, cell) : element("th", { scope: "row" }, cell)))))),
+    ),
+  );
+}
+
+const legName = (leg) => element("span", { class: "leg-name", style: { "--leg": LEGS[leg] } }, String(leg + 1));
+const withUnit = (words, unitText) => (unit(unitText) ? `${words} [${unit(unitText)}]` : words);
+const list = (values, digits = 5) => values.map((value) => number(value, digits)).join(", ");
+
+function facts(title, pairs, testid) {
+  return element(
+    "section", { class: "facts", "data-testid": testid },
+    element("h3", {}, title),
+    element("dl", {}, pairs.filter(Boolean).map(([term, ...values]) => [element("dt", {}, term), element("dd", {}, ...values)])),
+  );
+}
+
+/** Peaks of the six legs, of a summary as the command prints it. */
+function legTable(study, summary, caption, testid) {
+  const units = (name) => study.unit(name);
+  const energy = units("f1") === "1" ? "1" : "J";
+  const peak = ([least, greatest]) => Math.max(Math.abs(least), Math.abs(greatest));
+  const limited = summary.legs.some((leg) => leg.stroke_used !== null && leg.stroke_used !== undefined);
+  const headings = [
+    "leg", withUnit("length, least", units("l1")), "greatest", withUnit("peak rate", units("dl1")), withUnit("force, least", units("f1")), "greatest", "peak", "RMS",
+    withUnit("power, least", units("p1")), "greatest", withUnit("energy", energy), "swing, base [°]", "top", limited && "stroke used [%]",
+  ].filter(Boolean);
+  const rows = summary.legs.map((leg, index) => [
+    legName(index), ...[leg.length[0], leg.length[1], leg.speed, leg.force[0], leg.force[1], peak(leg.force), leg.rms_force, leg.power[0], leg.power[1], leg.energy, leg.swing?.base, leg.swing?.top].map((value) => number(value, 5)),
+    ...(limited ? [number(leg.stroke_used, 3)] : []),
+  ]);
+  return table(caption, headings, rows, { class: "legs", "data-testid": testid });
+}
+
+function endFacts(study) {
+  const { end, simulate, simulation } = study;
+  const time = unitAfter(study.unit("t"));
+  return facts("The run", [
+    ["end", study.complete ? `the whole duration, t = ${number(end.time, 6)}${time}` : `${causeWords(end.status)} at t = ${number(end.time, 9)}${time}`],
+    !study.complete && ["why", end.message],
+    simulate?.deviation && ["greatest deviation", `${number(simulate.deviation.position, 5)}${unitAfter(study.unit("ex"))} and ${number(simulate.deviation.angle, 5)} ° from the program`],
+    simulate && ["drift of the constraints", `at most ${number(simulate.drift, 3)}`],
+    simulate && ["condition", `at most ${number(simulate.condition, 5)}`],
+    ["rows", `${study.run.rows}, one each ${number(simulation.output_step, 6)}${time}`],
+    ["method", simulation.method],
+    ["feed-forward", study.control.feedforward ? "the program's forces" : "none"],
+    ["stiffness G", same(study.control.stiffness), unitAfter(gainUnit(study, 0))],
+    ["damping D", same(study.control.damping), unitAfter(gainUnit(study, 1))],
+  ], "end-facts");
+}
+
+const same = (six) => (six.every((value) => value === six[0]) ? number(six[0], 6) : list(six));
+const gainUnit = (study, order) => (study.units === "si" ? ["N/m", "N s/m"][order] : "");
+
+function machineFacts(study) {
+  const { machine } = study;
+  const metre = unitAfter(study.unit("l1"));
+  const { length, speed, force } = machine.limits ?? {};
+  return facts("The machine", [
+    ["height at home", `${number(machine.height, 6)}${metre}`],
+    ["base radius", `${number(machine.base_radius, 6)}${metre}`],
+    ["leg length at home", same(machine.home_length), metre],
+    ["condition at home", number(machine.home_condition, 6)],
+    ["load", `mass ${number(machine.mass, 6)}${study.units === "si" ? " kg" : ""}, centre of mass ${list(machine.center_of_mass)}${metre}`],
+    ["inertia about it", element("span", { class: "matrix" }, machine.inertia.map((row) => list(row)).join("\n"))],
+    ["gravity", list(machine.gravity)],
+    length && (length[0] || length[1]) && ["length limits", `${number(length[0], 6)} to ${number(length[1], 6)}${metre}`],
+    speed && ["greatest speed", `${number(speed, 6)}${unitAfter(study.unit("dl1"))}`],
+    force && ["greatest force", `${number(force, 6)}${unitAfter(study.unit("f1"))}`],
+    ["legs", "massless here: their own weight and inertia come on top"],
+  ], "machine-facts");
+}
+
+function jointTable(study) {
+  const { machine } = study;
+  const metre = study.unit("l1");
+  return table("Joints", ["leg", withUnit("base x", metre), "y", "z", withUnit("top x, top frame", metre), "y", "z"],
+    machine.base.map((base, leg) => [legName(leg), ...[...base, ...machine.top[leg]].map((value) => number(value, 6))]), { class: "joints" });
+}
+
+function stabilitySection(study) {
+  const { stability } = study;
+  const section = element("section", { class: "stability", "data-testid": "stability" }, element("h3", {}, "Stability"));
+  if (!stability) {
+    section.append(element("p", { class: "note" }, study.stability_message || "Not computed for this study."));
+    return section;
+  }
+  const unitText = unitAfter(gainUnit(study, 0));
+  const verdict = stability.stable ? "No mode grows under this feedback." : "Some mode grows under this feedback.";
+  const pairs = [
+    ["verdict", element("strong", { class: stability.stable ? "good" : "bad" }, verdict)],
+    stability.period && ["period", number(stability.period, 8), unitAfter(study.unit("t"))],
+    stability.growth_per_period !== undefined && stability.growth_per_period !== null && ["growth each period", `× ${number(stability.growth_per_period, 5)}`],
+  ];
+  const words = element("div", {}, facts("", pairs, "stability-facts"));
+  if (stability.thresholds?.length)
+    words.append(table("Least stiffness G that holds the machine at rest", ["mode", `G${unitText ? ` [${unitText.trim()}]` : ""}`], stability.thresholds.map(({ mode, stiffness }) => [mode, number(stiffness, 6)]), { "data-testid": "thresholds" }));
+  section.append(element("div", { class: "beside" }, stability.multipliers?.length
+    ? element("figure", { class: "circle" }, multiplierCircle(stability.multipliers), element("figcaption", {}, "Floquet multipliers and the unit circle; beyond it, by logarithm. ◆ grows, ● does not."))
+    : null, words));
+  return section;
+}
+
+/** Where a line's comment begins: a # at the start or after a space, outside quotes; the line's length if there is none. */
+function commentStart(line) {
+  let quote = "";
+  for (let index = 0; index < line.length; index++) {
+    const character = line[index];
+    if (quote) quote = character === quote ? "" : quote;
+    else if (character === '"' || character === "'") quote = character;
+    else if (character === "#" && (index === 0 || /\s/.test(line[index - 1]))) return index;
+  }
+  return line.length;
+}
+
+/** The study's file, comments set back. */
+function studyText(study) {
+  const code = element("code", {});
+  const lines = study.text.split("\n");
+  for (const line of lines) {
+    const start = commentStart(line);
+    code.append(line.slice(0, start), element("span", { class: "comment" }, line.slice(start)), "\n");
+  }
+  return element(
+    "details", { class: "study-text", open: lines.length < 60 },
+    element("summary", {}, `The study file: ${study.name}`), element("pre", { "data-testid": "study-text", tabindex: "0" }, code),
+  );
+}
+
+/** All numbers of a study into a host. */
+export function showNumbers(host, study) {
+  host.replaceChildren(
+    element("div", { class: "columns" }, endFacts(study), machineFacts(study)),
+    stabilitySection(study),
+    study.simulate?.legs && study.run.rows ? legTable(study, study.simulate, "The legs in the run", "legs-run") : "",
+    study.forces?.legs && study.plan.rows ? legTable(study, study.forces, "The legs along the program", "legs-program") : "",
+    jointTable(study),
+    studyText(study),
+  );
+}
+
+/** A table that compares studies, a row each. */
+export function compareNumbers(host, studies) {
+  const [first] = studies;
+  const rows = studies.map((study) => [
+    study.label, study.complete ? "complete" : `${causeWords(study.end.status)}, t = ${number(study.end.time, 6)}`, study.control.feedforward ? "yes" : "no", same(study.control.stiffness), same(study.control.damping),
+    number(study.simulate?.deviation?.position, 4), number(study.simulate?.deviation?.angle, 4), number(Math.max(...(study.simulate?.legs ?? []).map((leg) => leg.force[1])), 4), number(study.simulate?.condition, 4),
+  ]);
+  host.replaceChildren(table("The studies beside each other",
+    ["study", "end", "feed-forward", "G", "D", withUnit("greatest deviation", first.unit("ex")), "of angle [°]", withUnit("greatest force", first.unit("f1")), "condition"], rows, { "data-testid": "comparison" }));
+}

@@ -1,0 +1,49 @@
+// Poses: position of the top frame's origin and its rotation R = Rz(yaw) Ry(pitch) Rx(roll), in the base frame.
+
+const DEGREE = Math.PI / 180;
+
+/** R as nine numbers by rows, from angles in radians. */
+export function rotation(roll, pitch, yaw) {
+  const [cr, sr] = [Math.cos(roll), Math.sin(roll)];
+  const [cp, sp] = [Math.cos(pitch), Math.sin(pitch)];
+  const [cy, sy] = [Math.cos(yaw), Math.sin(yaw)];
+  return [
+    cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr,
+    sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr,
+    -sp, cp * sr, cp * cr,
+  ];
+}
+
+/** R v. */
+export const turned = (r, v) => [
+  r[0] * v[0] + r[1] * v[1] + r[2] * v[2],
+  r[3] * v[0] + r[4] * v[1] + r[5] * v[2],
+  r[6] * v[0] + r[7] * v[1] + r[8] * v[2],
+];
+
+/** A point of the top frame in the base frame. */
+export function placed(pose, point) {
+  const [x, y, z] = turned(pose.rotation, point);
+  return [pose.position[0] + x, pose.position[1] + y, pose.position[2] + z];
+}
+
+/** Pose from x, y, z, roll, pitch, yaw; angles in degrees. */
+export const poseOf = ([x, y, z, roll, pitch, yaw]) => ({
+  position: [x, y, z],
+  rotation: rotation(roll * DEGREE, pitch * DEGREE, yaw * DEGREE),
+});
+
+/** Between two angles in degrees, the short way round. */
+export function blendAngle(a, b, share) {
+  const difference = ((((b - a) % 360) + 540) % 360) - 180;
+  return a + share * difference;
+}
+
+/** Vector from base joint to top joint of each leg, and its length. */
+export function legsOf(machine, pose) {
+  return machine.base.map((base, leg) => {
+    const top = placed(pose, machine.top[leg]);
+    const along = [top[0] - base[0], top[1] - base[1], top[2] - base[2]];
+    return { base, top, along, length: Math.hypot(...along) };
+  });
+}

@@ -1,0 +1,119 @@
+// The panel beside the scene for recorded runs: pose and leg forces of the moment; for several studies a line each.
+import { forceCss, LEGS, studyColor } from "./color.js";
+import { element } from "./dom.js";
+import { causeWords, fixed, number, unit, unitAfter } from "./format.js";
+
+const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
+
+/** Decimals that show about five digits of a quantity of this size. */
+const decimalsFor = (size) => Math.max(0, Math.min(9, 4 - Math.floor(Math.log10(Math.max(size, 1e-6)))));
+
+/** Bars of the six leg forces about zero, with the limit and the program's force marked. */
+export class ForceBars {
+  constructor(unitText, peak, limit) {
+    this.peak = Math.max(peak, limit && limit < 4 * peak ? limit : 0) || 1;
+    this.colorPeak = peak || 1;
+    this.decimals = decimalsFor(peak);
+    this.rows = LEGS.map((color, index) => {
+      const bar = element("i", { class: "bar" });
+      const plan = element("i", { class: "plan" });
+      const value = element("output", { class: "value", "data-testid": `force-${index + 1}` });
+      return { bar, plan, value, node: element("li", {}, element("span", { class: "leg-name", style: { "--leg": color } }, String(index + 1)), element("span", { class: "track" }, bar, plan), value) };
+    });
+    this.node = element(
+      "section", { class: "bars", "aria-label": "Leg forces" },
+      element("h3", {}, "Leg forces", unit(unitText) && element("span", { class: "unit" }, unit(unitText))),
+      element("ol", {}, this.rows.map((row) => row.node)),
+    );
+  }
+
+  show(forces, plan) {
+    this.rows.forEach(({ bar, plan: needle, value }, index) => {
+      const force = forces[index];
+      const share = Math.max(-1, Math.min(1, force / this.peak)) || 0;
+      bar.style.left = `${50 + Math.min(share, 0) * 50}%`;
+      bar.style.width = `${Math.abs(share) * 50}%`;
+      bar.style.background = forceCss(force / this.colorPeak);
+      const wanted = plan?.[index];
+      needle.style.display = Number.isFinite(wanted) ? "" : "none";
+      if (Number.isFinite(wanted)) needle.style.left = `${50 + 50 * Math.max(-1, Math.min(1, wanted / this.peak))}%`;
+      value.textContent = fixed(force, this.decimals);
+    });
+  }
+}
+
+/** The pose and how far it is from the program. */
+export class PoseTable {
+  constructor(lengthUnit, angleUnit) {
+    this.cells = POSE.map((name) => ({ name, actual: element("td", { "data-testid": `pose-${name}` }), off: element("td", { "data-testid": `off-${name}` }) }));
+    this.node = element(
+      "table", { class: "pose" },
+      element("caption", {}, "Pose of the top"),
+      element("thead", {}, element("tr", {}, element("th", { scope: "col" }), element("th", { scope: "col" }, "actual"), element("th", { scope: "col" }, "off program"))),
+      element("tbody", {}, this.cells.map(({ name, actual, off }, index) => {
+        const words = unit(index < 3 ? lengthUnit : angleUnit);
+        return element("tr", {}, element("th", { scope: "row" }, name, words && element("span", { class: "unit" }, words)), actual, off);
+      })),
+    );
+  }
+
+  show(values, deviations) {
+    this.cells.forEach(({ actual, off }, index) => {
+      actual.textContent = fixed(values[index], index < 3 ? 5 : 4);
+      off.textContent = number(deviations[index], 3);
+    });
+  }
+}
+
+/** Panel of one study. */
+export class StudyPanel {
+  constructor(study) {
+    this.study = study;
+    this.pose = new PoseTable(study.unit("x"), study.unit("roll"));
+    this.bars = new ForceBars(study.unit("f1"), study.peakForce, study.machine.limits?.force);
+    this.node = element("div", {}, this.bars.node, this.pose.node);
+  }
+
+  show(time) {
+    const { run, plan } = this.study;
+    const row = run.rows ? run.t[run.at(Math.min(time, this.study.lastTime)).row] : 0;
+    const shown = Math.abs(time - row) < 1e-6 * Math.max(1, time) ? row : Math.min(time, this.study.lastTime);
+    this.pose.show(POSE.map((name) => run.value(name, shown)), ["ex", "ey", "ez", "eroll", "epitch", "eyaw"].map((name) => run.value(name, shown)));
+    this.bars.show([1, 2, 3, 4, 5, 6].map((leg) => run.value(`f${leg}`, shown)), [1, 2, 3, 4, 5, 6].map((leg) => plan.value(`f${leg}`, time)));
+  }
+}
+
+/** Panel of all studies. */
+export class ComparisonPanel {
+  constructor(studies, choose) {
+    this.rows = studies.map((study) => {
+      const deviation = element("output", {});
+      const angle = element("output", {});
+      const forces = element("output", {});
+      const state = element("span", { class: "state" });
+      const node = element(
+        "section", { class: "contender", style: { "--study": studyColor(study.index) } },
+        element("h3", {}, element("button", { type: "button", class: "link", onclick: () => choose(study.index) }, study.label)), state,
+        element("dl", {},
+          element("dt", {}, "off program"), element("dd", {}, deviation, unitAfter(study.unit("ex"))),
+          element("dt", {}, "off in angle"), element("dd", {}, angle, " °"),
+          element("dt", {}, "leg forces"), element("dd", {}, forces, unitAfter(study.unit("f1")))),
+      );
+      return { study, deviation, angle, forces, state, node };
+    });
+    this.node = element("div", { class: "contenders" }, this.rows.map((row) => row.node));
+  }
+
+  show(time) {
+    for (const { study, deviation, angle, forces, state } of this.rows) {
+      const { run } = study;
+      const at = (names) => names.map((name) => run.value(name, Math.min(time, study.lastTime)));
+      deviation.textContent = number(Math.hypot(...at(["ex", "ey", "ez"])), 3);
+      angle.textContent = number(Math.hypot(...at(["eroll", "epitch", "eyaw"])), 3);
+      const six = at(["f1", "f2", "f3", "f4", "f5", "f6"]);
+      forces.textContent = `${number(Math.min(...six), 3)} … ${number(Math.max(...six), 3)}`;
+      const over = !study.complete && time >= study.lastTime;
+      state.textContent = over ? `ended: ${causeWords(study.end.status)}` : "";
+    }
+  }
+}

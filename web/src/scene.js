@@ -1,0 +1,301 @@
+// The 3D scene: machines on a ground, z up, with light and shadow. It is drawn only when something changed.
+import {
+  AmbientLight, BufferAttribute, BufferGeometry, CircleGeometry, Color, DirectionalLight, Group, HemisphereLight, LineBasicMaterial, LineSegments, Mesh,
+  PCFShadowMap, PerspectiveCamera, Raycaster, Scene as Stage, ShadowMaterial, Vector2, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { element, themed } from "./dom.js";
+import { LEGS } from "./color.js";
+import { Machine } from "./machine.js";
+
+/** Where the reader stands at first: azimuth from x, elevation (radians). */
+const AZIMUTH = (-62 * Math.PI) / 180;
+const ELEVATION = (15 * Math.PI) / 180;
+const FIELD = 30;
+/** Distance between machines side by side, in base radii. */
+const SPACING = 2.5;
+
+/** Lines on the ground that fade out, within `reach` of the origin. */
+function groundLines(size, reach) {
+  const positions = [];
+  const colors = [];
+  const pieces = 24;
+  for (let k = -reach; k <= reach; k++) {
+    for (let piece = -pieces; piece < pieces; piece++) {
+      for (const along of [0, 1]) {
+        for (const end of [piece, piece + 1]) {
+          const point = [k * size, (end / pieces) * reach * size];
+          if (along) point.reverse();
+          positions.push(...point, 0);
+          const share = Math.max(0, 1 - Math.hypot(...point) / (reach * size));
+          colors.push(1, 1, 1, share * share);
+        }
+      }
+    }
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
+  geometry.setAttribute("color", new BufferAttribute(new Float32Array(colors), 4));
+  return new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
+}
+
+export class Scene {
+  /** @param host element that the scene fills. Throws where there is no WebGL. */
+  constructor(host) {
+    this.host = host;
+    this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.canvas = this.renderer.domElement;
+    this.canvas.setAttribute("role", "img");
+    this.canvas.dataset.testid = "scene-canvas";
+    this.labels = element("div", { class: "labels", "aria-hidden": "true" });
+    host.prepend(this.canvas, this.labels);
+    this.stage = new Stage();
+    this.camera = new PerspectiveCamera(FIELD, 1, 0.01, 1000);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.enableDamping = false;
+    this.controls.maxPolarAngle = 0.96 * Math.PI;
+    this.controls.addEventListener("change", () => this.invalidate());
+    this.raycaster = new Raycaster();
+    this.machines = [];
+    this.follow = true;
+    this.dirty = true;
+    this.framed = { height: 0, factor: 1 };
+    this.light();
+    this.observer = new ResizeObserver(() => this.resize());
+    this.observer.observe(host);
+  }
+
+  light() {
+    this.sun = new DirectionalLight(0xffffff, 2.2);
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(1024, 1024);
+    this.sun.shadow.radius = 5;
+    this.fill = new DirectionalLight(0xdfe9ff, 0.7);
+    this.sky = new HemisphereLight(0xffffff, 0xb9b4a6, 1.35);
+    this.stage.add(this.sun, this.sun.target, this.fill, this.sky, new AmbientLight(0xffffff, 0.25));
+  }
+
+  /** Shows machines side by side: [{machine, peak, accent, name, run, plan}], run and plan being paths; one `size` for all. */
+  show(entries) {
+    for (const { model } of this.machines) {
+      this.stage.remove(model.group);
+      model.dispose();
+    }
+    this.size = Math.max(...entries.map(({ machine }) => machine.base_radius));
+    const across = [-Math.sin(AZIMUTH), Math.cos(AZIMUTH)];
+    this.machines = entries.map((entry, index) => {
+      const model = new Machine(entry.machine, this.size, entry.peak, entry.accent);
+      const shift = (index - (entries.length - 1) / 2) * SPACING * this.size;
+      model.group.position.set(across[0] * shift, across[1] * shift, 0);
+      model.setPaths(entry.run, entry.plan);
+      this.stage.add(model.group);
+      return { model, entry, shift };
+    });
+    this.buildGround();
+    this.buildLabels(entries.length > 1);
+    this.paint();
+    this.resetView();
+  }
+
+  buildGround() {
+    if (this.ground) this.stage.remove(this.ground);
+    this.low = Math.min(...this.machines.flatMap(({ entry }) => entry.machine.base.map((joint) => joint[2]))) - 0.112 * this.size;
+    this.lines = groundLines(0.5 * this.size, 6 + 3 * this.machines.length);
+    this.shade = new Mesh(new CircleGeometry(20 * this.size, 48), new ShadowMaterial({ opacity: 0.22 }));
+    this.shade.receiveShadow = true;
+    this.ground = new Group();
+    this.ground.add(this.lines, this.shade);
+    this.ground.position.z = this.low;
+    this.stage.add(this.ground);
+    const s = this.size;
+    const reach = (1.8 + 0.5 * SPACING * (this.machines.length - 1)) * s;
+    this.sun.position.set(1.6 * s, -1.2 * s, 5.2 * s);
+    this.fill.position.set(-3 * s, 2 * s, 2 * s);
+    const { camera } = this.sun.shadow;
+    Object.assign(camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.5 * s, far: 14 * s });
+    camera.updateProjectionMatrix();
+    this.sun.shadow.normalBias = 0.01 * s;
+  }
+
+  buildLabels(named) {
+    this.labels.replaceChildren();
+    this.marks = [];
+    for (const { model, entry } of this.machines) {
+      if (!named) entry.machine.base.forEach((joint, leg) => {
+        const mark = element("span", { class: "leg-mark", style: { "--leg": LEGS[leg] } }, String(leg + 1));
+        const outwards = 1 + (0.2 * this.size) / (Math.hypot(joint[0], joint[1]) || 1);
+        this.marks.push({ mark, model, point: new Vector3(joint[0] * outwards, joint[1] * outwards, joint[2] - 0.08 * this.size) });
+        this.labels.append(mark);
+      });
+      if (!named) continue;
+      const mark = element("span", { class: "study-mark", style: { "--study": entry.accent } }, entry.name);
+      this.marks.push({ mark, model, point: new Vector3(0, 0, this.low - 0.32 * this.size) });
+      this.labels.append(mark);
+    }
+  }
+
+  /** Takes the colours of the theme in force. */
+  paint() {
+    const theme = Object.fromEntries(["base", "top", "piston", "load", "edge", "plan"].map((name) => [name, themed(`--scene-${name}`)]));
+    for (const { model } of this.machines) model.paint(theme);
+    if (this.lines) {
+      this.lines.material.color = new Color(themed("--scene-grid"));
+      this.shade.material.opacity = Number(themed("--scene-shadow"));
+    }
+    this.invalidate();
+  }
+
+  /** The view that all machines at home fill. */
+  resetView() {
+    const height = Math.max(...this.machines.map(({ entry, model }) => entry.machine.height + model.rise - 0.15 * this.size), 0.4 * this.size);
+    const width = 2.5 * this.size + SPACING * this.size * (this.machines.length - 1);
+    const aspect = Math.max(this.camera.aspect, 0.3);
+    const half = Math.tan((FIELD * Math.PI) / 360);
+    const distance = Math.max((0.5 * (height + 1.15 * this.size)) / half, (0.5 * width) / (half * aspect)) + 0.9 * this.size;
+    const target = new Vector3(0, 0, 0.5 * height - 0.02 * this.size);
+    const cosine = Math.cos(ELEVATION);
+    this.controls.target.copy(target);
+    this.camera.position.set(
+      distance * cosine * Math.cos(AZIMUTH), distance * cosine * Math.sin(AZIMUTH), target.z + distance * Math.sin(ELEVATION),
+    );
+    this.camera.near = 0.02 * this.size;
+    this.camera.far = 400 * this.size;
+    this.camera.updateProjectionMatrix();
+    this.controls.minDistance = 0.5 * this.size;
+    this.controls.maxDistance = 150 * this.size;
+    this.home = { height, factor: 1 };
+    this.framed = { height: 0, factor: 1 };
+    this.controls.update();
+    this.frame();
+    this.invalidate();
+  }
+
+  /** Moves the machines: [{pose, forces, plan, points}] in order; keeps what has left the view's first frame within it. */
+  move(moments) {
+    let rise = 0;
+    moments.forEach(({ pose, forces, plan, points }, index) => {
+      const { model, entry } = this.machines[index];
+      if (pose) model.move(pose, forces);
+      model.moveGhost(plan);
+      if (points !== undefined) model.showPath(points);
+      const high = pose ? pose.position[2] - entry.machine.height : 0;
+      const aside = pose ? Math.hypot(pose.position[0], pose.position[1]) : 0;
+      rise = Math.max(rise, high - 0.35 * this.size, aside - 0.6 * this.size);
+    });
+    this.rise = Number.isFinite(rise) ? Math.min(rise, 100 * this.size) : 0;
+    this.frame();
+    this.invalidate();
+  }
+
+  /** Steps back and looks higher as the tops rise, on top of the reader's own view. */
+  frame() {
+    if (!this.home || !this.follow) return;
+    const rise = Math.max(this.rise ?? 0, 0);
+    const wanted = { height: 0.5 * rise, factor: 1 + (0.8 * rise) / (this.home.height + 1.15 * this.size) };
+    if (Math.abs(wanted.height - this.framed.height) < 1e-9 && Math.abs(wanted.factor - this.framed.factor) < 1e-9) return;
+    const { target } = this.controls;
+    const offset = this.camera.position.clone().sub(target).multiplyScalar(wanted.factor / this.framed.factor);
+    target.z += wanted.height - this.framed.height;
+    this.camera.position.copy(target).add(offset);
+    this.framed = wanted;
+    this.controls.update();
+  }
+
+  /** Shows or hides "ghost", "paths", "load", "labels". */
+  toggle(part, visible) {
+    for (const { model } of this.machines) {
+      if (part === "ghost") {
+        model.ghostHidden = !visible;
+        model.ghost.visible = visible;
+      }
+      if (part === "paths") model.paths.visible = visible;
+      if (part === "load") model.load.visible = model.centre.visible = visible;
+    }
+    if (part === "labels") this.labels.hidden = !visible;
+    this.invalidate();
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    if (!width || !height) return;
+    const narrower = Math.abs(width / height - this.camera.aspect) > 0.05;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (narrower && this.machines.length) this.resetView();
+    this.invalidate();
+  }
+
+  invalidate() {
+    this.dirty = true;
+  }
+
+  /** Draws if something changed. @return whether it did. */
+  draw() {
+    if (!this.dirty || !this.machines.length || !this.host.clientWidth) return false;
+    this.dirty = false;
+    this.renderer.render(this.stage, this.camera);
+    this.placeLabels();
+    return true;
+  }
+
+  placeLabels() {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    const point = new Vector3();
+    for (const { mark, model, point: place } of this.marks) {
+      point.copy(place).applyMatrix4(model.group.matrixWorld).project(this.camera);
+      mark.style.transform = `translate(-50%, -50%) translate(${(((point.x + 1) * width) / 2).toFixed(1)}px, ${(((1 - point.y) * height) / 2).toFixed(1)}px)`;
+      mark.style.visibility = point.z < 1 ? "visible" : "hidden";
+    }
+  }
+
+  /** The point of a machine's moving part under the pointer, or null; in base axes. */
+  pick(event) {
+    this.aim(event);
+    const { model } = this.machines[0];
+    const [hit] = this.raycaster.intersectObjects([model.platform, model.load], false);
+    return hit ? hit.point : null;
+  }
+
+  /** Where the pointer's ray meets the plane through `point` that faces the reader. */
+  facing(event, point) {
+    this.aim(event);
+    const normal = this.camera.getWorldDirection(new Vector3());
+    const { origin, direction } = this.raycaster.ray;
+    return direction.clone().multiplyScalar(point.clone().sub(origin).dot(normal) / direction.dot(normal)).add(origin);
+  }
+
+  /** The hand: the pointer's point in the plane through `centre` that faces the reader, and both on the screen. */
+  handAt(event, centre) {
+    const from = new Vector3(...centre);
+    const point = this.facing(event, from);
+    const box = this.canvas.getBoundingClientRect();
+    const seen = from.clone().project(this.camera);
+    return {
+      point: point.toArray(),
+      screen: [[((seen.x + 1) * box.width) / 2, ((1 - seen.y) * box.height) / 2], [event.clientX - box.left, event.clientY - box.top]],
+    };
+  }
+
+  aim(event) {
+    const box = this.canvas.getBoundingClientRect();
+    const pointer = new Vector2((2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height);
+    this.raycaster.setFromCamera(pointer, this.camera);
+  }
+
+  /** The picture as a PNG blob, on the theme's ground. */
+  picture() {
+    this.renderer.render(this.stage, this.camera);
+    const { width, height } = this.canvas;
+    const sheet = element("canvas", { width, height });
+    const context = sheet.getContext("2d");
+    context.fillStyle = themed("--scene-back");
+    context.fillRect(0, 0, width, height);
+    context.drawImage(this.canvas, 0, 0);
+    return new Promise((resolve) => sheet.toBlob(resolve, "image/png"));
+  }
+}

@@ -1,0 +1,106 @@
+// The live run's own thread: the C core goes on at the pace asked for, and hands over a row for each picture. The page never waits
+// for it.
+import { Core } from "./core.js";
+
+/** Pictures in a second, and how much of each the core may take: the rest of a second belongs to the processor's other work. */
+const RATE = 60;
+const SHARE = 0.8;
+/** A page that slept does not make up for it: at most so many seconds are caught up. */
+const CATCH_UP = 0.1;
+
+let core;
+let clock;
+let speed = 1;
+let step = 0.01;
+let reach = Infinity;
+let before = 0;
+let owed = 0;
+let over = null;
+/** Simulated and real time since the last word on the pace. */
+let pace = { simulated: 0, busy: 0 };
+
+/** How far the top is from its program. */
+function deviation(row) {
+  const { ex, ey, ez } = core.place;
+  return Math.hypot(row[ex], row[ey], row[ez]);
+}
+
+function report() {
+  const row = core.row();
+  if (!over && deviation(row) > reach) over = { cause: "left", message: "", leg: 0 };
+  const ratio = pace.busy > 0 ? pace.simulated / pace.busy : 0;
+  postMessage({ kind: "row", row, program: core.program(), over, ratio });
+}
+
+function tick() {
+  const now = performance.now();
+  owed += Math.min((now - before) / 1000, CATCH_UP) * speed;
+  before = now;
+  if (over) return;
+  const until = now + (1000 * SHARE) / RATE;
+  let moved = false;
+  while (owed > 0 && performance.now() < until) {
+    // a few steps at a time, so that the clock is looked at often enough
+    const piece = Math.min(owed, 8 * step);
+    const begun = performance.now();
+    const cause = core.advance(piece, step);
+    pace.busy += (performance.now() - begun) / 1000;
+    pace.simulated += piece;
+    owed -= piece;
+    moved = true;
+    if (cause !== "done") {
+      over = { cause, message: core.message, leg: core.leg };
+      break;
+    }
+  }
+  // what could not be done in time is not owed: the run is slower then, not late
+  owed = 0;
+  if (pace.busy > 2) pace = { simulated: pace.simulated / 2, busy: pace.busy / 2 };
+  if (moved) report();
+}
+
+function run(on) {
+  clearInterval(clock);
+  clock = undefined;
+  if (!on) return;
+  before = performance.now();
+  clock = setInterval(tick, 1000 / RATE);
+}
+
+const orders = {
+  async begin({ module, flat, settings }) {
+    core = await Core.load(module);
+    core.begin(flat);
+    ({ step, reach } = settings);
+    postMessage({ kind: "ready", columns: core.columns });
+    report();
+  },
+  set({ settings }) {
+    core.set(settings);
+  },
+  pace(settings) {
+    speed = settings.speed ?? speed;
+    step = settings.step ?? step;
+  },
+  push({ force }) {
+    core.push(...force);
+  },
+  restart() {
+    core.restart();
+    over = null;
+    owed = 0;
+    report();
+  },
+  run({ on }) {
+    run(on);
+  },
+};
+
+addEventListener("message", async ({ data }) => {
+  try {
+    if (data.kind === "begin" || core) await orders[data.kind](data);
+  } catch (error) {
+    run(false);
+    postMessage({ kind: "failed", message: error.message });
+  }
+});

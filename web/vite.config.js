@@ -1,0 +1,30 @@
+// One HTML file with everything in it: code, style, worker and the core's WebAssembly. It opens from file:// without a network.
+// GOUGH_CORE names the WebAssembly file (built by CMake), GOUGH_PAGE_OUTPUT the folder that report.html goes to.
+import { readFileSync } from "node:fs";
+import { defineConfig } from "vite";
+import { viteSingleFile } from "vite-plugin-singlefile";
+
+// import bytes from "virtual:core": the core's WebAssembly as base64, or "" where it was not built.
+function core() {
+  const name = "virtual:core";
+  const path = process.env.GOUGH_CORE;
+  return {
+    name: "core",
+    resolveId: (id) => (id === name ? `\0${name}` : null),
+    load: (id) => (id === `\0${name}` ? `export default ${JSON.stringify(path ? readFileSync(path, "base64") : "")};` : null),
+  };
+}
+
+export default defineConfig({
+  base: "./",
+  plugins: [core(), viteSingleFile({ removeViteModuleLoader: true })],
+  worker: { format: "iife", plugins: () => [core()] },
+  build: {
+    outDir: process.env.GOUGH_PAGE_OUTPUT || "dist",
+    emptyOutDir: false,
+    target: "es2022",
+    modulePreload: false,
+    chunkSizeWarningLimit: 2000,
+    reportCompressedSize: false,
+  },
+});
