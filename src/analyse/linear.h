@@ -11,6 +11,9 @@ typedef struct {
     const gough_control *control;
 } linear_loop;
 
+/* numbers of a state as a stepper sees it: (ρ, i, j, k) and rates */
+enum { LINEAR_STATE = 24 };
+
 typedef double linear_matrix[GOUGH_LINEAR][GOUGH_LINEAR];
 
 struct linear_complex {
@@ -25,6 +28,10 @@ struct linear_complex {
     /* accelerations of the centre of mass and of the angle, base axes, and leg forces, in a state at time t */
     const char *(*accelerations)(const linear_loop *loop, double t, const gough_state *state,
                                  double acceleration[6], double force[GOUGH_LEGS]);
+
+    /* rates of (ρ, i, j, k) and their rates, and (stab-13) there */
+    const char *(*flow)(const linear_loop *loop, double t, const double y[LINEAR_STATE],
+                        double rate[LINEAR_STATE], linear_matrix matrix);
 };
 
 extern const struct linear_complex linear_complex;

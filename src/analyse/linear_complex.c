@@ -149,4 +149,22 @@ static const char *complex_accelerations(const linear_loop *loop, double t,
     return r.fault.what;
 }
 
-const struct linear_complex linear_complex = {complex_matrix, complex_along, complex_accelerations};
+static const char *complex_flow(const linear_loop *loop, double t, const double y[LINEAR_STATE],
+                                double rate[LINEAR_STATE], linear_matrix matrix) {
+    const gough_simulation options = unstabilised();
+    number z[STATE], change[STATE];
+    coordinates x, v;
+    run r;
+
+    begin(&r, loop, &options);
+    for (int i = 0; i < STATE; i++) z[i] = y[i];
+    run_rates(&r, t, z, change);
+    for (int i = 0; i < STATE; i++) rate[i] = creal(change[i]);
+    x = coordinates_load(z);
+    v = coordinates_load(z + COORDINATES);
+    columns(&r, t, &x, &v, matrix);
+    return r.fault.what;
+}
+
+const struct linear_complex linear_complex = {complex_matrix, complex_along, complex_accelerations,
+                                              complex_flow};
