@@ -17,6 +17,12 @@
 
 /* where a call through memory would cost more than the function */
 #define KERNEL_INLINE __attribute__((always_inline)) static inline
+/* the loop that follows is laid out whole, so that what it works on can stay in registers */
+#if defined(__clang__)
+#define KERNEL_UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define KERNEL_UNROLL _Pragma("GCC unroll 8")
+#endif
 
 #if defined(NUMBER_DOUBLE)
 
@@ -93,7 +99,12 @@ static inline int number_any(mask m) { return m; }
 #endif
 typedef double number __attribute__((vector_size(8 * NUMBER_LANES)));
 typedef double real;
-typedef long long mask __attribute__((vector_size(8 * NUMBER_LANES)));
+typedef long long number_bits __attribute__((vector_size(8 * NUMBER_LANES)));
+#if NUMBER_LANES == 8 && defined(__AVX512F__)
+typedef __mmask8 mask;
+#else
+typedef number_bits mask;
+#endif
 #define REAL_LITERAL(x) x
 #define REAL_EPSILON 2.220446049250313e-16
 #define REAL_PI 3.14159265358979323846
@@ -114,17 +125,28 @@ static inline number number_root(number x) {
     return r;
 }
 #endif
+#if NUMBER_LANES == 8 && defined(__AVX512F__)
+/* these registers choose by a mask of bits */
+static inline mask number_greater(number a, number b) {
+    return _mm512_cmp_pd_mask((__m512d)a, (__m512d)b, _CMP_GT_OS);
+}
+static inline number number_select(mask m, number a, number b) {
+    return (number)_mm512_mask_blend_pd(m, (__m512d)b, (__m512d)a);
+}
+static inline int number_any(mask m) { return m != 0; }
+#else
 static inline mask number_greater(number a, number b) { return a > b; }
 static inline number number_select(mask m, number a, number b) {
     return (number)((m & (mask)a) | (~m & (mask)b));
-}
-static inline number number_magnitude(number x) {
-    return (number)((mask)x & 0x7fffffffffffffffLL); /* without the sign's bit */
 }
 static inline int number_any(mask m) {
     long long any = 0;
     for (int i = 0; i < NUMBER_LANES; i++) any |= m[i];
     return any != 0;
+}
+#endif
+static inline number number_magnitude(number x) {
+    return (number)((number_bits)x & 0x7fffffffffffffffLL); /* without the sign's bit */
 }
 
 #else

@@ -10,36 +10,43 @@ typedef struct {
         pivot_ratio; /* smallest over largest pivot in magnitude: a cheap sign of trouble, not the condition */
 } elimination;
 
-/* a x = b by Gaussian elimination with partial pivoting, for `count` right-hand sides b[r], which become the solutions;
- * a is destroyed. A singular matrix gives determinant 0 and solutions that are not finite. */
-static inline elimination solve_six(number a[6][6], number b[][6], int count) {
+/* largest entry of column c, rows from c on, into row c by exchanges; the right-hand sides go along. Changes `sign` with each. */
+KERNEL_INLINE void solve_pivot(number a[6][6], number b[][6], int count, int c, number *sign) {
+    KERNEL_UNROLL
+    for (int r = c + 1; r < 6; r++) {
+        const mask larger = number_greater(number_magnitude(a[r][c]), number_magnitude(a[c][c]));
+        KERNEL_UNROLL
+        for (int k = c; k < 6; k++) {
+            const number x = a[c][k], y = a[r][k];
+            a[c][k] = number_select(larger, y, x);
+            a[r][k] = number_select(larger, x, y);
+        }
+        for (int k = 0; k < count; k++) {
+            const number x = b[k][c], y = b[k][r];
+            b[k][c] = number_select(larger, y, x);
+            b[k][r] = number_select(larger, x, y);
+        }
+        *sign = number_select(larger, -*sign, *sign);
+    }
+}
+
+/* solve_six() for a count known where it is compiled */
+KERNEL_INLINE elimination solve_counted(number a[6][6], number b[][6], int count) {
     const number one = number_of(1);
     number sign = one, least, most;
     elimination result;
 
+    KERNEL_UNROLL
     for (int c = 0; c < 6; c++) {
-        /* after these exchanges row c holds the largest entry of the rows from c on */
-        for (int r = c + 1; r < 6; r++) {
-            const mask larger =
-                number_greater(number_magnitude(a[r][c]), number_magnitude(a[c][c]));
-            for (int k = c; k < 6; k++) {
-                const number x = a[c][k], y = a[r][k];
-                a[c][k] = number_select(larger, y, x);
-                a[r][k] = number_select(larger, x, y);
-            }
-            for (int k = 0; k < count; k++) {
-                const number x = b[k][c], y = b[k][r];
-                b[k][c] = number_select(larger, y, x);
-                b[k][r] = number_select(larger, x, y);
-            }
-            sign = number_select(larger, -sign, sign);
-        }
+        solve_pivot(a, b, count, c, &sign);
         /* a column without a pivot is passed over: the determinant is then 0, not the NaN of ∞ · 0 */
         const mask pivoted = number_greater(number_magnitude(a[c][c]), number_of(0));
         const number inverse =
             number_select(pivoted, one / number_select(pivoted, a[c][c], one), number_of(0));
+        KERNEL_UNROLL
         for (int r = c + 1; r < 6; r++) {
             const number factor = a[r][c] * inverse;
+            KERNEL_UNROLL
             for (int k = c + 1; k < 6; k++) a[r][k] = a[r][k] - factor * a[c][k];
             for (int k = 0; k < count; k++) b[k][r] = b[k][r] - factor * b[k][c];
         }
@@ -47,6 +54,7 @@ static inline elimination solve_six(number a[6][6], number b[][6], int count) {
 
     result.determinant = sign * a[0][0];
     least = most = number_magnitude(a[0][0]);
+    KERNEL_UNROLL
     for (int c = 1; c < 6; c++) {
         const number pivot = number_magnitude(a[c][c]);
         result.determinant = result.determinant * a[c][c];
@@ -56,12 +64,27 @@ static inline elimination solve_six(number a[6][6], number b[][6], int count) {
     result.pivot_ratio = least / most;
 
     for (int k = 0; k < count; k++) {
+        KERNEL_UNROLL
         for (int r = 5; r >= 0; r--) {
+            KERNEL_UNROLL
             for (int c = r + 1; c < 6; c++) b[k][r] = b[k][r] - a[r][c] * b[k][c];
             b[k][r] = b[k][r] / a[r][r];
         }
     }
     return result;
+}
+
+/* a x = b by Gaussian elimination with partial pivoting, for `count` right-hand sides b[r], which become the solutions;
+ * a is destroyed. A singular matrix gives determinant 0 and solutions that are not finite. */
+static inline elimination solve_six(number a[6][6], number b[][6], int count) {
+    switch (count) {
+    case 0:
+        return solve_counted(a, b, 0);
+    case 1:
+        return solve_counted(a, b, 1);
+    default:
+        return solve_counted(a, b, count);
+    }
 }
 
 /* Makes columns p and q of a matrix orthogonal by a rotation, in the lanes that want it. Returns 1 in lanes where they were not
