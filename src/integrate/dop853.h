@@ -12,16 +12,33 @@ typedef struct {
     number dense[8][STEPPER_SIZE];
 } dop853;
 
-/* z = y + h Σ a_j slope_j: the point at which stage `row` is taken */
-static inline void dop853_point(const dop853 *s, int n, int row, real h, const number *y,
-                                number *z) {
-    for (int i = 0; i < n; i++) z[i] = number_of(0);
+/* components that are summed together: as many as stay in registers */
+enum { DOP853_BLOCK = 8 };
+
+/* z = y + h Σ a_j slope_j for `width` components from `first` on */
+KERNEL_INLINE void dop853_block(const dop853 *s, int first, int width, int row, real h,
+                                const number *y, number *z) {
+    number sum[DOP853_BLOCK];
+
+    for (int i = 0; i < width; i++) sum[i] = number_of(0);
     for (int j = 0; j < row && j < 15; j++) {
         if (dop853_a[row][j] == 0) continue; /* the tableau's own zeros */
         const number weight = number_of_real(dop853_a[row][j]);
-        for (int i = 0; i < n; i++) z[i] = z[i] + weight * s->slope[j][i];
+        KERNEL_UNROLL
+        for (int i = 0; i < width; i++) sum[i] = sum[i] + weight * s->slope[j][first + i];
     }
-    for (int i = 0; i < n; i++) z[i] = y[i] + number_of_real(h) * z[i];
+    for (int i = 0; i < width; i++) z[first + i] = y[first + i] + number_of_real(h) * sum[i];
+}
+
+/* the point at which stage `row` is taken */
+static inline void dop853_point(const dop853 *s, int n, int row, real h, const number *y,
+                                number *z) {
+    int i = 0;
+
+    for (; i + DOP853_BLOCK <= n; i += DOP853_BLOCK) {
+        dop853_block(s, i, DOP853_BLOCK, row, h, y, z);
+    }
+    for (; i < n; i++) dop853_block(s, i, 1, row, h, y, z);
 }
 
 /* (step-2): the step from y at t to `out` at t + h; eleven evaluations */
@@ -40,19 +57,25 @@ static inline void dop853_step(dop853 *s, rate_function f, void *context, int n,
  * accepted where at most 1. size: what is added to |y| in each component. For scalar number types. */
 static inline real dop853_error(const dop853 *s, int n, real h, const number *y, const number *out,
                                 const real *size, real tolerance) {
-    real fifth = 0, third = 0;
+    real e5[STEPPER_SIZE], e3[STEPPER_SIZE], fifth = 0, third = 0;
 
+    for (int i = 0; i < n; i++) e5[i] = e3[i] = 0;
+    for (int j = 0; j < DOP853_STAGES; j++) {
+        for (int i = 0; i < n; i++) {
+            e5[i] = e5[i] + dop853_error5[j] * number_first(s->slope[j][i]);
+            e3[i] = e3[i] + dop853_error3[j] * number_first(s->slope[j][i]);
+        }
+    }
     for (int i = 0; i < n; i++) {
         const real before = real_magnitude(number_first(y[i]));
         const real after = real_magnitude(number_first(out[i]));
         const real scale = tolerance * (size[i] + (after > before ? after : before));
-        real e5 = 0, e3 = 0;
-        for (int j = 0; j < DOP853_STAGES; j++) {
-            e5 = e5 + dop853_error5[j] * number_first(s->slope[j][i]);
-            e3 = e3 + dop853_error3[j] * number_first(s->slope[j][i]);
-        }
-        fifth = fifth + (e5 / scale) * (e5 / scale);
-        third = third + (e3 / scale) * (e3 / scale);
+        e5[i] = e5[i] / scale;
+        e3[i] = e3[i] / scale;
+    }
+    for (int i = 0; i < n; i++) {
+        fifth = fifth + e5[i] * e5[i];
+        third = third + e3[i] * e3[i];
     }
     if (!(fifth > 0)) return fifth; /* no error at all, or not finite */
     return real_magnitude(h) * fifth / real_root((fifth + third / 100) * n);
