@@ -88,31 +88,32 @@ static inline jet formula_binary(int code, int constant, jet a, jet b) {
     }
 }
 
-/* A compiled formula with its derivatives at t. The compiler has bounded its stack. */
-static inline jet formula_jet(const gough_formula *f, real t) {
-    jet stack[GOUGH_FORMULA_DEPTH + 1];
-    int top = 0; /* values on the stack; the result is the first, 0 for an empty formula */
-    if (f->count == 0) return jet_constant(0);
+/* A compiled formula of one operation or more with its derivatives at t. The compiler has bounded its stack. */
+static inline jet formula_evaluate(const gough_formula *f, real t) {
+    jet below[GOUGH_FORMULA_DEPTH + 1],
+        x = jet_constant(0); /* the stack but for its top, and its top */
+    int depth = 0;
     for (int i = 0; i < f->count; i++) {
         const int code = f->operation[i].code, constant = f->operation[i].constant;
-        if (code == FORMULA_NUMBER) {
-            stack[top++] = jet_constant((real)f->operation[i].value);
-        } else if (code == FORMULA_TIME) {
-            stack[top++] = jet_time(t);
-        } else if (code == FORMULA_PI) {
-            stack[top++] = jet_constant(REAL_PI);
+        if (code < FORMULA_NEGATE) {
+            below[depth++] = x;
+            x = code == FORMULA_NUMBER ? jet_constant((real)f->operation[i].value)
+                : code == FORMULA_TIME ? jet_time(t)
+                                       : jet_constant(REAL_PI);
         } else if (code < FORMULA_ADD) {
-            jet *a = &stack[top - 1];
-            *a = formula_unary(code, *a);
-            if (constant) *a = jet_constant(a->v);
+            x = formula_unary(code, x);
+            if (constant) x = jet_constant(x.v);
         } else {
-            jet *a = &stack[top - 2];
-            *a = formula_binary(code, constant, a[0], a[1]);
-            if (constant == FORMULA_BOTH_CONSTANT) *a = jet_constant(a->v);
-            top--;
+            x = formula_binary(code, constant, below[--depth], x);
+            if (constant == FORMULA_BOTH_CONSTANT) x = jet_constant(x.v);
         }
     }
-    return stack[0];
+    return x;
+}
+
+/* an empty formula is 0 */
+KERNEL_INLINE jet formula_jet(const gough_formula *f, real t) {
+    return f->count == 0 ? jet_constant(0) : formula_evaluate(f, t);
 }
 
 /* ---- moves ---- */
