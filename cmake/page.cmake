@@ -5,10 +5,11 @@ find_program(GOUGH_PAGE_LINKER NAMES wasm-ld wasm-ld-20 wasm-ld-19 wasm-ld-18 wa
 set(GOUGH_PAGE_FOLDER ${PROJECT_BINARY_DIR}/web)
 file(MAKE_DIRECTORY ${GOUGH_PAGE_FOLDER})
 
-# The texts in double precision; web/core/live.c takes the place of src/simulate/simulate_double.c.
+# The texts in double precision; web/core/live.c takes the place of src/simulate/simulate_double.c,
+# and without wide registers nothing is made ready side by side.
 file(GLOB GOUGH_PAGE_CORE_SOURCES CONFIGURE_DEPENDS web/core/*.c
     src/kernel/*.c src/model/*.c src/dynamics/*.c src/integrate/*.c src/simulate/*.c)
-list(FILTER GOUGH_PAGE_CORE_SOURCES EXCLUDE REGEX "(_quad|_complex|simulate_double)\\.c$")
+list(FILTER GOUGH_PAGE_CORE_SOURCES EXCLUDE REGEX "(_quad|_complex|simulate_double|ahead[^/]*)\\.c$")
 file(GLOB GOUGH_PAGE_CORE_HEADERS CONFIGURE_DEPENDS web/core/*.h include/gough/*.h
     src/kernel/*.h src/model/*.h src/dynamics/*.h src/integrate/*.h src/simulate/*.h)
 

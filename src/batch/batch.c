@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "batch/width.h"
+#include "simulate/ahead.h"
 #include "simulate/simulate.h"
 
 /* groups that a thread walks together; steps of a block; records of its tape: at most 18 stages a step */
@@ -17,13 +18,7 @@ gough_batch_options gough_batch_options_default(void) {
     return (gough_batch_options){.lanes = 0, .threads = 0, .progress = NULL, .context = NULL};
 }
 
-int gough_batch_lanes(void) {
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return 8;
-    if (__builtin_cpu_supports("avx2")) return 4;
-#endif
-    return 2;
-}
+int gough_batch_lanes(void) { return ahead_lanes(); }
 
 static const struct batch_width *width_of(int lanes) {
     switch (lanes) {

@@ -43,37 +43,69 @@ static inline void coordinates_of_shift(const hexapod *h, vector about, const ve
     x[0].q = h->axes;
 }
 
-/* Coordinates of the load for a motion of the point `about`, as displacement from home: x[0], rates x[1], accelerations x[2].
- * The jets are evaluated once and broadcast to every lane. */
-static inline void coordinates_of_motion(const hexapod *h, double height, const double about[3],
-                                         const jet component[GOUGH_COMPONENTS], coordinates x[3]) {
-    const vector point = vector_of(about);
+/* What the jets of the six components say: the displacement of the point `about` and the axes of the top frame, each with two
+ * derivatives. The axes are left out where no angle moves. */
+typedef struct {
     vector where[3];
+    triad axes[3];
+    int still;
+} displacement;
+
+/* whether no angle moves, and R otherwise */
+static inline int displacement_turn(const jet component[GOUGH_COMPONENTS], jet R[3][3]) {
+    if (jet_still(component[GOUGH_ROLL]) && jet_still(component[GOUGH_PITCH]) &&
+        jet_still(component[GOUGH_YAW])) {
+        return 1;
+    }
+    rotation_jets(component[GOUGH_ROLL], component[GOUGH_PITCH], component[GOUGH_YAW], R);
+    return 0;
+}
+
+/* the same in every lane */
+static inline void displacement_of(const jet component[GOUGH_COMPONENTS], displacement *d) {
     jet R[3][3];
 
     for (int order = 0; order < 3; order++) {
-        where[order] = (vector){number_of_real(jet_order(component[GOUGH_SURGE], order)),
-                                number_of_real(jet_order(component[GOUGH_SWAY], order)),
-                                number_of_real(jet_order(component[GOUGH_HEAVE], order))};
+        d->where[order] = (vector){number_of_real(jet_order(component[GOUGH_SURGE], order)),
+                                   number_of_real(jet_order(component[GOUGH_SWAY], order)),
+                                   number_of_real(jet_order(component[GOUGH_HEAVE], order))};
     }
-    where[0] = add(where[0], point);
-    where[0].z = where[0].z + number_of(height);
-    if (jet_still(component[GOUGH_ROLL]) && jet_still(component[GOUGH_PITCH]) &&
-        jet_still(component[GOUGH_YAW])) {
-        coordinates_of_shift(h, point, where, x);
-        return;
-    }
-
-    rotation_jets(component[GOUGH_ROLL], component[GOUGH_PITCH], component[GOUGH_YAW], R);
-    for (int order = 0; order < 3; order++) {
+    d->still = displacement_turn(component, R);
+    for (int order = 0; order < 3 && !d->still; order++) {
         number m[3][3];
         for (int r = 0; r < 3; r++) {
             for (int c = 0; c < 3; c++) m[r][c] = number_of_real(jet_order(R[r][c], order));
         }
-        const triad axes = {
+        d->axes[order] = (triad){
             {m[0][0], m[1][0], m[2][0]}, {m[0][1], m[1][1], m[2][1]}, {m[0][2], m[1][2], m[2][2]}};
-        x[order] = coordinates_of_top(h, point, where[order], &axes);
     }
+}
+
+/* Coordinates of the load for a displacement from home: x[0], rates x[1], accelerations x[2] */
+static inline void coordinates_of_displacement(const hexapod *h, double height,
+                                               const double about[3], const displacement *d,
+                                               coordinates x[3]) {
+    const vector point = vector_of(about);
+    vector where[3] = {d->where[0], d->where[1], d->where[2]};
+
+    where[0] = add(where[0], point);
+    where[0].z = where[0].z + number_of(height);
+    if (d->still) {
+        coordinates_of_shift(h, point, where, x);
+        return;
+    }
+    for (int order = 0; order < 3; order++) {
+        x[order] = coordinates_of_top(h, point, where[order], &d->axes[order]);
+    }
+}
+
+/* The same from the jets, evaluated once and broadcast to every lane. */
+static inline void coordinates_of_motion(const hexapod *h, double height, const double about[3],
+                                         const jet component[GOUGH_COMPONENTS], coordinates x[3]) {
+    displacement d;
+
+    displacement_of(component, &d);
+    coordinates_of_displacement(h, height, about, &d, x);
 }
 
 static inline void program_at(const hexapod *h, double height, const gough_motion *motion, real t,

@@ -49,7 +49,7 @@ static inline void hexapod_setup(hexapod *h, const double base[LEGS][3], const d
 
 /* (legs-1), (legs-2), (legs-3): ℓ = ρ + x i + y j + z k − b, l = |ℓ|, n = ℓ/l. All legs go through each step together: roots
  * and quotients take long, and six at a time hide it */
-static inline void legs_at(const hexapod *h, const coordinates *x, legs *g) {
+KERNEL_INLINE void legs_at(const hexapod *h, const coordinates *x, legs *g) {
     vector l[LEGS];
     number square[LEGS], inverse[LEGS];
 

@@ -6,6 +6,7 @@
 #include "integrate/dop853.h"
 #include "integrate/rk4.h"
 #include "simulate/ends.h"
+#include "simulate/lookahead.h"
 #include "simulate/row.h"
 #include "simulate/simulate.h"
 
@@ -30,6 +31,7 @@ typedef struct {
     number y0[STATE], rate0[STATE], raw[STATE], rate[STATE];
     dop853 *dense;
     int prepared;
+    lookahead *ahead; /* stages made ready, or NULL */
 
     /* the end of the step, and how far from trouble its beginning was */
     instant now;
@@ -98,7 +100,7 @@ static inline gough_status drive_stop(drive *d, gough_cause cause, real t, const
 /* sends the row that is due, from a state; GOUGH_OK to go on */
 static inline gough_status drive_row(drive *d, const number *y) {
     const real t = (real)d->row * (real)d->r.options->output_step;
-    const stage *s = run_stage(&d->r, t);
+    const stage *s = run_whole_stage(&d->r, t);
     real value[GOUGH_COLUMNS];
     instant m;
 
@@ -130,17 +132,21 @@ static inline void drive_inside(const drive *d, real theta, number *y) {
     drive_project(d, y);
 }
 
-static inline int drive_broken(drive *d, real theta) {
-    const real t = theta < 1 ? d->t0 + theta * d->h : d->t;
+/* the margin that is gone at a point of the step, or -1; e: of the pose at its end */
+static inline int drive_broken(drive *d, real theta, const elimination *e) {
+    const real t = d->t0 + theta * d->h;
     real margin[MARGINS];
     number y[STATE];
-    instant inside;
+    instant m;
 
-    if (theta < 1) {
-        drive_inside(d, theta, y);
-        run_instant(&d->r, t, y, &inside);
+    if (!(theta < 1)) {
+        limits_margins(&d->r, run_stage(&d->r, d->t), &d->now, e->determinant, &d->side, margin);
+        return limits_broken(margin, 0, MARGINS);
     }
-    limits_margins(&d->r, run_stage(&d->r, t), theta < 1 ? &inside : &d->now, &d->side, margin);
+    drive_inside(d, theta, y);
+    run_instant(&d->r, t, y, &m);
+    limits_margins(&d->r, run_stage(&d->r, t), &m, limits_pose(&d->r, &m).determinant, &d->side,
+                   margin);
     return limits_broken(margin, 0, MARGINS);
 }
 
@@ -191,13 +197,13 @@ static inline gough_status drive_watch(drive *d, int inside, real *until) {
     for (int quarter = quarters ? 1 : 4; quarter <= 4 && broken < 0; quarter++) {
         low = high;
         high = (real)quarter / 4;
-        broken = drive_broken(d, high);
+        broken = drive_broken(d, high, &e);
     }
     if (broken >= 0) {
         drive_prepare(d);
         for (int i = 0; i < DRIVE_HALVINGS; i++) {
             const real middle = (low + high) / 2;
-            const int there = drive_broken(d, middle);
+            const int there = drive_broken(d, middle, &e);
             if (there >= 0) {
                 broken = there;
                 high = middle;
@@ -210,7 +216,7 @@ static inline gough_status drive_watch(drive *d, int inside, real *until) {
         return GOUGH_ERROR_NUMERICAL;
     }
     drive_remember(d, &e);
-    if (limits_nearly_singular(&d->r, run_stage(&d->r, d->t), &d->now)) {
+    if (limits_nearly_singular(&d->r, d->t, &d->now, &e)) {
         limits_say_singular(0, (double)d->t, d->end);
         return GOUGH_ERROR_NUMERICAL;
     }
@@ -233,13 +239,13 @@ static inline gough_status drive_begin(drive *d) {
     d->side = limits_begin(&d->r, run_stage(&d->r, 0), &d->now);
     e = limits_pose(&d->r, &d->now);
     drive_remember(d, &e);
-    if (limits_nearly_singular(&d->r, run_stage(&d->r, 0), &d->now)) {
+    if (limits_nearly_singular(&d->r, 0, &d->now, &e)) {
         limits_say_singular(0, 0, d->end);
         return GOUGH_ERROR_NUMERICAL;
     }
     status = drive_row(d, d->y);
     if (status != GOUGH_OK) return status;
-    limits_margins(&d->r, run_stage(&d->r, 0), &d->now, &d->side, margin);
+    limits_margins(&d->r, run_stage(&d->r, 0), &d->now, e.determinant, &d->side, margin);
     broken = limits_broken(margin, 0, MARGINS);
     if (broken < 0) return GOUGH_OK;
     limits_end(&d->r, broken, 0, d->end);
@@ -366,6 +372,16 @@ static inline real drive_first_step(drive *d, const real *size, real tolerance, 
     return other > longest || !real_finite(other) ? longest : other;
 }
 
+/* makes the stages of the step from t0 ready */
+static inline void drive_look_ahead(drive *d) {
+    if (d->ahead == NULL) return;
+    lookahead_clear(d->ahead);
+    for (int row = 1; row < DOP853_STAGES; row++) {
+        lookahead_announce(d->ahead, d->t0 + dop853_c[row] * d->h);
+    }
+    lookahead_ready(d->ahead);
+}
+
 /* adaptive dop853 */
 static inline gough_status drive_adaptive(drive *d) {
     const gough_machine *machine = d->r.lane[0].machine;
@@ -403,6 +419,7 @@ static inline gough_status drive_adaptive(drive *d) {
         d->t0 = d->t;
         d->h = step;
         d->prepared = 0;
+        drive_look_ahead(d);
         dop853_step(&work, run_rates, &d->r, STATE, d->t0, step, d->y0, d->raw);
         error = dop853_error(&work, STATE, step, d->y0, d->raw, size, tolerance);
         factor = dop853_factor(error);
@@ -490,14 +507,18 @@ static inline void drive_open(drive *d, const simulate_parts *parts,
     d->rows = (long long)floor(options->duration / options->output_step + 1e-9) + 1;
     d->dense = NULL;
     d->prepared = 0;
+    d->ahead = NULL;
 }
 
 static inline gough_status drive_run(const simulate_parts *parts, const gough_simulation *options,
                                      gough_sink sink, void *context, gough_end *end) {
     gough_status status;
+    lookahead ahead;
     drive d;
 
     drive_open(&d, parts, options, sink, context, end);
+    d.ahead = &ahead;
+    lookahead_begin(d.ahead, &d.r);
     drive_start(&d);
     status = drive_begin(&d);
     if (status == GOUGH_OK) {

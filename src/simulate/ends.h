@@ -34,10 +34,10 @@ static inline limits_side limits_begin(const run *r, const stage *s, const insta
 }
 
 /* all margins; for scalar number types, whose reals are numbers */
-static inline void limits_margins(const run *r, const stage *s, const instant *m,
+static inline void limits_margins(const run *r, const stage *s, const instant *m, real determinant,
                                   const limits_side *side, real margin[MARGINS]) {
     limits_legs(r, m, margin);
-    margin[MARGIN_POSE] = side->pose * limits_pose(r, m).determinant;
+    margin[MARGIN_POSE] = side->pose * determinant;
     margin[MARGIN_PROGRAM] = side->program * s->singularity.determinant;
 }
 
@@ -49,16 +49,18 @@ static inline int limits_broken(const real margin[MARGINS], int from, int to) {
     return -1;
 }
 
-/* whether the pose, or the pose of a program whose forces are asked for, is nearly singular */
-static inline int limits_nearly_singular(const run *r, const stage *s, const instant *m) {
+/* whether the pose at t, or the pose of a program whose forces are asked for, is nearly singular */
+static inline int limits_nearly_singular(run *r, real t, const instant *m,
+                                         const elimination *pose) {
     const real worst = greatest_condition;
 
-    if (limits_pose(r, m).pivot_ratio < (real)suspicious_pivots &&
+    if (pose->pivot_ratio < (real)suspicious_pivots &&
         !(legs_condition(&r->h, &m->x, &m->g) <= worst)) {
         return 1;
     }
-    return s->singularity.pivot_ratio < (real)suspicious_pivots &&
-           !(legs_condition(&r->h, &s->x[0], &s->program) <= worst);
+    if (!(run_stage(r, t)->singularity.pivot_ratio < (real)suspicious_pivots)) return 0;
+    const stage *s = run_whole_stage(r, t);
+    return !(legs_condition(&r->h, &s->x[0], &s->program) <= worst);
 }
 
 static inline gough_cause limits_cause(const run *r, int margin) {

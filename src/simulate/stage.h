@@ -63,6 +63,7 @@ typedef struct run {
         strongest; /* reciprocals of the legs' limits, 0 where there is none */
     void (*replay)(struct run *r, real t); /* fills `now` from what another run recorded, or NULL */
     void *tape;                            /* its context */
+    int partial; /* what is replayed lacks the program's pose and the legs' directions in it */
 
     run_noise noise;
     int limited[3]; /* some lane has a greatest length, speed, force */
@@ -128,6 +129,7 @@ static inline void run_begin(run *r, const gough_motion *motion, const gough_sim
     r->beta = number_of(options->constraints == GOUGH_BAUMGARTE ? options->baumgarte[1] : 0);
     r->replay = NULL;
     r->tape = NULL;
+    r->partial = 0;
     r->valid = 0;
     r->fault = (stage_fault){NULL, 0};
 }
@@ -257,12 +259,19 @@ static inline void run_add_noise(run *r, real t, stage *s) {
 }
 
 /* the program's motion in a stage, no forces yet */
-static inline void run_program(run *r, const jet component[GOUGH_COMPONENTS], stage *s) {
+static inline void run_displacement(run *r, const displacement *d, stage *s) {
     for (int v = 0; v < LEGS; v++) s->force[v] = number_of(0);
     s->singularity = (elimination){number_of(1), number_of(1)};
-    coordinates_of_motion(&r->h, r->height, r->motion->about, component, s->x);
+    coordinates_of_displacement(&r->h, r->height, r->motion->about, d, s->x);
     legs_at(&r->h, &s->x[0], &s->program);
     legs_rates(&r->h, &s->x[1], &s->program);
+}
+
+static inline void run_program(run *r, const jet component[GOUGH_COMPONENTS], stage *s) {
+    displacement d;
+
+    displacement_of(component, &d);
+    run_displacement(r, &d, s);
 }
 
 static inline number run_vertical(run *r, real t) {
@@ -291,6 +300,16 @@ static inline const stage *run_stage(run *r, real t) {
     r->time = t;
     r->valid = 1;
     return &r->now;
+}
+
+/* the same with all that rows and singular poses are read from, where what is replayed lacks it */
+static inline const stage *run_whole_stage(run *r, real t) {
+    const stage *s = run_stage(r, t);
+
+    if (!r->partial) return s;
+    run_evaluate(r, t, &r->now);
+    r->partial = 0;
+    return s;
 }
 
 /* (law-1), with the disturbances of the legs */

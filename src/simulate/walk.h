@@ -34,7 +34,8 @@ static inline void walk_at(walk *a, real t, instant *m) {
 
 static inline void walk_margins(walk *a, real t, instant *m, real margin[MARGINS]) {
     walk_at(a, t, m);
-    limits_margins(&a->r, run_stage(&a->r, t), m, &a->side, margin);
+    limits_margins(&a->r, run_stage(&a->r, t), m, limits_pose(&a->r, m).determinant, &a->side,
+                   margin);
 }
 
 /* when margin e passes its end between `low` and `high`, which differ in it */
@@ -110,7 +111,8 @@ static inline real walk_near_root(walk *a, real low, real high) {
     for (int i = 0; i < WALK_HALVINGS; i++) {
         const real middle = (low + high) / 2;
         walk_at(a, middle, &m);
-        if (limits_nearly_singular(&a->r, run_stage(&a->r, middle), &m)) {
+        const elimination e = limits_pose(&a->r, &m);
+        if (limits_nearly_singular(&a->r, middle, &m, &e)) {
             high = middle;
         } else {
             low = middle;
@@ -122,7 +124,7 @@ static inline real walk_near_root(walk *a, real low, real high) {
 /* singular, no length, not finite at t: what `forces` cannot go past */
 static inline gough_status walk_hard(walk *a, real before, real t, const instant *m,
                                      const real margin[MARGINS]) {
-    const stage *s = run_stage(&a->r, t);
+    const elimination e = limits_pose(&a->r, m);
     const double nothing = leg_no_length * a->r.lane[0].machine->base_radius;
 
     if (a->r.fault.what) return limits_fault(&a->r, a->end);
@@ -137,7 +139,7 @@ static inline gough_status walk_hard(walk *a, real before, real t, const instant
         limits_say_singular(1, (double)root, a->end);
         return GOUGH_ERROR_NUMERICAL;
     }
-    if (limits_nearly_singular(&a->r, s, m)) {
+    if (limits_nearly_singular(&a->r, t, m, &e)) {
         limits_say_singular(1, (double)(t > before ? walk_near_root(a, before, t) : t), a->end);
         return GOUGH_ERROR_NUMERICAL;
     }

@@ -1,0 +1,89 @@
+/* Stages of the program side by side, a time in each lane. Text over lanes. */
+#ifndef GOUGH_SIMULATE_AHEAD_TEXT_H
+#define GOUGH_SIMULATE_AHEAD_TEXT_H
+
+#include <string.h>
+
+#include "simulate/ahead.h"
+#include "simulate/stage.h"
+
+_Static_assert(sizeof(run) <= AHEAD_ROOM, "room for the lanes' own memory");
+
+static inline void ahead_begin(void *room, const gough_motion *motion, const gough_machine *machine,
+                               const gough_control *control, const gough_disturbance *disturbance) {
+    static const gough_simulation unused = {.constraints = GOUGH_NONE};
+    run_lane lane[NUMBER_WIDTH];
+
+    for (int i = 0; i < NUMBER_WIDTH; i++) lane[i] = (run_lane){machine, control, disturbance, 0};
+    run_begin(room, motion, &unused, lane);
+}
+
+static inline void ahead_put_vector(vector *v, int lane, real x, real y, real z) {
+    number_put(&v->x, lane, x);
+    number_put(&v->y, lane, y);
+    number_put(&v->z, lane, z);
+}
+
+/* displacement_of() for one lane */
+static inline void ahead_put(displacement *d, int lane, const jet component[GOUGH_COMPONENTS]) {
+    jet R[3][3];
+
+    d->still = displacement_turn(component, R);
+    for (int order = 0; order < 3; order++) {
+        ahead_put_vector(&d->where[order], lane, jet_order(component[GOUGH_SURGE], order),
+                         jet_order(component[GOUGH_SWAY], order),
+                         jet_order(component[GOUGH_HEAVE], order));
+        if (d->still) continue;
+        vector *axis[3] = {&d->axes[order].i, &d->axes[order].j, &d->axes[order].k};
+        for (int c = 0; c < 3; c++) {
+            ahead_put_vector(axis[c], lane, jet_order(R[0][c], order), jet_order(R[1][c], order),
+                             jet_order(R[2][c], order));
+        }
+    }
+}
+
+static inline void ahead_keep(double *where, number x, int count) {
+    memcpy(where, &x, (size_t)count * sizeof *where);
+}
+
+static inline int ahead_fill(void *room, ahead_block *b, int first) {
+    const int left = b->count - first, count = left < NUMBER_WIDTH ? left : NUMBER_WIDTH;
+    jet component[GOUGH_COMPONENTS];
+    run *r = room;
+    displacement d;
+    number vertical = number_of(0);
+    int still = 0;
+    stage s;
+
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        const int at = first + (i < count ? i : count - 1);
+        const real t = b->time[at];
+        if (i < count) {
+            r->fault.what = NULL;
+            run_components(r, t, component);
+            b->fault[at] = r->fault.what;
+        }
+        ahead_put(&d, i, component);
+        still += d.still;
+        if (!r->share) continue;
+        number_put(&vertical, i, formula_jet(&r->lane[i].disturbance->vertical_force, t).v);
+    }
+    /* where only some of the times turn the load the equations are not the same in all lanes */
+    if (still != 0 && still != NUMBER_WIDTH) return 0;
+
+    run_displacement(r, &d, &s);
+    if (r->solves) run_program_forces(r, vertical, &s);
+    for (int v = 0; v < LEGS; v++) {
+        ahead_keep(&b->force[v][first], s.force[v], count);
+        ahead_keep(&b->length[v][first], s.program.length[v], count);
+        ahead_keep(&b->rate[v][first], s.program.rate[v], count);
+    }
+    ahead_keep(&b->determinant[first], s.singularity.determinant, count);
+    ahead_keep(&b->pivot_ratio[first], s.singularity.pivot_ratio, count);
+    return 1;
+}
+
+#define AHEAD_WIDTH                                                                                \
+    { NUMBER_WIDTH, ahead_begin, ahead_fill }
+
+#endif
