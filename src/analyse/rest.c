@@ -180,12 +180,10 @@ static bool damped(const at_rest *r, linear_matrix A, double complex value[GOUGH
     return isfinite(largest);
 }
 
-/* by falling growth rate, then by rising frequency, of two opposite ones the positive first */
+/* by falling growth rate, then by rising frequency; opposite ones stay as they come, the positive first, next to each other */
 static bool comes_before(double complex a, double complex b) {
     if (creal(a) > creal(b) || creal(a) < creal(b)) return creal(a) > creal(b);
-    if (fabs(cimag(a)) < fabs(cimag(b)) || fabs(cimag(a)) > fabs(cimag(b)))
-        return fabs(cimag(a)) < fabs(cimag(b));
-    return cimag(a) > cimag(b);
+    return fabs(cimag(a)) < fabs(cimag(b));
 }
 
 static void list_eigenvalues(const gough_machine *machine, double complex value[GOUGH_LINEAR],
