@@ -63,8 +63,8 @@ typedef struct gough_rest {
     double
         trace; /**< of the translational part of K_geo: < 0 tells that without feedback some mode grows */
     double trace_theorem; /**< −2Mg/h of (stab-5), NaN where joints are not in two level planes */
-    gough_eigenvalue
-        eigenvalue[GOUGH_LINEAR]; /**< by falling growth rate, then by rising frequency */
+    gough_eigenvalue eigenvalue
+        [GOUGH_LINEAR]; /**< by falling growth rate, then by rising frequency, of a pair ±ω the positive first */
     gough_threshold threshold[6]; /**< by falling stiffness */
     bool
         stable; /**< no growth rate over 1e-7 in units of √(g/R_b) (or, without gravity, as it is) */
@@ -72,9 +72,13 @@ typedef struct gough_rest {
 } gough_rest;
 
 /** The loop at rest in a pose.
- *  @param component  surge … yaw from home, radians; NULL: home
- *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL: singular pose, or no equilibrium found without feed-forward (the sentence says
- *  from which pose it was sought). Allocates nothing. Thread-safe. */
+ *
+ *  Without feed-forward the equilibrium is what the pose asked for becomes as the load comes on, (stab-14). Without damping
+ *  eigenvalues are exactly real or imaginary, (stab-15).
+ *  @param component  surge … yaw from home of the point `about` of the motion, radians; NULL: home
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: a component not finite; GOUGH_ERROR_NUMERICAL: singular pose, or no equilibrium found
+ *  without feed-forward (the sentence says from which pose it was sought); @p rest is then not to be used. Allocates nothing.
+ *  Thread-safe. */
 GOUGH_API gough_status gough_stability_at_rest(const gough_model *model,
                                                const double component[GOUGH_COMPONENTS],
                                                gough_rest *rest, gough_error *error);
@@ -111,7 +115,7 @@ typedef struct gough_floquet {
     gough_multiplier multiplier[GOUGH_LINEAR];    /**< by falling magnitude */
     double growth;                                /**< largest |μ|: growth per period */
     double determinant;                           /**< of the monodromy matrix */
-    double determinant_defect; /**< |det − 1|, where D = 0; else NaN: |det − exp ∫tr| */
+    double determinant_defect; /**< |det − 1| where D = 0, else |det / exp ∫tr A − 1|, Liouville's formula */
     double pair_defect; /**< largest |μ μ' − 1| over reciprocal pairs, where D = 0; else NaN */
     bool stable;        /**< no |μ| over 1 + 1e-7 */
     size_t steps;       /**< taken in the period */

@@ -2,7 +2,6 @@
  * machine. */
 #include <stdio.h>
 
-#include "analyse/mode.h"
 #include "gough/analyse.h"
 #include "support/machines.h"
 #include "support/suite.h"
@@ -298,65 +297,6 @@ END_TEST
 
 /* ---- modes ----------------------------------------------------------------------------------------------------- */
 
-START_TEST(modes_are_named_by_what_moves) {
-    static const struct {
-        double complex shape[6];
-        const char *name;
-    } modes[] = {
-        {{1}, "sway"},
-        {{0, -3}, "sway"},
-        {{0, 0, 1e-200}, "heave"},
-        {{0, 0, 0, 1e200}, "tilt"},
-        {{0, 0, 0, 0, -1}, "tilt"},
-        {{0, 0, 0, 0, 0, 2}, "yaw"},
-        {{1, 0, 0, 0, 1}, "sway–tilt"},
-        {{0, 0, 1, 0, 0, 1}, "heave–yaw"},
-        {{1, 1, 1, 1, 1, 1}, "sway–heave–tilt–yaw"},
-        {{0, 0, 1, 0.05}, "heave"}, /* 0.08 · 0.0025 of it */
-        {{0, 0, 1, 0.2}, "heave–tilt"},
-        {{0}, "none"},
-        {{(double complex)NAN, 1}, "none"},
-        {{(double complex)INFINITY, 1}, "none"},
-    };
-    gough_machine machine;
-    gough_mode mode;
-
-    paper_machine(&machine);
-    for (size_t i = 0; i < sizeof modes / sizeof modes[0]; i++) {
-        mode_of(&machine, modes[i].shape, &mode);
-        ck_assert_msg(strcmp(mode.name, modes[i].name) == 0, "%zu: %s, not %s", i, mode.name,
-                      modes[i].name);
-        if (strcmp(mode.name, "none") == 0) continue;
-        near(mode.share[0] + mode.share[1] + mode.share[2] + mode.share[3], 1, 1e-15, "shares", 0);
-    }
-    skew_machine(&machine); /* of mass 1.3 and J_x = 0.11 */
-    mode_of(&machine, (const double complex[6]){0, 0, I, 1}, &mode);
-    near(mode.share[1], 1.3 / 1.41, 1e-15, "heave", 0);
-    near(mode.share[2], 0.11 / 1.41, 1e-15, "tilt", 0);
-}
-END_TEST
-
-/* the largest share made real and positive, whatever factor the shape comes with */
-START_TEST(size_and_phase_of_a_shape_do_not_matter) {
-    const double complex shape[6] = {0.1, 0.3 * I, 2 - I, 0.5, 0, 0.01 * I};
-    gough_machine machine;
-    gough_mode one, other;
-
-    skew_machine(&machine);
-    mode_of(&machine, shape, &one);
-    ck_assert(fabs(one.shape[2][0] - 1) <= 0 && fabs(one.shape[2][1]) <= 0);
-    for (int k = 0; k < 20; k++) {
-        double complex turned[6];
-        for (int a = 0; a < 6; a++) turned[a] = 1e3 * cexp(I * (double)k) * shape[a];
-        mode_of(&machine, turned, &other);
-        for (int a = 0; a < 6; a++) {
-            near(other.shape[a][0], one.shape[a][0], 1e-15, "shape", a);
-            near(other.shape[a][1], one.shape[a][1], 1e-15, "shape", a);
-        }
-    }
-}
-END_TEST
-
 /* of each pair of sway–tilt modes one moves surge and pitch alone, the other sway and roll */
 static void clean(const gough_mode *mode, int *pairs) {
     const double tolerance = 1e-9;
@@ -609,8 +549,7 @@ int main(void) {
     return SUITE_RUN(
         "rest", 60, stiffness_is_that_of_the_closed_forms, thresholds_are_those_of_the_closed_forms,
         eigenvalues_are_those_of_the_closed_forms,
-        damped_heave_and_yaw_are_those_of_the_closed_forms, modes_are_named_by_what_moves,
-        size_and_phase_of_a_shape_do_not_matter, equal_modes_are_told_apart,
+        damped_heave_and_yaw_are_those_of_the_closed_forms, equal_modes_are_told_apart,
         trace_theorem_holds_for_any_joints_in_two_planes,
         stiffness_of_any_machine_is_symmetric_and_linear_in_the_gain,
         nothing_moves_without_gravity_and_springs, free_freedoms_do_not_grow_by_rounding,
