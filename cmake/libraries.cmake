@@ -11,14 +11,18 @@ file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS src/study/*.c src/result/*.c src
 
 # What steps is worth more of the compiler's time; the bits stay.
 set_source_files_properties(src/batch/batch_double.c src/batch/batch_lanes_2.c src/simulate/simulate_double.c
+    src/analyse/analyse_double.c src/analyse/analyse_lanes_2.c
     PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 
 # Lanes of 4 and 8 have the instructions they need, in files of their own; which of them runs is chosen by the processor.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    set_source_files_properties(src/batch/batch_lanes_4.c PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx2")
-    set_source_files_properties(src/batch/batch_lanes_8.c PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx512f;-mavx512dq;-mavx512vl")
+    set_source_files_properties(src/batch/batch_lanes_4.c src/analyse/analyse_lanes_4.c
+        PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx2")
+    set_source_files_properties(src/batch/batch_lanes_8.c src/analyse/analyse_lanes_8.c
+        PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx512f;-mavx512dq;-mavx512vl")
 else()
     list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "batch_lanes_[48]\\.c$")
+    list(FILTER GOUGH_ANALYSE_SOURCES EXCLUDE REGEX "analyse_lanes_[48]\\.c$")
 endif()
 
 # The same for stages made ready side by side.

@@ -82,7 +82,8 @@ typedef struct gough_interval {
     double growth;            /**< growth per period there, NaN at rest */
     double rate;              /**< growth rate there */
     gough_interval_kind kind; /**< why */
-    gough_mode mode;          /**< what moves there, at the beginning of the period */
+    int modes; /**< how many do so alike: 2 where a symmetric machine sways in two directions */
+    gough_mode mode; /**< what moves there, at the beginning of the period */
 } gough_interval;
 
 /** One row: a value of the second axis. */

@@ -1,0 +1,272 @@
+/* The stability map for callers: axes, checks, threads. Each thread takes row after row. Theory: docs/theory/floquet.md. */
+#define _GNU_SOURCE
+#include "gough/map.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "analyse/map_row.h"
+#include "gough/batch.h"
+
+enum { MOST_THREADS = 256, MOST_REFINE = 64 };
+
+static const double most_points = 2147483648.0;
+
+gough_map_options gough_map_options_default(void) {
+    return (gough_map_options){.axis = GOUGH_MAP_NONE, .intervals = 64};
+}
+
+const char *gough_interval_kind_name(gough_interval_kind kind) {
+    static const char *const name[] = {"static", "resonance +1", "resonance -1", "combination"};
+
+    return name[kind];
+}
+
+double gough_map_value(const gough_map_range *range, size_t i) {
+    const double part = range->count > 1 ? (double)i / (double)(range->count - 1) : 0;
+
+    if (i == 0) return range->from;
+    if (i + 1 >= range->count) return range->to;
+    if (range->logarithmic) return range->from * pow(range->to / range->from, part);
+    return range->from + part * (range->to - range->from);
+}
+
+size_t gough_map_rows(const gough_map_options *options) {
+    return options->axis == GOUGH_MAP_NONE ? 1 : options->second.count;
+}
+
+/* ---- checks ---- */
+
+static gough_status check_range(const gough_map_range *range, const char *what, bool positive,
+                                gough_error *error) {
+    if (range->count < 1) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the %s of the map has no values: its count is 0", what);
+    }
+    if (!isfinite(range->from) || !isfinite(range->to) || range->from < 0 ||
+        ((positive || range->logarithmic) && !(range->from > 0))) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the %s of the map runs from %.9g to %.9g; it must be finite and %s",
+                          what, range->from, range->to,
+                          positive || range->logarithmic ? "above 0" : "not below 0");
+    }
+    if (range->count > 1 && !(range->to > range->from)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the %s of the map runs from %.9g to %.9g; its end must be above its "
+                          "beginning",
+                          what, range->from, range->to);
+    }
+    return GOUGH_OK;
+}
+
+static const struct analyse_width *width_of(int lanes) {
+    switch (lanes) {
+    case 1:
+        return &analyse_width_1;
+    case 2:
+        return &analyse_width_2;
+#if defined(__x86_64__)
+    case 4:
+        return &analyse_width_4;
+    case 8:
+        return &analyse_width_8;
+#endif
+    default:
+        return NULL;
+    }
+}
+
+static int threads_of(const gough_map_options *options) {
+    const size_t rows = gough_map_rows(options);
+    int threads = options->threads;
+
+    if (threads <= 0) {
+        cpu_set_t set;
+        threads = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+    }
+    threads = threads < 1 ? 1 : threads > MOST_THREADS ? MOST_THREADS : threads;
+    return (size_t)threads < rows ? threads : (int)rows;
+}
+
+/* the options with their defaults filled in */
+static gough_status check(const gough_map_options *given, gough_map_options *o,
+                          gough_error *error) {
+    static const char *const second[] = {"", "amplitude", "frequency", "damping"};
+    const int widest = gough_batch_lanes();
+    gough_status status;
+
+    *o = *given;
+    if (o->accuracy <= 0) o->accuracy = 1e-9;
+    if (o->resolution <= 0) o->resolution = 1e-6;
+    if (o->lanes == 0) o->lanes = widest;
+    if (o->stiffness.count == 1) o->stiffness.to = o->stiffness.from;
+    if (width_of(o->lanes) == NULL || o->lanes > widest) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%d lanes: this processor runs 1%s%s or %d side by side", o->lanes,
+                          widest > 2 ? ", 2" : "", widest > 4 ? ", 4" : "", widest);
+    }
+    status = check_range(&o->stiffness, "stiffness", false, error);
+    if (status == GOUGH_OK && o->axis != GOUGH_MAP_NONE)
+        status = check_range(&o->second, second[o->axis], o->axis == GOUGH_MAP_FREQUENCY, error);
+    if (status != GOUGH_OK) return status;
+    if (!(o->stiffness.to > 0))
+        return gough_fail(error, GOUGH_ERROR_INPUT, "the stiffness of the map must reach above 0");
+    if ((double)o->stiffness.count * (double)gough_map_rows(o) > most_points) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "a map of %zu × %zu points is more than %.0f: choose fewer",
+                          o->stiffness.count, gough_map_rows(o), most_points);
+    }
+    return GOUGH_OK;
+}
+
+/* ---- the work ---- */
+
+typedef struct {
+    map_job job;
+    size_t rows;
+    atomic_size_t next;
+    atomic_int stopped;
+    pthread_mutex_t lock;
+    double done;
+} work;
+
+typedef struct {
+    work *work;
+    map_worker *worker;
+} hand;
+
+static int report(const map_job *job, double part) {
+    work *w = job->context;
+
+    pthread_mutex_lock(&w->lock);
+    w->done += part;
+    if (job->options->progress &&
+        job->options->progress(job->options->context, fmin(w->done / (double)w->rows, 1))) {
+        atomic_store(&w->stopped, 1);
+    }
+    pthread_mutex_unlock(&w->lock);
+    return atomic_load(&w->stopped);
+}
+
+static void *work_on(void *context) {
+    const hand *self = context;
+    work *w = self->work;
+
+    while (!atomic_load(&w->stopped)) {
+        const size_t row = atomic_fetch_add(&w->next, 1);
+        if (row >= w->rows) break;
+        map_row_find(self->worker, row);
+    }
+    return NULL;
+}
+
+static gough_status run_threads(work *w, int threads, char *memory, gough_error *error) {
+    const size_t room = map_worker_size(&w->job);
+    pthread_t thread[MOST_THREADS];
+    hand hands[MOST_THREADS];
+    int started = 1;
+
+    for (int i = 0; i < threads; i++)
+        hands[i] = (hand){w, map_worker_begin(&w->job, memory + (size_t)i * room)};
+    while (started < threads &&
+           pthread_create(&thread[started], NULL, work_on, &hands[started]) == 0) {
+        started++;
+    }
+    work_on(&hands[0]); /* the caller's own thread works too, alone if need be */
+    for (int i = 1; i < started; i++) pthread_join(thread[i], NULL);
+    if (!atomic_load(&w->stopped)) return GOUGH_OK;
+    return gough_fail(error, GOUGH_ERROR_NUMERICAL, "the map was stopped after %.0f %% of it",
+                      100 * w->done / (double)w->rows);
+}
+
+/* ---- before the work ---- */
+
+/* rows whose program runs and whose forces are fed forward: those that need tables */
+static bool has_tables(const map_worker *w) {
+    return !w->period.resting && w->model.control.feedforward;
+}
+
+/* (floquet-24): the steps of all rows are made finer until those of the first, the middle and the last row suffice */
+static gough_status choose_steps(map_job *job, map_worker *w, gough_error *error) {
+    const size_t rows = gough_map_rows(job->options);
+
+    job->refine = 1;
+    for (int look = 0; look < 3; look++) {
+        const size_t row = (rows - 1) * (size_t)look / 2;
+        double change;
+        if (map_row_begin(w, row, NULL) != GOUGH_OK || !has_tables(w)) continue;
+        for (;; job->refine *= 2) {
+            if (map_row_accuracy(w, job->refine, &change, NULL) != GOUGH_OK) break;
+            if (change <= job->options->accuracy) break;
+            if (job->refine < MOST_REFINE) continue;
+            return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                              "with %zu steps in a period the multipliers are still good to %.1g "
+                              "only: the program is too rough, or too little accuracy is left",
+                              w->d.parts * w->d.steps * job->refine, change);
+        }
+    }
+    return GOUGH_OK;
+}
+
+/* the most parts that any row takes; `probe` is a worker without tables */
+static size_t most_parts(map_worker *probe, size_t rows) {
+    size_t parts = 1;
+
+    for (size_t row = 0; row < rows; row++) {
+        if (map_row_begin(probe, row, NULL) != GOUGH_OK || !has_tables(probe)) continue;
+        if (probe->d.parts > parts) parts = probe->d.parts;
+    }
+    return parts;
+}
+
+static gough_status prepare(const gough_model *model, const gough_map_options *given,
+                            gough_map_options *o, map_job *job, gough_error *error) {
+    const gough_status status = check(given, o, error);
+    map_worker probe;
+
+    if (status != GOUGH_OK) return status;
+    memset(job, 0, sizeof *job);
+    job->model = model;
+    job->options = o;
+    job->width = width_of(o->lanes);
+    probe.job = job;
+    job->parts = most_parts(&probe, gough_map_rows(o));
+    return GOUGH_OK;
+}
+
+gough_status gough_map_size(const gough_model *model, const gough_map_options *options,
+                            size_t *bytes, gough_error *error) {
+    gough_map_options o;
+    map_job job;
+    const gough_status status = prepare(model, options, &o, &job, error);
+
+    *bytes = status == GOUGH_OK ? (size_t)threads_of(&o) * map_worker_size(&job) : 0;
+    return status;
+}
+
+gough_status gough_map_find(const gough_model *model, const gough_map_options *options,
+                            gough_map *map, void *memory, gough_error *error) {
+    gough_map_options o;
+    gough_status status;
+    work w;
+
+    status = prepare(model, options, &o, &w.job, error);
+    if (status != GOUGH_OK) return status;
+    w.job.map = map;
+    w.job.report = report;
+    w.job.context = &w;
+    w.rows = gough_map_rows(&o);
+    w.done = 0;
+    atomic_init(&w.next, 0);
+    atomic_init(&w.stopped, 0);
+    status = choose_steps(&w.job, map_worker_begin(&w.job, memory), error);
+    if (status != GOUGH_OK) return status;
+    pthread_mutex_init(&w.lock, NULL);
+    status = run_threads(&w, threads_of(&o), memory, error);
+    pthread_mutex_destroy(&w.lock);
+    return status;
+}
