@@ -3,8 +3,8 @@
  *  the intervals of stiffness in which a mode grows (resonance tongues, and what lies below a threshold) found whatever the grid.
  *  Theory: docs/theory/floquet.md. In lanes and threads; the same bits for any number of either. Part of libgough-analyse.
  *
- *  A row of the map is one value of the second axis; without a second axis there is one row. In a row whose program rests the map is
- *  that of rest: then growth rates only.
+ *  A row of the map is one value of the second axis; without a second axis there is one row. In a row whose program rests the
+ *  map is that of rest: then growth rates only.
  */
 #ifndef GOUGH_MAP_H
 #define GOUGH_MAP_H

@@ -9,15 +9,15 @@ enum { N = GOUGH_LINEAR, WORK = 40 * GOUGH_LINEAR };
 
 static const double pi = 3.14159265358979323846;
 
-/* Multipliers on the circle this close to each other have no vectors of their own, only a space: its form tells how many of either kind
- * they are. Errors of Φ (1e-11, say) turn vectors by their ratio to the distance. */
+/* Multipliers on the circle this close to each other have no vectors of their own, only a space: its form tells how many of
+ * either kind they are. Errors of Φ (1e-11, say) turn vectors by their ratio to the distance. */
 static const double same_place = 3e-5;
 
-/* Off the circle two equal real multipliers, of a machine that sways alike in two directions, come out as a conjugate pair by rounding, which
- * near an edge is the root of the errors of Φ: this close to the real axis a pair is taken for two real ones. */
+/* Off the circle two equal real multipliers, of a machine that sways alike in two directions, come out as a conjugate pair by
+ * rounding, which near an edge is the root of the errors of Φ: this close to the real axis a pair is taken for two real ones. */
 static const double same_real = 3e-5;
 
-/* what rounding leaves of multipliers when others are larger, as a part of them; beyond the second value phases are not worth having */
+/* what rounding leaves of multipliers when others are larger, as a part of them; beyond the second value phases are worth nothing */
 static const double rounding = 1e-13, coarse = 1e-4;
 
 /* ---- the form ---- */

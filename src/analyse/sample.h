@@ -1,5 +1,5 @@
-/* What a loop with one stiffness says: the modes that grow, and, where nothing is damped, how far each mode's multiplier of the first kind
- * has turned. Theory: docs/theory/floquet.md. */
+/* What a loop with one stiffness says: the modes that grow, and, where nothing is damped, how far each mode's multiplier of the
+ * first kind has turned. Theory: docs/theory/floquet.md. */
 #ifndef GOUGH_ANALYSE_SAMPLE_H
 #define GOUGH_ANALYSE_SAMPLE_H
 

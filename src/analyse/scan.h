@@ -1,5 +1,5 @@
-/* Intervals of stiffness in which a mode grows: found between sampled stiffnesses by what changed from one to the next, refined at their
- * edges. Theory: docs/theory/floquet.md. */
+/* Intervals of stiffness in which a mode grows: found between sampled stiffnesses by what changed from one to the next,
+ * refined at their edges. Theory: docs/theory/floquet.md. */
 #ifndef GOUGH_ANALYSE_SCAN_H
 #define GOUGH_ANALYSE_SCAN_H
 
@@ -9,7 +9,8 @@
 /* an interval that is still open above */
 typedef struct {
     double from;
-    grower last;          /* as it was seen last */
+    grower last;          /* as it was seen last … */
+    double at;            /* … and where */
     double best;          /* stiffness at which it was seen to grow most … */
     double before, after; /* … between these */
     grower most;

@@ -10,8 +10,9 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Of a part: the phase of the fastest mode at the greatest stiffness, for which NODES points suffice to rounding (the terms beyond fall
- * as the Bessel function of order 2 NODES), and the logarithm of what grows without stiffness, which is rounded off from the rest. */
+/* Of a part: the phase of the fastest mode at the greatest stiffness, for which NODES points suffice to rounding (the terms
+ * beyond fall as the Bessel function of order 2 NODES), and the logarithm of what grows without stiffness, beside which the rest
+ * is rounded off. */
 static const double part_phase = 12, part_growth = 7;
 
 /* of a step: the phase of the fastest mode; and the least number of steps in a period, for the program's own harmonics */

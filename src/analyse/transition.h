@@ -1,5 +1,5 @@
-/* The loop about a periodic program over one period, for any stiffness: how it is divided into parts and steps, and what each part does
- * at the Chebyshev points of G. Theory: docs/theory/floquet.md. */
+/* The loop about a periodic program over one period, for any stiffness: how it is divided into parts and steps, and what
+ * each part does at the Chebyshev points of G. Theory: docs/theory/floquet.md. */
 #ifndef GOUGH_ANALYSE_TRANSITION_H
 #define GOUGH_ANALYSE_TRANSITION_H
 
