@@ -4,6 +4,7 @@
 #ifndef GOUGH_REPORT_H
 #define GOUGH_REPORT_H
 
+#include "gough/map.h"
 #include "gough/result.h"
 
 #ifdef __cplusplus
@@ -38,6 +39,21 @@ GOUGH_API gough_status gough_figure_draw(const gough_figure *figure,
                                          const gough_table *const *tables,
                                          const char *const *labels, size_t table_count,
                                          const char *path, gough_error *error);
+
+/** How a stability map is drawn. */
+typedef struct gough_map_figure {
+    const char *title;      /**< heading; "": none */
+    gough_units units;      /**< that the map's numbers are in, for the titles of the axes */
+    const gough_rest *rest; /**< its thresholds are drawn, in the units of the map; NULL: none */
+} gough_map_figure;
+
+/** Draws a stability map to .png, .svg or .pdf. One row: growth per period over the stiffness, and beneath it, for each mode, the
+ *  intervals in which it grows. Several: colours for growth over both axes with the edges of the intervals; rows without
+ *  values are grey. Complete or absent, the same bytes each time.
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT (extension unknown) or GOUGH_ERROR_FILE, as gough_figure_draw(). */
+GOUGH_API gough_status gough_map_draw(const gough_map_options *options, const gough_map *map,
+                                      const gough_map_figure *figure, const char *path,
+                                      gough_error *error);
 
 /** The page without data, as the build makes it from the sources in web/: one HTML text. */
 typedef struct gough_page_template {

@@ -8,16 +8,6 @@
 #include "cli/command.h"
 #include "gough/gough.h"
 
-/* until they are there */
-#pragma weak gough_motion_period
-#pragma weak gough_floquet_multipliers
-#pragma weak gough_map_size
-#pragma weak gough_map_find
-#pragma weak gough_map_options_default
-#pragma weak gough_map_value
-#pragma weak gough_map_rows
-#pragma weak gough_interval_kind_name
-
 /* Numbers are in the units of the output once stability_scale() has seen them; shapes have angles in radians. */
 typedef struct stability_report {
     const char *verb;

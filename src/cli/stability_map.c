@@ -1,8 +1,222 @@
-/* gough stability --sweep-stiffness: the stability map, its tongues, its data and its picture. */
-#include "cli/stability.h"
+/* gough stability --sweep-stiffness: the stability map, its tongues, its data and its pictures. */
+#define _GNU_SOURCE
+#include "cli/stability_map.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+/* ---- outputs ----------------------------------------------------------------------------------------------------- */
+
+static bool ends_in(const char *path, const char *const *ending, size_t count) {
+    const char *dot = strrchr(path, '.');
+    for (size_t i = 0; dot && i < count; i++)
+        if (strcasecmp(dot, ending[i]) == 0) return true;
+    return false;
+}
+
+static bool is_data(const char *path) {
+    return strcmp(path, "-") == 0 || ends_in(path, (const char *const[]){".csv", ".h5"}, 2);
+}
+
+static bool is_picture(const char *path) {
+    return ends_in(path, (const char *const[]){".png", ".svg", ".pdf"}, 3);
+}
+
+/* What can be known before the work. */
+static gough_status check_outputs(const command_line *line) {
+    for (size_t i = 0; i < line->output_count; i++) {
+        const char *path = line->outputs[i];
+        if (!is_data(path) && !is_picture(path)) {
+            complain(line->verb,
+                     "-o takes a name that ends in .csv or .h5 (data) or in .png, .svg or .pdf "
+                     "(picture), or - for CSV on standard output; '%s' does not",
+                     path);
+            return GOUGH_ERROR_INPUT;
+        }
+        if (strcmp(path, "-") != 0) {
+            const gough_status status = check_folder(line->verb, path);
+            if (status) return status;
+        } else if (line->json) {
+            complain(line->verb, "'-o -' and --json both want standard output; give -o a file");
+            return GOUGH_ERROR_INPUT;
+        }
+    }
+    return GOUGH_OK;
+}
+
+static gough_status write_outputs(const command_line *line, const map_report *report,
+                                  FILE *stream) {
+    for (size_t i = 0; i < line->output_count; i++) {
+        const char *path = line->outputs[i];
+        gough_error error = {0};
+        const gough_map_figure figure = {.title = line->figure.title ? line->figure.title
+                                                                     : report->study->title,
+                                         .units = report->units,
+                                         .rest = report->rest};
+        fflush(stdout);
+        const gough_status status =
+            is_data(path) ? map_write(report, path, &error)
+                          : gough_map_draw(&report->options, &report->map, &figure, path, &error);
+        if (status) {
+            complain(line->verb, "%s", error.message);
+            return status;
+        }
+        if (!stream || strcmp(path, "-") == 0) continue;
+        char *beside = is_data(path) ? map_tongues_path(path) : NULL;
+        fprintf(stream, "wrote %s%s%s\n", path, beside ? " and " : "", beside ? beside : "");
+        free(beside);
+    }
+    return GOUGH_OK;
+}
+
+/* ---- options ----------------------------------------------------------------------------------------------------- */
+
+static gough_map_range range_of(const axis_values *values) {
+    return (gough_map_range){values->from, values->to, values->count, values->logarithmic};
+}
+
+static gough_map_axis axis_of(int option) {
+    switch (option) {
+    case OPTION_SWEEP_AMPLITUDE:
+        return GOUGH_MAP_AMPLITUDE;
+    case OPTION_SWEEP_FREQUENCY:
+        return GOUGH_MAP_FREQUENCY;
+    case OPTION_SWEEP_DAMPING:
+        return GOUGH_MAP_DAMPING;
+    default:
+        return GOUGH_MAP_NONE;
+    }
+}
+
+static int look(void *context, double done) {
+    progress_update(context, done);
+    return 0;
+}
+
+/* The row nearest to the study as it stands: factor 1, or its own damping. */
+static size_t find_own_row(const map_report *report) {
+    const double own =
+        report->options.axis == GOUGH_MAP_DAMPING ? report->study->model->control.damping[0] : 1.0;
+    size_t nearest = 0;
+    for (size_t r = 1; r < report->rows; r++)
+        if (fabs(report->map.row[r].value - own) < fabs(report->map.row[nearest].value - own))
+            nearest = r;
+    return nearest;
+}
+
+/* ---- units ------------------------------------------------------------------------------------------------------- */
+
+static void scale_range(gough_map_range *range, double unit) {
+    range->from /= unit;
+    range->to /= unit;
+}
+
+static void scale_map(map_report *report) {
+    const gough_units *u = &report->units;
+    const double stiffness = u->mass / (u->time * u->time), damping = u->mass / u->time;
+    const bool damped = report->options.axis == GOUGH_MAP_DAMPING;
+    scale_range(&report->options.stiffness, stiffness);
+    if (damped) scale_range(&report->options.second, damping);
+    for (size_t p = 0; p < report->rows * report->options.stiffness.count; p++)
+        report->map.point[p].rate *= u->time;
+    for (size_t r = 0; r < report->rows; r++) {
+        gough_map_row *row = &report->map.row[r];
+        if (damped) row->value /= damping;
+        row->period.period /= u->time;
+        row->period.start /= u->time;
+        for (size_t i = 0; i < row->intervals; i++) {
+            gough_interval *one = &report->map.interval[r * report->options.intervals + i];
+            one->from /= stiffness;
+            one->to /= stiffness;
+            one->stiffness /= stiffness;
+            one->rate *= u->time;
+        }
+    }
+    for (int i = 0; report->rest && i < 6; i++) report->rest->threshold[i].stiffness /= stiffness;
+}
+
+/* ---- the map ----------------------------------------------------------------------------------------------------- */
+
+/* Where no row has values, the first says why. */
+static gough_status check_rows(const map_report *report, gough_error *error) {
+    for (size_t r = 0; r < report->rows; r++)
+        if (!report->map.row[r].error.status) return GOUGH_OK;
+    *error = report->map.row[0].error;
+    return error->status;
+}
+
+static gough_status find(const command_line *line, map_report *report, gough_error *error) {
+    const gough_model *model = report->study->model;
+    size_t bytes = 0;
+    gough_status status = gough_map_size(model, &report->options, &bytes, error);
+    if (status) return status;
+    const size_t points = report->rows * report->options.stiffness.count;
+    void *memory = aligned_alloc(64, (bytes + 127) / 64 * 64);
+    report->map.point = calloc(points, sizeof *report->map.point);
+    report->map.row = calloc(report->rows, sizeof *report->map.row);
+    report->map.interval =
+        calloc(report->rows * report->options.intervals, sizeof *report->map.interval);
+    if (!memory || !report->map.point || !report->map.row || !report->map.interval)
+        status = gough_fail(error, GOUGH_ERROR_FILE,
+                            "memory is out: %zu points; fewer values of an axis need less", points);
+    progress bar = progress_begin(line->verb, 1.0, line->quiet);
+    report->options.progress = look;
+    report->options.context = &bar;
+    if (!status) status = gough_map_find(model, &report->options, &report->map, memory, error);
+    progress_end(&bar);
+    free(memory);
+    return status ? status : check_rows(report, error);
+}
+
+/* Thresholds at home; a study may have none, where home is singular or its springs carry nothing. */
+static void find_thresholds(map_report *report) {
+    report->rest = malloc(sizeof *report->rest);
+    if (report->rest &&
+        gough_stability_at_rest(report->study->model, NULL, report->rest, NULL) != GOUGH_OK) {
+        free(report->rest);
+        report->rest = NULL;
+    }
+}
+
+static gough_status tell(const command_line *line, map_report *report) {
+    bool standard = false;
+    for (size_t i = 0; i < line->output_count; i++)
+        standard = standard || strcmp(line->outputs[i], "-") == 0;
+    FILE *stream = line->quiet || line->json ? NULL : standard ? stderr : stdout;
+    int failed = 0;
+    if (line->json) failed = map_print_json(report);
+    if (stream) map_print(stream, report, line->output_count == 0);
+    const gough_status status = write_outputs(line, report, stream);
+    return failed ? GOUGH_ERROR_FILE : status;
+}
 
 gough_status stability_map(const command_line *line, const gough_study *study) {
-    (void)study;
-    complain(line->verb, "there is no map yet");
-    return GOUGH_ERROR_INPUT;
+    map_report report = {.verb = line->verb, .study = study};
+    gough_error error = {0};
+    gough_status status = check_outputs(line);
+    if (status) return status;
+    report.options = gough_map_options_default();
+    report.options.stiffness = range_of(&line->stiffness);
+    report.options.axis = axis_of(line->second.key);
+    report.options.second = range_of(&line->second);
+    report.options.lanes = line->lanes;
+    report.options.threads = line->threads;
+    report.rows = gough_map_rows(&report.options);
+    status = gough_units_of_study(study, line->dimensionless, &report.units, &error);
+    if (!status) status = find(line, &report, &error);
+    if (status) {
+        complain(line->verb, "%s: %s", study->name, error.message);
+    } else {
+        find_thresholds(&report);
+        report.own_row = find_own_row(&report);
+        scale_map(&report);
+        status = tell(line, &report);
+    }
+    free(report.map.point);
+    free(report.map.row);
+    free(report.map.interval);
+    free(report.rest);
+    return status;
 }

@@ -88,15 +88,24 @@ static gough_status take_picture(const char *folder, sheet_format format, const 
     return status;
 }
 
-static gough_status draw(const sheet *s, sheet_format format, const char *path,
-                         gough_error *error) {
+gough_status sheet_draw(sheet_writer write, const void *content, const char *path,
+                        gough_error *error) {
+    sheet_format format;
+    if (!find_format(path, &format))
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%s: the name of a figure must end in .png, .svg or .pdf", path);
     char *folder = make_folder(error);
     if (folder == NULL) return GOUGH_ERROR_FILE;
-    gough_status status = sheet_write_script(s, format, folder, error);
+    gough_status status = write(content, format, folder, error);
     if (status == GOUGH_OK) status = sheet_run_gnuplot(folder, error);
     if (status == GOUGH_OK) status = take_picture(folder, format, path, error);
     remove_folder(folder);
     return status;
+}
+
+static gough_status write_sheet(const void *content, sheet_format format, const char *folder,
+                                gough_error *error) {
+    return sheet_write_script(content, format, folder, error);
 }
 
 gough_status gough_figure_draw(const gough_figure *figure, const gough_table *const *tables,
@@ -111,7 +120,7 @@ gough_status gough_figure_draw(const gough_figure *figure, const gough_table *co
     sheet *s = calloc(1, sizeof *s);
     if (s == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     gough_status status = sheet_fill(s, figure, tables, labels, table_count, error);
-    if (status == GOUGH_OK) status = draw(s, format, path, error);
+    if (status == GOUGH_OK) status = sheet_draw(write_sheet, s, path, error);
     sheet_free_arrays(s);
     free(s);
     return status;

@@ -231,35 +231,37 @@ typedef struct drawing {
     sheet_format format;
 } drawing;
 
-/* A size in nominal pixels as this terminal counts fonts: PNG in points of 96 to the inch, SVG in pixels, PDF in points
- * of a page with 100 nominal pixels to the inch. */
-static double font_size(const drawing *pen, double pixels) {
+/* PNG in points of 96 to the inch, SVG in pixels, PDF in points of a page with 100 nominal pixels to the inch. */
+double sheet_font_size(sheet_format format, double pixels) {
     static const double factor[] = {[SHEET_PNG] = 0.75, [SHEET_SVG] = 1.0, [SHEET_PDF] = 0.72};
-    return pixels * factor[pen->format];
+    return pixels * factor[format];
+}
+
+static double font_size(const drawing *pen, double pixels) {
+    return sheet_font_size(pen->format, pixels);
 }
 
 /* Nominal pixels from the left and from the top as gnuplot's fractions of the sheet. */
 static double screen_x(const drawing *pen, double x) { return x / pen->layout.width; }
 static double screen_y(const drawing *pen, double y) { return 1.0 - y / pen->layout.height; }
 
-static void write_terminal(const drawing *pen) {
-    const layout *l = &pen->layout;
-    const double size = font_size(pen, TEXT);
-    if (pen->format == SHEET_PNG)
-        fprintf(pen->file,
+void sheet_write_terminal(FILE *file, sheet_format format, int width, int height) {
+    const double size = sheet_font_size(format, TEXT);
+    if (format == SHEET_PNG)
+        fprintf(file,
                 "set terminal pngcairo size %d,%d enhanced font 'DejaVu Sans,%.4g' fontscale 2 "
                 "linewidth 2 pointscale 2 background rgb 'white'\n",
-                2 * l->width, 2 * l->height, size);
-    else if (pen->format == SHEET_SVG)
-        fprintf(pen->file,
+                2 * width, 2 * height, size);
+    else if (format == SHEET_SVG)
+        fprintf(file,
                 "set terminal svg size %d,%d enhanced font 'DejaVu Sans,%.4g' background rgb "
                 "'white' butt\n",
-                l->width, l->height, size);
+                width, height, size);
     else
-        fprintf(pen->file,
+        fprintf(file,
                 "set terminal pdfcairo size %.2fin,%.2fin enhanced font 'DejaVu Sans,%.4g' "
                 "fontscale 0.75 linewidth 1.5 pointscale 0.75 background rgb 'white' butt\n",
-                l->width / 100.0, l->height / 100.0, size);
+                width / 100.0, height / 100.0, size);
 }
 
 /* What all panels share, and the title. */
@@ -325,7 +327,9 @@ static double round_step(range r, int most) {
     return 10.0 * decade;
 }
 
-static void write_scale(FILE *file, const char *axis, bool logarithmic, range r, int most) {
+void sheet_write_scale(FILE *file, const char *axis, bool logarithmic, double low, double high,
+                       int most) {
+    const range r = {low, high};
     fprintf(file, "set %srange [%.12g:%.12g]\n", axis, r.low, r.high);
     if (logarithmic) {
         const double decades = ceil(log10(r.high / r.low) / most);
@@ -360,9 +364,9 @@ static void write_axes(const drawing *pen, int number, range x, range y, int pow
             screen_x(pen, left + l->panel_width));
     fprintf(file, "set tmargin at screen %.6f\nset bmargin at screen %.6f\n", screen_y(pen, top),
             screen_y(pen, top + l->panel_height));
-    write_scale(file, "x", s->logarithmic_abscissa, x, l->panel_width / 60);
-    write_scale(file, "y", p->mapped ? p->map.logarithmic_y : p->logarithmic, y,
-                l->panel_height / 30);
+    sheet_write_scale(file, "x", s->logarithmic_abscissa, x.low, x.high, l->panel_width / 60);
+    sheet_write_scale(file, "y", p->mapped ? p->map.logarithmic_y : p->logarithmic, y.low, y.high,
+                      l->panel_height / 30);
 
     sheet_unit_label(unit, sizeof unit, p->unit, power);
     snprintf(heading, sizeof heading, "%s%s%s", p->heading,
@@ -423,7 +427,7 @@ static void write_map(const drawing *pen, int number, range z, int data) {
             screen_y(pen, top + l->panel_height), 14.0 / l->width,
             (double)l->panel_height / l->height);
     fprintf(file, "set colorbox border\nset border 15 lw 0.8 lc rgb '%s'\n", ink);
-    write_scale(file, "cb", p->logarithmic, z, 8);
+    sheet_write_scale(file, "cb", p->logarithmic, z.low, z.high, 8);
     sheet_quote(quoted, sizeof quoted, p->map.ordinate, 60);
     fprintf(file, "set ylabel '%s' noenhanced offset character 0.6,character 0\n", quoted);
     fprintf(
@@ -483,7 +487,7 @@ static bool write_script(const sheet *s, sheet_format format, const char *folder
     snprintf(path, sizeof path, "%s/script", folder);
     const drawing pen = {fopen(path, "w"), s, lay_out(s), format};
     if (pen.file == NULL) return false;
-    write_terminal(&pen);
+    sheet_write_terminal(pen.file, format, pen.layout.width, pen.layout.height);
     write_frame(&pen);
     bool good = write_panels(&pen, folder);
     fprintf(pen.file, "unset multiplot\nunset output\n");

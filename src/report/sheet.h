@@ -73,9 +73,25 @@ const char *sheet_default_kind(const gough_table *table);
 
 typedef enum sheet_format { SHEET_PNG, SHEET_SVG, SHEET_PDF } sheet_format;
 
-/* Writes the script "script" and the data files it names into a folder (script.c). */
+/* Writes the script "script", which leaves the picture "figure", and the data that it names into a folder. */
+typedef gough_status (*sheet_writer)(const void *content, sheet_format format, const char *folder,
+                                     gough_error *error);
+
+/* Draws what a writer writes, in a folder that is gone afterwards, and takes the picture to its path, complete or not at all
+ * (figure.c). */
+gough_status sheet_draw(sheet_writer write, const void *content, const char *path,
+                        gough_error *error);
+
+/* Writes a sheet's script and data (script.c). */
 gough_status sheet_write_script(const sheet *sheet, sheet_format format, const char *folder,
                                 gough_error *error);
+
+/* What scripts of other figures share with it. A terminal of so many nominal pixels; a size of text in nominal pixels as it
+ * counts fonts; scale and numbers of an axis "x", "y" or "cb" with at most so many intervals. */
+void sheet_write_terminal(FILE *file, sheet_format format, int width, int height);
+double sheet_font_size(sheet_format format, double pixels);
+void sheet_write_scale(FILE *file, const char *axis, bool logarithmic, double low, double high,
+                       int most);
 
 /* Edges of the n-th cell of a map: halfway to its neighbours, by ratio on a logarithmic axis (map.c). */
 void sheet_cell(const double *centre, size_t count, size_t n, bool logarithmic, double *low,

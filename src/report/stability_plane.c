@@ -1,0 +1,330 @@
+/* A stability map over two axes: an image for growth, lines for the edges of intervals, names at the tongues that have room. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "stability.h"
+
+enum {
+    LEFT = 88,
+    PANEL_WIDTH = 596,
+    PANEL_HEIGHT = 400,
+    SCALE_GAP = 16, /* between panel and scale of colours */
+    SCALE_WIDTH = 14,
+    FINE = 2,        /* pixels of the image for a nominal one */
+    MOST_NAMES = 16, /* at tongues */
+    NAME_HEIGHT = 15
+};
+
+/* ---- the image --------------------------------------------------------------------------------------------------- */
+
+static bool write_bytes(const stability_pen *pen, const char *name, const unsigned char *bytes,
+                        size_t length) {
+    FILE *file = stability_open(pen, name);
+    if (file == NULL) return false;
+    const bool good = fwrite(bytes, 1, length, file) == length;
+    return fclose(file) == 0 && good;
+}
+
+/* A raster of @p width × @p height from its upper row, into the plot whose margins are set. */
+static void plot_raster(const stability_pen *pen, const char *name, int width, int height) {
+    fprintf(pen->file,
+            "unset border\nunset tics\nunset xlabel\nunset ylabel\nunset logscale\nset xrange "
+            "[0:%d]\nset yrange [0:%d]\nplot '%s' binary array=(%d,%d) flip=y origin=(0.5,0.5) "
+            "format='%%uchar' using 1:2:3 with rgbimage notitle\n",
+            width, height, name, width, height);
+}
+
+static void plot_scale(const stability_pen *pen, int height) {
+    const int left = pen->left + pen->panel_width + SCALE_GAP;
+    fprintf(pen->file,
+            "set lmargin at screen %.6f\nset rmargin at screen %.6f\nset tmargin at screen "
+            "%.6f\nset bmargin at screen %.6f\n",
+            stability_screen_x(left), stability_screen_x(left + SCALE_WIDTH),
+            stability_screen_y(pen, pen->top),
+            stability_screen_y(pen, pen->top + pen->panel_height));
+    plot_raster(pen, "scale", 2, height);
+}
+
+/* Two pixels wide: of one, gnuplot does not know the width. */
+static bool write_scale_raster(const stability_pen *pen, int height) {
+    unsigned char *pixel = calloc((size_t)height, 6);
+    bool good = pixel != NULL;
+    for (int y = 0; good && y < height; y++) {
+        field_colour(1 - (y + 0.5) / height, pixel + 6 * (size_t)y);
+        memcpy(pixel + 6 * (size_t)y + 3, pixel + 6 * (size_t)y, 3);
+    }
+    good = good && write_bytes(pen, "scale", pixel, 6 * (size_t)height);
+    free(pixel);
+    return good;
+}
+
+static void write_scale_number(const stability_pen *pen, double shade, const char *text) {
+    const double x = pen->left + pen->panel_width + SCALE_GAP + SCALE_WIDTH;
+    const double y = pen->top + pen->panel_height * (1 - shade);
+    fprintf(
+        pen->file,
+        "set arrow from screen %.6f,screen %.6f to screen %.6f,screen %.6f nohead lw 0.8 lc rgb "
+        "'%s'\nset label '%s' at screen %.6f,screen %.6f left font ',%.4g' textcolor rgb '%s'\n",
+        stability_screen_x(x), stability_screen_y(pen, y), stability_screen_x(x + 4),
+        stability_screen_y(pen, y), stability_ink, text, stability_screen_x(x + 7),
+        stability_screen_y(pen, y), stability_size(pen, STABILITY_SMALL), stability_ink);
+}
+
+/* Numbers beside the scale of colours, as many as have room: growth per period, or growth rate where all rests. */
+static void write_scale_numbers(const stability_pen *pen) {
+    static const double growth[] = {1,   1.1, 1.5, 2,   3,   5,    10,   30,   100,
+                                    1e3, 1e4, 1e5, 1e6, 1e8, 1e10, 1e15, 1e20, 1e30};
+    const field *f = pen->field;
+    double last = -1;
+    fprintf(pen->file,
+            "set label '%s' at screen %.6f,screen %.6f right font ',%.4g' textcolor rgb '%s'\n",
+            f->resting ? "growth rate" : "growth per period",
+            stability_screen_x(STABILITY_WIDTH - 12), stability_screen_y(pen, pen->top - 12),
+            stability_size(pen, STABILITY_SMALL), stability_ink);
+    for (size_t i = 0; i < sizeof growth / sizeof growth[0]; i++) {
+        const double level = f->resting ? 0.1 * (double)i * f->greatest : log(growth[i]);
+        char text[32];
+        if (level > f->greatest * (1 + 1e-9)) break;
+        const double shade = field_shade(f, level);
+        if (shade - last < 20.0 / pen->panel_height) continue;
+        last = shade;
+        if (!f->resting && growth[i] >= 1e3)
+            snprintf(text, sizeof text, "10^{%.0f}", log10(growth[i]));
+        else
+            snprintf(text, sizeof text, "%.3g", f->resting ? level : growth[i]);
+        write_scale_number(pen, shade, text);
+    }
+}
+
+/* ---- edges ------------------------------------------------------------------------------------------------------- */
+
+/* Lines along the edges from row to row: dark where they bound what is stable, pale within what grows anyway. */
+static bool write_edges(const stability_pen *pen) {
+    const field *f = pen->field;
+    FILE *file = stability_open(pen, "edges");
+    if (file == NULL) return false;
+    for (size_t p = 0; p < f->pairs; p++) {
+        const field_pair *pair = &f->pair[p];
+        if (pair->low < 0 || pair->high < 0) continue;
+        const gough_interval *low = field_interval(f, pair->row, pair->low);
+        const gough_interval *high = field_interval(f, pair->row + 1, pair->high);
+        const double y[2] = {gough_map_value(&f->options->second, pair->row),
+                             gough_map_value(&f->options->second, pair->row + 1)};
+        const double edge[2][2] = {{low->from, high->from}, {low->to, high->to}};
+        for (int side = 0; side < 2; side++) {
+            const bool cut = side == 1 && (low->cut || high->cut);
+            const double *x = edge[side];
+            if (cut || !(fmin(x[0], x[1]) > pen->view.low_x) ||
+                !(fmax(x[0], x[1]) < pen->view.high_x))
+                continue;
+            const bool inner = field_covered(f, pair->row, pair->low, x[0]) &&
+                               field_covered(f, pair->row + 1, pair->high, x[1]);
+            fprintf(file, "%.9g %.9g %d\n%.9g %.9g %d\n\n\n", x[0], y[0], inner, x[1], y[1], inner);
+        }
+    }
+    fprintf(file, "NaN NaN 0\nNaN NaN 1\n"); /* gnuplot takes a file without a point for an error */
+    const bool good = ferror(file) == 0;
+    return fclose(file) == 0 && good;
+}
+
+/* ---- names at tongues --------------------------------------------------------------------------------------------- */
+
+typedef struct box {
+    double left, top, width, height;
+} box;
+
+/* What a tongue looks like: where it is widest, and whose it is. */
+typedef struct tongue {
+    size_t row;
+    double width; /* nominal pixels */
+    const gough_interval *widest;
+} tongue;
+
+/* 1 where all pixels under a box are of the plain, stable colour, −1 where none is, 0 for a mixture. */
+static int ground_of(const unsigned char *pixel, const stability_pen *pen, const box *b) {
+    const int width = pen->panel_width * FINE, height = pen->panel_height * FINE;
+    size_t plain = 0, all = 0;
+    for (int y = (int)(FINE * (b->top - pen->top)); y < FINE * (b->top + b->height - pen->top); y++)
+        for (int x = (int)(FINE * (b->left - pen->left));
+             x < FINE * (b->left + b->width - pen->left); x++) {
+            if (x < 0 || y < 0 || x >= width || y >= height) return 0;
+            const unsigned char *at = pixel + 3 * ((size_t)y * (size_t)width + (size_t)x);
+            plain += at[0] >= 0xf0 && at[1] >= 0xf0 && at[2] >= 0xf0;
+            all++;
+        }
+    return plain == all ? 1 : plain == 0 ? -1 : 0;
+}
+
+static bool overlaps(const box *a, const box *b) {
+    return a->left < b->left + b->width && b->left < a->left + a->width &&
+           a->top < b->top + b->height && b->top < a->top + a->height;
+}
+
+static bool is_free(const box *b, const box *placed, int count) {
+    for (int i = 0; i < count; i++)
+        if (overlaps(b, &placed[i])) return false;
+    return true;
+}
+
+static int text_width(const char *text) {
+    int characters = 0;
+    for (; *text; text++) characters += ((unsigned char)*text & 0xC0) != 0x80;
+    return 7 * characters + 4;
+}
+
+/* Tongues, each followed through its rows; resonances only, as thresholds have names above the panel. */
+static size_t list_tongues(const stability_pen *pen, tongue *list, size_t room) {
+    const field *f = pen->field;
+    size_t count = 0;
+    for (size_t r = 0; r < f->rows; r++)
+        for (int i = 0; i < (int)f->map->row[r].intervals && count < room; i++) {
+            const gough_interval *one = field_interval(f, r, i);
+            const double from = fmax(one->from, pen->view.low_x),
+                         to = fmin(one->to, pen->view.high_x);
+            if (one->kind == GOUGH_INTERVAL_STATIC && pen->figure->rest) continue;
+            if (!(to > from)) continue;
+            list[count++] =
+                (tongue){r, stability_place_x(pen, to) - stability_place_x(pen, from), one};
+        }
+    return count;
+}
+
+static int by_width(const void *left, const void *right) {
+    const tongue *a = left, *b = right;
+    if (a->width < b->width || a->width > b->width) return a->width < b->width ? 1 : -1;
+    return (a->row > b->row) - (a->row < b->row);
+}
+
+/* Writes a name inside an interval, to its right or to its left, where there is room. */
+static bool place_name(const stability_pen *pen, const unsigned char *pixel, const tongue *t,
+                       box *placed, int count) {
+    const double value = gough_map_value(&pen->field->options->second, t->row);
+    const double y = stability_place_y(pen, value), width = text_width(t->widest->mode.name);
+    const double from = stability_place_x(pen, fmax(t->widest->from, pen->view.low_x));
+    const double to = stability_place_x(pen, fmin(t->widest->to, pen->view.high_x));
+    const double left[3] = {0.5 * (from + to - width), to + 3, from - 3 - width};
+    for (int i = 0; i < 3; i++) {
+        const box b = {left[i], y - 0.5 * NAME_HEIGHT, width, NAME_HEIGHT};
+        const int ground = ground_of(pixel, pen, &b);
+        if (ground == 0 || (i == 0) != (ground < 0) || !is_free(&b, placed, count)) continue;
+        placed[count] = b;
+        fprintf(pen->file,
+                "set label '%s' at screen %.6f,screen %.6f center front noenhanced font ',%.4g' "
+                "textcolor rgb '%s'\n",
+                t->widest->mode.name, stability_screen_x(b.left + 0.5 * width),
+                stability_screen_y(pen, y), stability_size(pen, STABILITY_SMALL),
+                ground < 0 ? "white" : "black");
+        return true;
+    }
+    return false;
+}
+
+/* Whether a name already placed is of the same tongue: so near that it would be read so, or followed from row to row. */
+static bool is_named(const stability_pen *pen, const tongue *t, const tongue *named, int count) {
+    for (int i = 0; i < count; i++) {
+        const gough_interval *a = t->widest, *b = named[i].widest;
+        if (a->kind != b->kind || strcmp(a->mode.name, b->mode.name) != 0) continue;
+        if (fabs(stability_place_x(pen, fmin(a->to, pen->view.high_x)) -
+                 stability_place_x(pen, fmin(b->to, pen->view.high_x))) < 30)
+            return true;
+        /* follow from row to row, from the named one to this */
+        size_t row = named[i].row;
+        int number = (int)(b - field_interval(pen->field, row, 0));
+        const int way = t->row > row ? 1 : -1;
+        while (number >= 0 && row != t->row) {
+            const size_t gap = way > 0 ? row : row - 1;
+            int next = -1;
+            for (size_t p = 0; p < pen->field->pairs; p++) {
+                const field_pair *pair = &pen->field->pair[p];
+                if (pair->row != gap) continue;
+                if ((way > 0 ? pair->low : pair->high) == number)
+                    next = way > 0 ? pair->high : pair->low;
+            }
+            number = next;
+            row = way > 0 ? row + 1 : row - 1;
+        }
+        if (number >= 0 && field_interval(pen->field, row, number) == a) return true;
+    }
+    return false;
+}
+
+static bool name_tongues(const stability_pen *pen, const unsigned char *pixel) {
+    size_t room = 1;
+    for (size_t r = 0; r < pen->field->rows; r++) room += pen->field->map->row[r].intervals;
+    tongue *list = calloc(room, sizeof *list), named[MOST_NAMES];
+    if (list == NULL) return false;
+    const size_t count = list_tongues(pen, list, room);
+    box placed[MOST_NAMES];
+    int names = 0;
+    qsort(list, count, sizeof *list, by_width);
+    for (size_t i = 0; i < count && names < MOST_NAMES; i++) {
+        if (is_named(pen, &list[i], named, names)) continue;
+        if (!place_name(pen, pixel, &list[i], placed, names)) continue;
+        named[names++] = list[i];
+    }
+    free(list);
+    return true;
+}
+
+/* ---- the picture ------------------------------------------------------------------------------------------------- */
+
+static void write_ordinate(const stability_pen *pen) {
+    const gough_map_options *o = pen->field->options;
+    const char *title = "";
+    if (o->axis == GOUGH_MAP_AMPLITUDE) title = "amplitude of the motion, factor on the study’s";
+    if (o->axis == GOUGH_MAP_FREQUENCY) title = "frequency of the motion, factor on the study’s";
+    if (o->axis == GOUGH_MAP_DAMPING)
+        title = pen->figure->units.dimensionless ? "damping of the feedback D, dimensionless"
+                                                 : "damping of the feedback D (N s/m)";
+    sheet_write_scale(pen->file, "y", o->second.logarithmic, pen->view.low_y, pen->view.high_y,
+                      pen->panel_height / 40);
+    fprintf(pen->file, "set ylabel '%s' noenhanced offset character 0.6,character 0\n", title);
+}
+
+static void write_plot(const stability_pen *pen) {
+    fprintf(pen->file,
+            "set border 15 front lw 0.8 lc rgb '%s'\nset xtics nomirror out scale 0.5\nset ytics "
+            "nomirror out scale 0.5\n",
+            stability_ink);
+    stability_write_margins(pen, pen->top, pen->panel_height);
+    stability_write_abscissa(pen, true);
+    write_ordinate(pen);
+    stability_write_thresholds(pen, pen->panel_height);
+    fprintf(pen->file,
+            "plot 'edges' using 1:($3 > 0 ? $2 : NaN) with lines lw 0.7 lc rgb '#ffffff' notitle, "
+            "'edges' using 1:($3 > 0 ? NaN : $2) with lines lw 0.9 lc rgb '#2b0a52' notitle\n");
+}
+
+bool stability_write_plane(stability_pen *pen) {
+    const field *f = pen->field;
+    pen->left = LEFT;
+    pen->panel_width = PANEL_WIDTH;
+    pen->panel_height = PANEL_HEIGHT;
+    pen->height = pen->top + pen->panel_height + STABILITY_BELOW;
+    pen->view.width = FINE * PANEL_WIDTH;
+    pen->view.height = FINE * PANEL_HEIGHT;
+    const size_t length = 3 * (size_t)pen->view.width * (size_t)pen->view.height;
+    unsigned char *pixel = calloc(length, 1);
+    if (pixel == NULL) return false;
+    field_paint(f, &pen->view, pixel);
+    bool good = write_bytes(pen, "image", pixel, length) &&
+                write_scale_raster(pen, pen->view.height) && write_edges(pen);
+
+    stability_write_frame(
+        pen, f->resting ? "pale: nothing grows · colours: growth rate · dashed: thresholds at rest"
+                        : "pale: nothing grows · colours: growth in each period · dashed: "
+                          "thresholds at rest");
+    stability_write_margins(pen, pen->top, pen->panel_height);
+    plot_raster(pen, "image", pen->view.width, pen->view.height);
+    fprintf(pen->file, "unset label 1\nunset label 2\n");
+    if (f->greatest > 0) {
+        write_scale_numbers(pen);
+        plot_scale(pen, pen->view.height);
+        fprintf(pen->file, "unset label\nunset arrow\n");
+    }
+    good = name_tongues(pen, pixel) && good;
+    write_plot(pen);
+    free(pixel);
+    return good;
+}
