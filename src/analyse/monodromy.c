@@ -27,7 +27,7 @@ typedef struct {
     bool moving;
     double y[LINEAR_STATE], rate[LINEAR_STATE], size[LINEAR_STATE];
 
-    double sign; /* of the determinant at the beginning: the side of the singular surface */
+    double side;                        /* of the singular surface, as the sign of a determinant */
     linear_matrix stage[DOP853_STAGES]; /* A at the stages of the step, in units of m */
     int row;                            /* the next stage */
     const char *wrong;                  /* what is not finite */
@@ -187,6 +187,17 @@ static double try_step(passage *p, double h, double *phi, double *y) {
     return worst;
 }
 
+/* the determinant of the program's pose where the period begins: the side of the singular surface to be kept to */
+static double side_of_program(const monodromy *m) {
+    gough_acceleration acceleration;
+    gough_state state;
+    double side;
+
+    gough_program(m->loop.machine, m->loop.motion, m->start, &state, &acceleration);
+    gough_conditioning(m->loop.machine, &state, NULL, &side);
+    return side;
+}
+
 /* Stops at a pose that is singular or nearly so, and beyond one: a motion through it cannot be run. */
 static gough_status check_pose(passage *p, gough_error *error) {
     gough_acceleration acceleration;
@@ -198,8 +209,7 @@ static gough_status check_pose(passage *p, gough_error *error) {
     else
         gough_program(p->m->loop.machine, p->m->loop.motion, p->t, &state, &acceleration);
     gough_conditioning(p->m->loop.machine, &state, &condition, &determinant);
-    if (!(fabs(p->sign) > 0)) p->sign = determinant;
-    if (condition <= greatest_condition && determinant * p->sign > 0) return GOUGH_OK;
+    if (condition <= greatest_condition && determinant * p->side > 0) return GOUGH_OK;
     return gough_fail(
         error, GOUGH_ERROR_NUMERICAL,
         "by t = %.9g the %s has come to a singular pose or nearly so (condition %.3g): "
@@ -280,7 +290,8 @@ static gough_status go_round(passage *p, gough_error *error) {
 
     m->steps = 0;
     m->trace = 0;
-    p->sign = 0;
+    p->side = side_of_program(m);
+    if (check_pose(p, error) != GOUGH_OK) return GOUGH_ERROR_NUMERICAL;
     for (int part = 0; part < MONODROMY_PARTS; part++) {
         const double end = m->start + m->period * (part + 1) / MONODROMY_PARTS;
         const gough_status status = pass(p, end, &h, error);

@@ -1,5 +1,5 @@
 /* A state that comes back after a period, by Newton's method with the monodromy matrix as derivative; where that fails, from stiffer
- * legs, whose motion is nearer to the program, down to those asked for. Theory: docs/theory/floquet.md. */
+ * and damped legs, whose motion is nearer to the program, to those asked for. Theory: docs/theory/floquet.md. */
 #define NUMBER_DOUBLE
 #include "analyse/orbit.h"
 
@@ -9,13 +9,23 @@
 #include "dynamics/state.h"
 #include "kernel/real.h"
 
-enum { N = GOUGH_LINEAR, MOST_STEPS = 15, HALVINGS = 5 };
+enum { N = GOUGH_LINEAR, MOST_STEPS = 15 };
 
-/* the state comes back up to this, in the units of ξ; Newton's last step squares what is left before it */
-static const double closed = 1e-12, nearly_closed = 1e-10;
+/* Newton's step below which the state is found; and below which it may stay where rounding stops the steps from shrinking. In
+ * tolerances of the stepper, in the units of ξ. */
+static const double closed = 10, nearly_closed = 1e3;
 
-/* the largest step, in the same units: beyond it the linear equations say nothing */
-static const double farthest = 0.5;
+/* a first step longer than this, in the same units, could lead to another motion than the one meant; and so could later ones that
+ * do not become shorter at least by this factor */
+static const double farthest = 0.5, shrinks = 0.8;
+
+/* The way from legs (1 + STIFFER) times as stiff and with damping 2√(GM) to those asked for: at most so many motions on it, and the
+ * least progress from one to the next. */
+enum { STIFFER = 3, MOST_MOTIONS = 16 };
+static const double least_progress = 1e-3;
+
+/* of the steps on this way */
+static const double rough_tolerance = 1e-9;
 
 /* e ← exp(θ) e, Rodrigues' formula; below 1e-4 sin x/x by its series, exact to rounding */
 static vector turned(vector theta, vector e) {
@@ -42,37 +52,31 @@ static void change(const double y[LINEAR_STATE], const double xi[N], double out[
 }
 
 /* ξ from y to z, in the units of m; of the rotation between them, its axis times the sine of its angle */
-static double difference(const monodromy *m, const double y[LINEAR_STATE],
-                         const double z[LINEAR_STATE], double xi[N]) {
+static void difference(const monodromy *m, const double y[LINEAR_STATE],
+                       const double z[LINEAR_STATE], double xi[N]) {
     const coordinates x = coordinates_load(y), rate = coordinates_load(y + COORDINATES);
     const coordinates u = coordinates_load(z), other = coordinates_load(z + COORDINATES);
     const vector turn = add(add(cross(x.q.i, u.q.i), cross(x.q.j, u.q.j)), cross(x.q.k, u.q.k));
-    double largest = 0;
 
     vector_store(subtract(u.rho, x.rho), xi);
     vector_store(scale(0.5, turn), xi + 3);
     vector_store(subtract(other.rho, rate.rho), xi + 6);
-    vector_store(
-        subtract(triad_angular_velocity(&u.q, &other.q), triad_angular_velocity(&x.q, &rate.q)),
-        xi + 9);
-    for (int i = 0; i < N; i++) {
-        xi[i] /= m->unit[i];
-        if (!(fabs(xi[i]) <= largest)) largest = fabs(xi[i]);
-    }
-    return largest;
+    vector_store(subtract(angular_velocity_of(&u, &other), angular_velocity_of(&x, &rate)), xi + 9);
+    for (int i = 0; i < N; i++) xi[i] /= m->unit[i];
 }
 
-/* one way round from y: what is missing to closure, and its size; INFINITY where the way ends before */
-static double go_round(monodromy *m, const double y[LINEAR_STATE], double missing[N],
-                       gough_error *error) {
+/* one way round from y: what is missing to closure; false where the way ends before */
+static bool go_round(monodromy *m, const double y[LINEAR_STATE], double missing[N],
+                     gough_error *error) {
     double after[LINEAR_STATE];
 
     memcpy(after, y, sizeof after);
-    if (monodromy_of_motion(m, after, error) != GOUGH_OK) return INFINITY;
-    return difference(m, y, after, missing);
+    if (monodromy_of_motion(m, after, error) != GOUGH_OK) return false;
+    difference(m, y, after, missing);
+    return true;
 }
 
-/* (floquet-7): Newton's step (1 − Φ) ξ = missing, in the units of m; returns its size */
+/* (floquet-7): Newton's step (1 − Φ) ξ = missing, in the units of m; returns its size, INFINITY where there is none */
 static double newton_step(const monodromy *m, const double missing[N], double xi[N]) {
     double a[MONODROMY_SIZE], largest = 0;
     lapack_int pivot[N];
@@ -83,79 +87,90 @@ static double newton_step(const monodromy *m, const double missing[N], double xi
     if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, N, 1, a, N, pivot, xi, N) != 0) return INFINITY;
     for (int i = 0; i < N; i++)
         if (!(fabs(xi[i]) <= largest)) largest = fabs(xi[i]);
-    return largest;
+    return largest <= largest ? largest : INFINITY;
 }
 
-/* Newton's method from y; whether it came to a motion that closes */
+/* Newton's method from y, each step shorter than the one before it; whether it came to a motion that closes */
 static bool close_motion(monodromy *m, double y[LINEAR_STATE], gough_error *error) {
-    double missing[N], xi[N], trial[LINEAR_STATE], before = INFINITY;
-    double left = go_round(m, y, missing, error);
+    double missing[N], xi[N], before = farthest / shrinks;
 
-    for (int step = 0; step < MOST_STEPS && left < INFINITY; step++) {
-        double length, part;
-        /* done where closed, or where rounding leaves no more to gain */
-        if (left <= closed || (left <= nearly_closed && !(left < 0.5 * before))) return true;
+    for (int step = 0; step < MOST_STEPS; step++) {
+        double length;
+        if (!go_round(m, y, missing, error)) return false;
         length = newton_step(m, missing, xi);
-        if (!(length < INFINITY)) return false;
-        before = left;
-        part = length > farthest ? farthest / length : 1;
-        for (int halving = 0; halving <= HALVINGS; halving++, part /= 2) {
-            double scaled[N];
-            for (int i = 0; i < N; i++) scaled[i] = part * xi[i] * m->unit[i];
-            change(y, scaled, trial);
-            left = go_round(m, trial, missing, error);
-            if (left < before || left <= nearly_closed) break;
-        }
-        if (!(left < before || left <= nearly_closed)) return false;
-        memcpy(y, trial, sizeof trial);
+        if (length <= closed * m->tolerance) return true;
+        if (!(length <= shrinks * before)) return length <= nearly_closed * m->tolerance;
+        for (int i = 0; i < N; i++) xi[i] *= m->unit[i];
+        change(y, xi, y);
+        before = length;
     }
-    return left <= nearly_closed;
+    return false;
 }
 
-static gough_status none_found(const monodromy *m, gough_error *error) {
-    gough_error why = {0};
-    double y[LINEAR_STATE], missing[N];
-    gough_acceleration acceleration;
-    gough_state state;
+/* (floquet-8): the legs at `share` of the way from those asked for, at 0 */
+static gough_control eased(const monodromy *m, const gough_control *asked, double share) {
+    gough_control control = *asked;
 
-    gough_program(m->loop.machine, m->loop.motion, m->start, &state, &acceleration);
-    monodromy_unfold(m->loop.machine, &state, y);
-    monodromy again = *m;
-    if (go_round(&again, y, missing, &why) < INFINITY) why.message[0] = '\0';
-    return gough_fail(
-        error, GOUGH_ERROR_NUMERICAL,
-        "without feed-forward no periodic motion was found near the program: the legs "
-        "may be too weak to carry the load along it%s%.200s; raise control.stiffness, "
-        "or set control.feedforward to program",
-        why.message[0] != '\0' ? " (from the program's state: " : "",
-        why.message[0] != '\0' ? why.message : "");
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        const double G = asked->stiffness[v];
+        control.stiffness[v] = G * (1 + STIFFER * share);
+        control.damping[v] += share * 2 * sqrt(G * m->loop.machine->load.mass);
+    }
+    return control;
+}
+
+/* from eased legs to those asked for, in steps half as long where they fail; y begins at the program */
+static bool ease(monodromy *m, const gough_control *asked, double y[LINEAR_STATE]) {
+    const double tolerance = m->tolerance;
+    double held = 1, share = 1, begin[LINEAR_STATE];
+    bool found = false;
+    gough_error why;
+
+    for (int motion = 0; motion < MOST_MOTIONS; motion++) {
+        const gough_control control = eased(m, asked, share);
+        m->loop.control = &control;
+        m->tolerance = share > 0 ? fmax(tolerance, rough_tolerance) : tolerance;
+        memcpy(begin, y, sizeof begin);
+        if (close_motion(m, y, &why)) {
+            found = true;
+            held = share;
+            if (!(share > 0)) break;
+            share = share > 0.02 ? share / 3 : 0;
+        } else {
+            if (!found || held - share < least_progress) break;
+            memcpy(y, begin, sizeof begin);
+            share = (held + share) / 2;
+        }
+    }
+    m->loop.control = asked;
+    m->tolerance = tolerance;
+    return found && !(held > 0);
 }
 
 gough_status orbit_find(monodromy *m, double y[LINEAR_STATE], gough_error *error) {
-    static const double stiffer[] = {32, 16, 8, 5, 3.2, 2.2, 1.6, 1.25, 1.1, 1.03, 1};
     const gough_control *asked = m->loop.control;
     gough_acceleration acceleration;
-    gough_control control = *asked;
-    gough_error why = {0};
+    gough_error why = {GOUGH_OK, ""};
+    double stiffness = 0;
     gough_state state;
 
+    for (int v = 0; v < GOUGH_LEGS; v++) stiffness += asked->stiffness[v];
+    if (!(stiffness > 0))
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "without feed-forward and without stiffness no leg has a force: give "
+                          "control.stiffness, or set control.feedforward to program");
     gough_program(m->loop.machine, m->loop.motion, m->start, &state, &acceleration);
     monodromy_unfold(m->loop.machine, &state, y);
     if (close_motion(m, y, &why)) return GOUGH_OK;
-    if (why.status == GOUGH_ERROR_INPUT) {
-        if (error != NULL) *error = why;
-        return GOUGH_ERROR_INPUT;
-    }
+    if (why.status == GOUGH_ERROR_INPUT)
+        return gough_fail(error, GOUGH_ERROR_INPUT, "%s", why.message);
 
     monodromy_unfold(m->loop.machine, &state, y);
-    m->loop.control = &control;
-    for (size_t i = 0; i < sizeof stiffer / sizeof stiffer[0]; i++) {
-        for (int v = 0; v < GOUGH_LEGS; v++)
-            control.stiffness[v] = stiffer[i] * asked->stiffness[v];
-        if (close_motion(m, y, &why)) continue;
-        m->loop.control = asked;
-        return none_found(m, error);
-    }
-    m->loop.control = asked;
-    return GOUGH_OK;
+    if (ease(m, asked, y)) return GOUGH_OK;
+    return gough_fail(
+        error, GOUGH_ERROR_NUMERICAL,
+        "without feed-forward no periodic motion was found near the program: the legs "
+        "are too weak to carry the load along it, or it shakes the platform at a "
+        "frequency of its own; raise control.stiffness, add control.damping, or set "
+        "control.feedforward to program");
 }
