@@ -134,6 +134,9 @@ static double settled(const windows *w, difference *remains) {
     double fails = -1, passes = w->far, k = 0;
     int agree = 0;
 
+    /* of a part of the period only some windows agree; two next to each other do not */
+    *remains = against(w, w->far, (w->far + 1) * w->T);
+    if (!(remains->ratio <= 1)) return -1;
     for (; k < w->far; k = next_window(k)) {
         const difference d = against_far(w, k);
         if (d.ratio <= 1) {
