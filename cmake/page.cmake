@@ -13,7 +13,7 @@ list(FILTER GOUGH_PAGE_CORE_SOURCES EXCLUDE REGEX "(_quad|_complex|simulate_doub
 file(GLOB GOUGH_PAGE_CORE_HEADERS CONFIGURE_DEPENDS web/core/*.h include/gough/*.h
     src/kernel/*.h src/model/*.h src/dynamics/*.h src/integrate/*.h src/simulate/*.h)
 
-# -Os is as fast here as -O3, and a fifth smaller. Numbers beyond the integers saturate rather than trap. The stack of a
+# -Os is about as fast here as -O3, and a quarter smaller. Numbers beyond the integers saturate rather than trap. The stack of a
 # module is 64 KiB unless told; runs keep their steps on it. No entry: the page calls what web/core/live.h names.
 set(GOUGH_PAGE_CORE_FLAGS --target=wasm32-wasi -std=c17 -Os -DNDEBUG -ffp-contract=off -fno-math-errno -fvisibility=hidden
     -mnontrapping-fptoint -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla

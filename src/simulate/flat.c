@@ -243,9 +243,9 @@ static void exchange_noise(pass *p, gough_noise *n, double duration) {
     exchange_numbers(p, &n->force, 1);
     exchange_numbers(p, &n->moment, 1);
     exchange_numbers(p, &n->interval, 1);
-    /* knots are counted, and doubles count to 2^53 */
+    /* knots are counted; more than these are a mistake, and another million runs of them end below 2^63 */
     if (p->from && (n->leg_force > 0 || n->force > 0 || n->moment > 0) &&
-        !(n->interval > 0 && duration / n->interval < 0x1p53)) {
+        !(n->interval > 0 && duration / n->interval < 0x1p40)) {
         refuse(p, "an interval > 0 and no tiny part of the run");
     }
     exchange_bits(p, &n->seed);

@@ -10,5 +10,5 @@ while read -r file; do
     LC_ALL=C awk -v file="$file" '{ gsub(/[\200-\277]/, "") } length($0) > 132 { print file ":" NR ": " length($0) " columns"; bad = 1 }
         END { exit bad }' "$file" || failed=1
     head -1 "$file" | grep -qE '^(/\*|//)' || { echo "$file: its first line does not say what it does"; failed=1; }
-done < <(find src include tests bench -name '*.[ch]' 2>/dev/null)
+done < <(find src include tests bench web/core -name '*.[ch]' 2>/dev/null)
 exit $failed

@@ -400,6 +400,9 @@ test("before a study there is nothing, and nothing happens", async () => {
   assert.throws(() => core.begin(new Float64Array(0)), Error);
   core.begin(flatOf(write(all)));
   assert.equal(core.advance(1, 0.01), "done");
+  assert.equal(core.advance(1e9, 1e6), "invalid"); // beyond a million durations
+  assert.equal(core.advance(1001, 0.01), "invalid"); // more steps than one call takes
+  assert.equal(core.row()[core.place.t], 1);
 });
 
 test("takes recorded motion of any length, again and again, in the same memory", async () => {

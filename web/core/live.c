@@ -51,8 +51,9 @@ static struct {
     size_t rows, room;
 } live;
 
-/* more than a page could want of one call, or of a table: a second's steps, 256 MiB of a study, 512 MiB of rows */
-static const double most_steps = 1e5;
+/* more than a page could want of one call, of a live run, or of a table: a second's steps, a million
+ * durations of the study, 256 MiB of its input, 512 MiB of rows */
+static const double most_steps = 1e5, most_durations = 1e6;
 static const size_t most_input = (size_t)1 << 25, most_room = (size_t)1 << 20;
 
 static void say(const char *sentence) { strncpy(live.message, sentence, sizeof live.message - 1); }
@@ -203,7 +204,7 @@ int live_advance(double duration, double step) {
     drive *d = &live.d;
 
     if (!live.begun || !(step > 0) || !(duration >= 0) || !(duration / step <= most_steps) ||
-        !isfinite(live.goal + duration)) {
+        !(live.goal + duration <= most_durations * live.study.duration)) {
         return GOUGH_END_INVALID;
     }
     if (live.end.cause != GOUGH_END_DONE) return (int)live.end.cause;

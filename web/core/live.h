@@ -48,7 +48,8 @@ void LIVE_EXPORT(live_restart)(void);
 
 /* Goes on by `duration` in fixed steps of `step`; what is left of a step is kept for the next call. Rk4 where the study has it,
  * else dop853; constraints as the study keeps them. Stops where a run would: a gough_cause, 0 while it goes on. After an end
- * nothing moves until live_restart(). GOUGH_END_INVALID, and nothing done: a step not positive, or more than 1e5 of them. */
+ * nothing moves until live_restart(). GOUGH_END_INVALID, and nothing done: a step not positive, more than 1e5 of them, or a time
+ * beyond a million durations of the study. */
 int LIVE_EXPORT(live_advance)(double duration, double step);
 
 /* The row of a table at the present time, live_columns() doubles; its drift is the largest since the live_row() before the
