@@ -334,16 +334,22 @@ void live_set_disturbance(double factor) {
     settle();
 }
 
+/* a setting on a new way from where it is; whether that is another way than before */
+static int redirect(setting *s, double to) {
+    if (!isfinite(to) || !(to < s->to || to > s->to)) return 0;
+    *s = (setting){setting_at(s, live.d.t).v, to, live.d.t};
+    return 1;
+}
+
 void live_set_amplitude(double factor) {
-    if (!isfinite(factor)) return;
-    live.amplitude = (setting){setting_at(&live.amplitude, live.d.t).v, factor, live.d.t};
-    settle();
+    if (redirect(&live.amplitude, factor)) settle();
 }
 
 void live_set_frequency(double factor) {
-    if (!isfinite(factor)) return;
-    live.phase = clock_at(live.d.t).v;
-    live.frequency = (setting){setting_at(&live.frequency, live.d.t).v, fmax(factor, 0), live.d.t};
+    const double phase = clock_at(live.d.t).v;
+
+    if (!redirect(&live.frequency, fmax(factor, 0))) return;
+    live.phase = phase;
     settle();
 }
 

@@ -23,6 +23,7 @@ export function multiplierCircle(multipliers) {
     const drawn = size <= 1 ? size : 1 + Math.min(0.5, 0.16 * Math.log10(size) + (size > 1.02 ? 0.06 : 0));
     return size > 0 ? [(re / size) * drawn, (im / size) * drawn] : [0, 0];
   };
+  let labels = 0;
   const dots = multipliers.map((multiplier) => {
     const size = Math.hypot(...multiplier);
     const [x, y] = compressed(multiplier);
@@ -33,7 +34,7 @@ export function multiplierCircle(multipliers) {
       kind === "grows"
         ? drawing("rect", { x: x - 0.05, y: -y - 0.05, width: 0.1, height: 0.1, transform: `rotate(45 ${x} ${-y})` })
         : drawing("circle", { cx: x, cy: -y, r: 0.055 }),
-      size > 1.5 && drawing("text", { class: "plane-value", x: x + (x < 0 ? -0.04 : 0.04), y: -y - 0.12, "text-anchor": "middle" }, number(size, 3)),
+      size > 1.5 && drawing("text", { class: "plane-value", x: x + (x < 0 ? -0.04 : 0.04), y: -y + (labels++ % 2 ? 0.2 : -0.12), "text-anchor": "middle" }, number(size, 3)),
     );
   });
   const grows = multipliers.filter((multiplier) => Math.hypot(...multiplier) > 1 + 1e-6).length;

@@ -36,13 +36,14 @@ export class Curve {
    *  arrays of a line are as long as its t. @param range common Range; @param onSeek called with a time that the reader points at,
    *  and whether it was a click. @param timeUnit of the abscissa. */
   constructor(spec, range, { onSeek, timeUnit, study }) {
-    this.spec = spec;
+    // a table may lack a column that a run of another kind has
+    this.spec = { ...spec, lines: spec.lines.filter((line) => line.y) };
     this.range = range;
     this.onSeek = onSeek;
     this.timeUnit = timeUnit;
     this.study = study;
     this.logarithmic = Boolean(spec.logarithmic);
-    this.hidden = new Set(spec.lines.filter((line) => line.off).map((line) => line));
+    this.hidden = new Set(this.spec.lines.filter((line) => line.off));
     this.time = 0;
     this.visible = false;
     this.stale = true;

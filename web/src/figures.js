@@ -123,6 +123,7 @@ export function figuresOf(study) {
 export function figuresOfAll(studies) {
   const shown = studies.filter((study) => study.run.rows);
   if (!shown.length) return [];
+  const mixed = shown.some((study) => study.units !== shown[0].units);
   const [first] = shown;
   const lines = (make) => shown.map((study) => ({ label: study.label, name: `study-${study.index}`, color: studyColor(study.index), width: 1.75, t: study.run.t, y: make(study) }));
   const extreme = (study, pick) => {
@@ -130,7 +131,7 @@ export function figuresOfAll(studies) {
     return columns[0].map((_, row) => pick(...columns.map((column) => column[row])));
   };
   const paper = shown.filter((study) => study.isPaper);
-  return [
+  const figures = [
     ...(paper.length > 1 ? [{ ...figure4(paper), wide: true }] : []),
     { id: "all-deviation", title: "Deviation of the position", note: "Distance of the top frame's origin from the program.", logable: true, unit: first.run.unit("ex"), lines: lines(({ run }) => magnitude(run.column("ex"), run.column("ey"), run.column("ez"))) },
     { id: "all-angle", title: "Deviation of the angles", note: "Root of the sum of squares of roll, pitch and yaw.", logable: true, unit: first.run.unit("eroll"), lines: lines(({ run }) => magnitude(run.column("eroll"), run.column("epitch"), run.column("eyaw"))) },
@@ -139,4 +140,6 @@ export function figuresOfAll(studies) {
     { id: "all-pull", title: "Least leg force", note: "The least of the six; below zero a leg pulls.", unit: first.run.unit("f1"), lines: lines((study) => extreme(study, Math.min)) },
     { id: "all-condition", title: "Condition of the leg Jacobian", logable: true, unit: "1", lines: lines(({ run }) => run.column("condition")) },
   ];
+  // where units differ, only the shapes can be compared, and the figure says so
+  return mixed ? figures.map((figure) => (figure.unit === "1" || figure.unit === "degree" ? figure : { ...figure, unit: "", note: joined(figure.note, "Each study in its own units.") })) : figures;
 }

@@ -45,7 +45,9 @@ export function ticks(values) {
   const step = present.length > 1 ? Math.abs(present[1] - present[0]) : largest;
   if (largest === 0) return values.map((value) => (value === null ? "" : "0"));
   if (largest < 1e-3 || largest >= 1e6) return values.map((value) => (value === null ? "" : number(value, 3)));
-  const decimals = Math.max(0, Math.min(6, -Math.floor(Math.log10(step || largest) + 1e-9)));
+  let decimals = Math.max(0, Math.min(6, -Math.floor(Math.log10(step || largest) + 1e-9)));
+  // a step of 0.025 needs one more than one of 0.02
+  while (decimals < 6 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals++;
   return values.map((value) => (value === null ? "" : fixed(value, decimals)));
 }
 

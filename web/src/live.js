@@ -158,7 +158,7 @@ export class Live {
       }, word);
     });
     this.built = element(
-      "div", { class: "live" },
+      "div", { class: "live-panel" },
       element("div", { class: "live-head" }, this.playButton, element("button", { class: "mini", type: "button", "data-testid": "live-restart", title: "from t = 0 again (home)", onclick: () => this.restart() }, "restart"), this.clock),
       element("h3", {}, "Feedback"), this.sliders.stiffness.node, this.sliders.damping.node,
       element("label", { class: "check" }, this.feedforward, "feed the program's forces forward"),
@@ -228,7 +228,7 @@ export class Live {
     const weakest = (this.study.stability?.thresholds ?? []).filter((threshold) => threshold.stiffness > stiffness).map(({ mode }) => mode);
     const because = stiffness === 0 ? "Without feedback every small error grows." : weakest.length ? `G = ${number(stiffness, 4)} is below the threshold of ${weakest.join(", ")}.` : "";
     if (over.cause === "left") this.tellFallen(`The platform has left its program at ${time}.`, because || `It is more than ${REACH} base radii away.`, true);
-    else this.tellFallen(`The run ended at ${time}: ${causeWords(over.cause)}.`, [over.message, because].filter(Boolean).join(" · "), true);
+    else this.tellFallen(`It ends at ${time}: ${causeWords(over.cause)}.`, [over.message && `${over.message[0].toUpperCase()}${over.message.slice(1)}.`, because].filter(Boolean).join(" "), true);
   }
 
   tellFallen(headline, reason, again) {

@@ -73,11 +73,13 @@ function posed(group) {
 }
 
 export class Machine {
-  /** @param machine as in the page's data; @param size the length that all thicknesses follow, the base radius; @param peak the
-   *  force at the end of the colour scale; @param accent CSS colour of the ghost and the path. */
-  constructor(machine, size, peak, accent) {
+  /** @param machine as in the page's data; @param peak the force at the end of the colour scale; @param accent CSS colour of the
+   *  ghost and the path; without it the theme's. All thicknesses follow the base radius. */
+  constructor(machine, peak, accent) {
     this.machine = machine;
-    this.size = size;
+    this.size = machine.base_radius;
+    this.accent = accent;
+    const { size } = this;
     this.peak = peak;
     this.group = new Group();
     this.solid = new Group();
@@ -88,9 +90,9 @@ export class Machine {
       piston: new MeshStandardMaterial({ roughness: 0.28, metalness: 0.55 }),
       load: new MeshStandardMaterial({ roughness: 0.6, metalness: 0, transparent: true, opacity: 0.42, depthWrite: false }),
       edge: new LineBasicMaterial({ transparent: true, opacity: 0.5 }),
-      ghost: new MeshBasicMaterial({ color: accent, transparent: true, opacity: 0.16, side: DoubleSide, depthWrite: false }),
-      ghostEdge: new LineBasicMaterial({ color: accent, transparent: true, opacity: 0.8 }),
-      path: new LineBasicMaterial({ color: accent, depthTest: false, transparent: true }),
+      ghost: new MeshBasicMaterial({ color: accent ?? "white", transparent: true, opacity: 0.16, side: DoubleSide, depthWrite: false }),
+      ghostEdge: new LineBasicMaterial({ color: accent ?? "white", transparent: true, opacity: 0.8 }),
+      path: new LineBasicMaterial({ color: accent ?? "white", depthTest: false, transparent: true }),
       plan: new LineDashedMaterial({ depthTest: false, transparent: true, opacity: 0.55, dashSize: 0.03 * size, gapSize: 0.03 * size }),
     };
     this.buildBase();
@@ -273,6 +275,7 @@ export class Machine {
 
   /** Colours of the theme. */
   paint(theme) {
+    if (!this.accent) for (const part of ["ghost", "ghostEdge", "path"]) this.material[part].color = new Color(theme.ghost);
     this.material.base.color = new Color(theme.base);
     this.material.top.color = new Color(theme.top);
     this.material.piston.color = new Color(theme.piston);

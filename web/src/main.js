@@ -71,6 +71,11 @@ class Page {
     return this.chosen === ALL ? this.studies : [this.studies[this.chosen]];
   }
 
+  /** Whether studies of different units stand beside each other. */
+  get mixed() {
+    return this.shown.some((study) => study.units !== this.shown[0].units);
+  }
+
   choose(which) {
     this.chosen = which;
     this.live?.stop();
@@ -84,7 +89,7 @@ class Page {
     this.showScene();
     this.panel = which === ALL ? new ComparisonPanel(this.studies, (index) => this.choose(index)) : new StudyPanel(first);
     byId("recorded").replaceChildren(this.panel.node);
-    this.transport = new Transport(byId("transport"), this.player, first.unit("t"),
+    this.transport = new Transport(byId("transport"), this.player, this.mixed ? "" : first.unit("t"),
       shown.filter((study) => !study.complete).map((study) => ({ time: study.end.time, label: `${study.label}: ${causeWords(study.end.status)}` })));
     this.live = new Live(this, first);
     byId("modes").hidden = which === ALL;
@@ -107,7 +112,7 @@ class Page {
       tab.setAttribute("aria-selected", String(selected));
       tab.tabIndex = selected ? 0 : -1;
     });
-    byId("summary").textContent = all ? "One clock, one scale of colours; each machine with its program as a ghost." : this.sentence(first);
+    byId("summary").textContent = all ? this.mixed ? "One clock; each machine in its own units, with its program as a ghost." : "One clock, one scale of colours; each machine with its program as a ghost." : this.sentence(first);
     byId("ending").replaceChildren(...this.shown.filter((study) => !study.complete).map((study) =>
       element("p", { class: "warning" },
         element("strong", {}, `${all ? `${study.label}: ` : ""}ended early at t = ${number(study.end.time, 6)}${unitAfter(study.unit("t"))}`),
@@ -125,19 +130,19 @@ class Page {
   showScene() {
     const { shown } = this;
     const peak = Math.max(...shown.map((study) => study.peakForce));
-    this.peak = peak;
     this.paths = shown.map((study) => pathOf(study.run, study.machine));
-    const [first] = shown;
+    const forceUnit = unitAfter(shown[0].unit("f1")).trim();
+    const ends = this.mixed ? ["greatest pull", "greatest push"] : [`pull ${number(-peak, 3)}`, `push ${number(peak, 3)}`];
     byId("legend").replaceChildren(
-      element("span", { class: "legend-title" }, `force in a leg${unitAfter(first.unit("f1")) ? ` [${unitAfter(first.unit("f1")).trim()}]` : ""}`),
+      element("span", { class: "legend-title" }, `force in a leg${this.mixed ? ", of each study's greatest" : forceUnit && ` [${forceUnit}]`}`),
       element("i", { class: "legend-bar", style: { background: forceGradient } }),
-      element("span", { class: "legend-ends" }, element("b", {}, `pull ${number(-peak, 3)}`), element("b", {}, "0"), element("b", {}, `push ${number(peak, 3)}`)));
-    byId("legend").setAttribute("aria-label", `Colour of a leg: blue pulls down to ${number(-peak, 3)}, pale is no force, orange pushes up to ${number(peak, 3)}`);
+      element("span", { class: "legend-ends" }, element("b", {}, ends[0]), element("b", {}, "0"), element("b", {}, ends[1])));
+    byId("legend").setAttribute("aria-label", `Colour of a leg: blue is ${ends[0]}, pale no force, orange ${ends[1]}`);
     if (!this.scene) return;
     this.scene.show(shown.map((study, index) => ({
-      machine: study.machine, peak, accent: shown.length > 1 ? studyColor(study.index) : "#0b76b8", name: study.label,
+      machine: study.machine, peak: this.mixed ? study.peakForce : peak, accent: shown.length > 1 ? studyColor(study.index) : null, name: study.label,
       run: this.paths[index].points, plan: pathOf(study.plan, study.machine).points,
-    })));
+    })), this.mixed);
     for (const [part, visible] of Object.entries(this.switched)) this.scene.toggle(part, visible);
     this.scene.canvas.setAttribute("aria-label", `The machine in three dimensions: ${shown.map((study) => study.label).join("; ")}`);
   }

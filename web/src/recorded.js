@@ -65,13 +65,31 @@ export class PoseTable {
   }
 }
 
+/** What one wants to know first. */
+function glance(study) {
+  const { simulate, stability } = study;
+  if (!simulate?.legs) return null;
+  const forces = simulate.legs.flatMap((leg) => leg.force);
+  const lengths = simulate.legs.flatMap((leg) => leg.length);
+  const pairs = [
+    ["off program, at most", `${number(simulate.deviation?.position, 3)}${unitAfter(study.unit("ex"))}`],
+    ["off in angle, at most", `${number(simulate.deviation?.angle, 3)} °`],
+    ["leg forces", `${number(Math.min(...forces), 4)} … ${number(Math.max(...forces), 4)}${unitAfter(study.unit("f1"))}`],
+    ["leg lengths", `${number(Math.min(...lengths), 4)} … ${number(Math.max(...lengths), 4)}${unitAfter(study.unit("l1"))}`],
+    ["condition, at most", number(simulate.condition, 4)],
+    stability && ["under this feedback", stability.stable ? "no mode grows" : "a mode grows"],
+  ];
+  return element("section", { class: "glance" }, element("h3", {}, "Over the whole run"),
+    element("dl", { class: "live-facts" }, pairs.filter(Boolean).map(([term, value]) => [element("dt", {}, term), element("dd", {}, value)])));
+}
+
 /** Panel of one study. */
 export class StudyPanel {
   constructor(study) {
     this.study = study;
     this.pose = new PoseTable(study.unit("x"), study.unit("roll"));
     this.bars = new ForceBars(study.unit("f1"), study.peakForce, study.machine.limits?.force);
-    this.node = element("div", {}, this.bars.node, this.pose.node);
+    this.node = element("div", {}, this.bars.node, this.pose.node, glance(study));
   }
 
   show(time) {

@@ -43,6 +43,7 @@ export class Scene {
   /** @param host element that the scene fills. Throws where there is no WebGL. */
   constructor(host) {
     this.host = host;
+    if (!document.createElement("canvas").getContext("webgl2")) throw new Error("no WebGL");
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
@@ -78,8 +79,9 @@ export class Scene {
     this.stage.add(this.sun, this.sun.target, this.fill, this.sky, new AmbientLight(0xffffff, 0.25));
   }
 
-  /** Shows machines side by side: [{machine, peak, accent, name, run, plan}], run and plan being paths; one `size` for all. */
-  show(entries) {
+  /** Shows machines side by side: [{machine, peak, accent, name, run, plan}], run and plan being paths. `mixed` machines have no
+   *  unit of length in common: each is drawn with the same base radius. */
+  show(entries, mixed = false) {
     for (const { model } of this.machines) {
       this.stage.remove(model.group);
       model.dispose();
@@ -87,12 +89,14 @@ export class Scene {
     this.size = Math.max(...entries.map(({ machine }) => machine.base_radius));
     const across = [-Math.sin(AZIMUTH), Math.cos(AZIMUTH)];
     this.machines = entries.map((entry, index) => {
-      const model = new Machine(entry.machine, this.size, entry.peak, entry.accent);
+      const model = new Machine(entry.machine, entry.peak, entry.accent);
+      const scale = mixed ? this.size / entry.machine.base_radius : 1;
+      model.group.scale.setScalar(scale);
       const shift = (index - (entries.length - 1) / 2) * SPACING * this.size;
       model.group.position.set(across[0] * shift, across[1] * shift, 0);
       model.setPaths(entry.run, entry.plan);
       this.stage.add(model.group);
-      return { model, entry, shift };
+      return { model, entry, scale };
     });
     this.buildGround();
     this.buildLabels(entries.length > 1);
@@ -102,7 +106,7 @@ export class Scene {
 
   buildGround() {
     if (this.ground) this.stage.remove(this.ground);
-    this.low = Math.min(...this.machines.flatMap(({ entry }) => entry.machine.base.map((joint) => joint[2]))) - 0.112 * this.size;
+    this.low = Math.min(...this.machines.map(({ entry: { machine }, scale }) => scale * (Math.min(...machine.base.map((joint) => joint[2])) - 0.112 * machine.base_radius)));
     this.lines = groundLines(0.5 * this.size, 6 + 3 * this.machines.length);
     this.shade = new Mesh(new CircleGeometry(20 * this.size, 48), new ShadowMaterial({ opacity: 0.22 }));
     this.shade.receiveShadow = true;
@@ -123,7 +127,7 @@ export class Scene {
   buildLabels(named) {
     this.labels.replaceChildren();
     this.marks = [];
-    for (const { model, entry } of this.machines) {
+    for (const { model, entry, scale } of this.machines) {
       if (!named) entry.machine.base.forEach((joint, leg) => {
         const mark = element("span", { class: "leg-mark", style: { "--leg": LEGS[leg] } }, String(leg + 1));
         const outwards = 1 + (0.2 * this.size) / (Math.hypot(joint[0], joint[1]) || 1);
@@ -132,14 +136,14 @@ export class Scene {
       });
       if (!named) continue;
       const mark = element("span", { class: "study-mark", style: { "--study": entry.accent } }, entry.name);
-      this.marks.push({ mark, model, point: new Vector3(0, 0, this.low - 0.32 * this.size) });
+      this.marks.push({ mark, model, point: new Vector3(0, 0, (this.low - 0.32 * this.size) / scale) });
       this.labels.append(mark);
     }
   }
 
   /** Takes the colours of the theme in force. */
   paint() {
-    const theme = Object.fromEntries(["base", "top", "piston", "load", "edge", "plan"].map((name) => [name, themed(`--scene-${name}`)]));
+    const theme = Object.fromEntries(["base", "top", "piston", "load", "edge", "plan", "ghost"].map((name) => [name, themed(`--scene-${name}`)]));
     for (const { model } of this.machines) model.paint(theme);
     if (this.lines) {
       this.lines.material.color = new Color(themed("--scene-grid"));
@@ -150,7 +154,7 @@ export class Scene {
 
   /** The view that all machines at home fill. */
   resetView() {
-    const height = Math.max(...this.machines.map(({ entry, model }) => entry.machine.height + model.rise - 0.15 * this.size), 0.4 * this.size);
+    const height = Math.max(...this.machines.map(({ entry, model, scale }) => scale * (entry.machine.height + model.rise) - 0.15 * this.size), 0.4 * this.size);
     const width = 2.5 * this.size + SPACING * this.size * (this.machines.length - 1);
     const aspect = Math.max(this.camera.aspect, 0.3);
     const half = Math.tan((FIELD * Math.PI) / 360);
@@ -177,13 +181,13 @@ export class Scene {
   move(moments) {
     let rise = 0;
     moments.forEach(({ pose, forces, plan, points }, index) => {
-      const { model, entry } = this.machines[index];
+      const { model, entry, scale } = this.machines[index];
       if (pose) model.move(pose, forces);
       model.moveGhost(plan);
       if (points !== undefined) model.showPath(points);
       const high = pose ? pose.position[2] - entry.machine.height : 0;
       const aside = pose ? Math.hypot(pose.position[0], pose.position[1]) : 0;
-      rise = Math.max(rise, high - 0.35 * this.size, aside - 0.6 * this.size);
+      rise = Math.max(rise, scale * high - 0.35 * this.size, scale * aside - 0.6 * this.size);
     });
     this.rise = Number.isFinite(rise) ? Math.min(rise, 100 * this.size) : 0;
     this.frame();

@@ -96,11 +96,13 @@ const orders = {
   },
 };
 
-addEventListener("message", async ({ data }) => {
-  try {
-    if (data.kind === "begin" || core) await orders[data.kind](data);
-  } catch (error) {
-    run(false);
-    postMessage({ kind: "failed", message: error.message });
-  }
+// one order after the other: what comes while the core is still being loaded waits
+let orderly = Promise.resolve();
+addEventListener("message", ({ data }) => {
+  orderly = orderly
+    .then(() => orders[data.kind](data))
+    .catch((error) => {
+      run(false);
+      postMessage({ kind: "failed", message: error.message });
+    });
 });
