@@ -187,11 +187,15 @@ test("durations that are no whole steps lose no time", async () => {
   }
 });
 
-test("gains set to what they are change no bit, at any time", async () => {
+test("settings set to what they are, or to no number, change no bit at any time", async () => {
   const core = await coreOf(machine + waves + "control: {stiffness: 30, damping: 2}\n" + stepped("dop853"));
   const run = core.run();
   for (let r = 0; r < run.rows; r++) {
     core.set({ stiffness: 30, damping: 2, feedforward: true, disturbance: 1, amplitude: 1, frequency: 1 });
+    for (const none of [NaN, Infinity, -Infinity]) {
+      core.set({ stiffness: none, damping: none, disturbance: none, amplitude: none, frequency: none });
+      core.push(none, 0, 0);
+    }
     core.push(0, 0, 0);
     assertSameRow(core, run, r);
     core.advance(0.0625, 0.0078125);
@@ -301,9 +305,9 @@ test("the program stays smooth while its amplitude and frequency change", async 
     if (i === 2500) core.set({ amplitude: 0.3 });
     if (i === 3500) core.set({ amplitude: 1.2, frequency: 0.25 });
     if (i === 4500) core.set({ frequency: 1 });
-    if (i === 5600) core.set({ frequency: 1 }); // as given again, but for the phase
-    if (i === 5700) core.set({ amplitude: 1 });
-    if (i === 7000) core.set({ amplitude: 1, frequency: 1, disturbance: 1 });
+    if (i === 4700) core.set({ frequency: 1 }); // the same on its way is no change
+    if (i === 5600) core.set({ amplitude: 1 });
+    if (i === 7000) for (const factor of [2, 1]) core.set({ amplitude: factor, frequency: factor }); // as given again, but for the phase
     if (i === 7500) core.set({ frequency: 0 });
     assert.equal(core.advance(step, step), "done", core.message);
     const z = core.program()[2];
