@@ -348,7 +348,7 @@ void live_set_amplitude(double factor) {
 void live_set_frequency(double factor) {
     const double phase = clock_at(live.d.t).v;
 
-    if (!redirect(&live.frequency, factor < 0 ? 0 : factor)) return;
+    if (!isfinite(factor) || !redirect(&live.frequency, fmax(factor, 0))) return;
     live.phase = phase;
     settle();
 }
