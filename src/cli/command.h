@@ -18,6 +18,7 @@ gough_status sweep_verb(int count, char **argument);
 gough_status merge_verb(int count, char **argument);
 gough_status plot_verb(int count, char **argument);
 gough_status stability_verb(int count, char **argument);
+gough_status tune_verb(int count, char **argument);
 gough_status report_verb(int count, char **argument);
 
 /* ---- line.c: what may stand on the command line ---- */
@@ -47,7 +48,13 @@ enum option_key {
     OPTION_SWEEP_STIFFNESS,
     OPTION_SWEEP_AMPLITUDE,
     OPTION_SWEEP_FREQUENCY,
-    OPTION_SWEEP_DAMPING
+    OPTION_SWEEP_DAMPING,
+    OPTION_DEVIATION,
+    OPTION_ANGLE_DEVIATION,
+    OPTION_DAMPING_RATIO,
+    OPTION_FEEDFORWARD,
+    OPTION_MARGIN,
+    OPTION_STIFFNESS
 };
 
 /* Values of one axis of a map: `count` of them from `from` to `to`, by equal steps or equal ratios. */
@@ -57,6 +64,14 @@ typedef struct axis_values {
     size_t count;
     bool logarithmic;
 } axis_values;
+
+/* What gough tune is asked for; NaN: not said. */
+typedef struct tuning_request {
+    double deviation, angle, ratio, margin; /* the angle in degrees */
+    double from, to;                        /* of the stiffness */
+    bool bounded;                           /* whether those two were said */
+    int feedforward;                        /* 0 without, 1 with, 2 both */
+} tuning_request;
 
 typedef struct command_line {
     const char *verb;
@@ -78,6 +93,7 @@ typedef struct command_line {
     double pose[GOUGH_COMPONENTS]; /* from --pose: lengths and degrees, from home */
     double at;                     /* NaN: not asked for */
     axis_values stiffness, second; /* of a stability map */
+    tuning_request tuning;
 } command_line;
 
 /* What a verb accepts; the text of its --help. */
@@ -101,6 +117,9 @@ bool read_pose(const char *text, double pose[GOUGH_COMPONENTS], gough_error *err
 
 /* "a:b:n" or "a:b:n:log", as option --NAME has it. Returns false with a sentence for the user. */
 bool read_axis(const char *name, const char *text, axis_values *axis, gough_error *error);
+
+/* "a:b", two numbers. Returns false with a sentence for the user. */
+bool read_span(const char *text, double *from, double *to, gough_error *error);
 
 /* ---- talk.c: what is said on standard error ---- */
 

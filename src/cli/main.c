@@ -14,10 +14,11 @@ typedef struct verb {
     gough_status (*run)(int count, char **argument);
 } verb;
 
-static const verb verbs[] = {
-    {"example", example_verb},     {"check", check_verb}, {"forces", forces_verb},
-    {"simulate", simulate_verb},   {"sweep", sweep_verb}, {"merge", merge_verb},
-    {"stability", stability_verb}, {"plot", plot_verb},   {"report", report_verb}};
+static const verb verbs[] = {{"example", example_verb},     {"check", check_verb},
+                             {"forces", forces_verb},       {"simulate", simulate_verb},
+                             {"sweep", sweep_verb},         {"merge", merge_verb},
+                             {"stability", stability_verb}, {"tune", tune_verb},
+                             {"plot", plot_verb},           {"report", report_verb}};
 enum { VERBS = sizeof verbs / sizeof *verbs };
 
 static const char text[] =
@@ -30,6 +31,7 @@ static const char text[] =
     "  gough sweep STUDY       many runs of a study with other numbers\n"
     "  gough merge SHARD...    one table of the shards of a sweep\n"
     "  gough stability STUDY   modes, thresholds of the stiffness, growth along the program\n"
+    "  gough tune STUDY        the least stiffness of the feedback for an accuracy\n"
     "  gough plot RESULT...    figures as PNG, SVG or PDF\n"
     "  gough report STUDY...   all of it as one HTML page\n"
     "\n"

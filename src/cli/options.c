@@ -79,6 +79,59 @@ static void read_pose_option(struct argp_state *state, command_line *line, const
     if (!read_pose(text, line->pose, &error)) argp_error(state, "%s", error.message);
 }
 
+/* A number of an option of gough tune, in the range that its sentence says. */
+static double read_asked(struct argp_state *state, const char *option, const char *text,
+                         double least, double below, const char *range) {
+    char *rest = NULL;
+    const double value = strtod(text, &rest);
+    if (rest == text || *rest || *text == ' ' || !(value >= least && value < below))
+        argp_error(state, "%s takes a number %s; '%s' is none", option, range, text);
+    return value;
+}
+
+static void read_feedforward(struct argp_state *state, command_line *line, const char *text) {
+    static const char *const choice[] = {"none", "program", "both"};
+    line->tuning.feedforward = -1;
+    for (int c = 0; c < 3; c++)
+        if (strcmp(text, choice[c]) == 0) line->tuning.feedforward = c;
+    if (line->tuning.feedforward < 0)
+        argp_error(state, "--feedforward is program, none or both, not '%s'", text);
+}
+
+static void read_stiffness(struct argp_state *state, command_line *line, const char *text) {
+    gough_error error = {0};
+    line->tuning.bounded = true;
+    if (!read_span(text, &line->tuning.from, &line->tuning.to, &error))
+        argp_error(state, "%s", error.message);
+}
+
+/* Options of gough tune; whether it is one. */
+static bool read_tuning(int key, const char *text, struct argp_state *state, command_line *line) {
+    tuning_request *t = &line->tuning;
+    switch (key) {
+    case OPTION_DEVIATION:
+        t->deviation = read_asked(state, "--deviation", text, 1e-300, INFINITY, "> 0");
+        return true;
+    case OPTION_ANGLE_DEVIATION:
+        t->angle = read_asked(state, "--angle-deviation", text, 1e-300, INFINITY, "> 0, degrees");
+        return true;
+    case OPTION_DAMPING_RATIO:
+        t->ratio = read_asked(state, "--damping-ratio", text, 0, 1, "from 0 to less than 1");
+        return true;
+    case OPTION_MARGIN:
+        t->margin = read_asked(state, "--margin", text, 0, 0.5000001, "from 0 to 0.5");
+        return true;
+    case OPTION_FEEDFORWARD:
+        read_feedforward(state, line, text);
+        return true;
+    case OPTION_STIFFNESS:
+        read_stiffness(state, line, text);
+        return true;
+    default:
+        return false;
+    }
+}
+
 static error_t read_option(int key, char *text, struct argp_state *state) {
     reader *reading = state->input;
     command_line *o = reading->line;
@@ -167,7 +220,7 @@ static error_t read_option(int key, char *text, struct argp_state *state) {
             argp_error(state, "%s is missing", reading->usage->arguments);
         break;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return read_tuning(key, text, state, o) ? 0 : ARGP_ERR_UNKNOWN;
     }
     return 0;
 }
@@ -181,6 +234,7 @@ command_line command_line_read(const verb_usage *usage, int count, char **argume
                       .label = calloc(room, sizeof *o.label),
                       .outputs = calloc(room, sizeof *o.outputs),
                       .at = NAN,
+                      .tuning = {NAN, NAN, NAN, NAN, 0, 0, false, 2},
                       .figure = gough_figure_default()};
     if (!o.settings || !o.file || !o.label || !o.outputs) {
         complain(usage->verb, "memory is out");

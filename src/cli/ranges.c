@@ -106,3 +106,17 @@ bool read_axis(const char *name, const char *text, axis_values *axis, gough_erro
     axis->count = (size_t)count;
     return true;
 }
+
+/* ---- a span ------------------------------------------------------------------------------------------------------- */
+
+bool read_span(const char *text, double *from, double *to, gough_error *error) {
+    const char *piece[5], *end[5];
+    if (split(text, piece, end) == 2 && read_part(piece[0], end[0], from) &&
+        read_part(piece[1], end[1], to) && *from >= 0 && *to >= *from)
+        return true;
+    gough_fail(error, GOUGH_ERROR_INPUT,
+               "--stiffness takes two numbers, 0 <= a <= b, as in --stiffness 1:1e5; '%s' is not "
+               "of this form",
+               text);
+    return false;
+}

@@ -1,0 +1,417 @@
+/* The least stiffness of the feedback that meets an accuracy: scan, bracket, keep clear of what grows. Theory:
+ * docs/theory/tuning.md. */
+#include "analyse/tune.h"
+
+#include <math.h>
+#include <string.h>
+
+/* G is bracketed to this, relative */
+static const double bracket = 1e-4;
+
+/* the curve goes on above the G named by this factor */
+static const double beyond = 10;
+
+/* runs of more steps are not made; a step turns the fastest mode by about this angle */
+static const double most_steps = 1e6, turn_of_step = 0.6;
+
+/* the threshold at rest over this is where the search begins */
+static const double below_threshold = 4;
+
+/* so often a G may be lifted over what grows */
+enum { MOST_LIFTS = 200, INSIDE = 3 };
+
+/* ---- what is asked ------------------------------------------------------------------------------------------------ */
+
+gough_tuning_options gough_tuning_options_default(void) {
+    return (gough_tuning_options){
+        .angle_deviation = INFINITY, .damping_ratio = NAN, .margin = 0.05, .greatest = INFINITY};
+}
+
+static gough_status check_options(const gough_tuning_options *o, gough_error *error) {
+    if (!(o->deviation > 0) || !isfinite(o->deviation))
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the deviation asked for must be a finite number > 0, not %.9g",
+                          o->deviation);
+    if (!(o->angle_deviation > 0))
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the deviation of angle asked for must be > 0, not %.9g",
+                          o->angle_deviation);
+    if (!isnan(o->damping_ratio) && !(o->damping_ratio >= 0 && o->damping_ratio < 1))
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "a damping ratio is at least 0 and less than 1, not %.9g",
+                          o->damping_ratio);
+    if (!(o->margin >= 0 && o->margin <= 0.5))
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the margin is a part of G from 0 to 0.5, not %.9g", o->margin);
+    if (!(o->least >= 0) || !isfinite(o->least) || !(o->greatest >= o->least))
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "stiffness is searched between two numbers, 0 <= a < b, not %.9g and %.9g", o->least,
+            o->greatest);
+    return GOUGH_OK;
+}
+
+gough_map_options tune_map_options(const gough_tuning_options *options, double from, double to,
+                                   size_t count) {
+    gough_map_options map = gough_map_options_default();
+
+    map.stiffness = (gough_map_range){from, to, count, true};
+    map.intervals = TUNE_INTERVALS;
+    map.threads = options->threads;
+    return map;
+}
+
+/* ---- memory ------------------------------------------------------------------------------------------------------- */
+
+static size_t rounded(size_t bytes) { return (bytes + 63) / 64 * 64; }
+
+static gough_batch_options batch_options(const gough_tuning_options *options) {
+    gough_batch_options batch = gough_batch_options_default();
+
+    batch.threads = options->threads;
+    return batch;
+}
+
+gough_status gough_tune_size(const gough_model *model, const gough_tuning_options *options,
+                             size_t *bytes, gough_error *error) {
+    const gough_batch_options batch = batch_options(options);
+    const gough_map_options map = tune_map_options(options, 1, 2, TUNE_ROUND + 2);
+    size_t for_map = 0;
+    gough_status status = check_options(options, error);
+
+    *bytes = 0;
+    if (status == GOUGH_OK) status = gough_map_size(model, &map, &for_map, error);
+    if (status != GOUGH_OK) return status;
+    *bytes = rounded(sizeof(tune)) + 2 * rounded(sizeof(gough_model)) +
+             rounded(gough_batch_size(&batch)) + rounded(for_map);
+    return GOUGH_OK;
+}
+
+static tune *lay_out(const gough_model *model, const gough_tuning_options *options, void *memory) {
+    const gough_batch_options batch = batch_options(options);
+    char *place = memory;
+    tune *t = (tune *)(void *)place;
+
+    memset(t, 0, sizeof *t);
+    place += rounded(sizeof(tune));
+    t->loop = (gough_model *)(void *)place;
+    place += rounded(sizeof(gough_model));
+    t->steady = (gough_model *)(void *)place;
+    place += rounded(sizeof(gough_model));
+    t->batch_memory = place;
+    place += rounded(gough_batch_size(&batch));
+    t->map_memory = place;
+    t->batch = batch;
+    t->model = model;
+    t->options = options;
+    t->ratio = !isnan(options->damping_ratio);
+    memcpy(t->loop, model, sizeof *model);
+    return t;
+}
+
+/* ---- where the search goes ---------------------------------------------------------------------------------------- */
+
+static void set_stiffness(gough_model *model, double stiffness) {
+    for (int v = 0; v < GOUGH_LEGS; v++) model->control.stiffness[v] = stiffness;
+}
+
+/* thresholds at rest with feed-forward, and the fastest mode where G outweighs all else */
+static gough_status look_at_home(tune *t, double unit, gough_error *error) {
+    gough_tuning *tuning = t->tuning;
+    double large, fastest = 0;
+    gough_status status;
+
+    t->steady->control.feedforward = true;
+    set_stiffness(t->steady, 0);
+    for (int v = 0; v < GOUGH_LEGS; v++) t->steady->control.damping[v] = 0;
+    status = gough_stability_at_rest(t->steady, NULL, &t->rest, error);
+    if (status != GOUGH_OK) return status;
+    tuning->threshold = t->rest.threshold[0].stiffness;
+    tuning->least_mode = t->rest.threshold[0].mode;
+
+    large = 1e4 * fmax(unit, tuning->threshold);
+    set_stiffness(t->steady, large);
+    status = gough_stability_at_rest(t->steady, NULL, &t->rest, error);
+    if (status != GOUGH_OK) return status;
+    for (int k = 0; k < GOUGH_LINEAR; k++) {
+        const double *value = t->rest.eigenvalue[k].value;
+        fastest = fmax(fastest, hypot(value[0], value[1]));
+    }
+    t->frequency = fastest / sqrt(large);
+    return GOUGH_OK;
+}
+
+static gough_status find_range(tune *t, double unit, gough_error *error) {
+    const gough_tuning *tuning = t->tuning;
+    const double longest = most_steps * turn_of_step / (t->simulation.duration * t->frequency);
+    const double decades = (double)GOUGH_TUNING_POINTS / TUNE_DECADE;
+
+    t->least = t->options->least;
+    t->greatest = t->options->greatest;
+    if (t->greatest <= tuning->threshold)
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "home is unstable without feedback: %s grows unless G is over %.6g, and "
+                          "the search allows only %.6g; allow more, by --stiffness a:b with b over "
+                          "the threshold",
+                          tuning->least_mode.name, tuning->threshold, t->greatest);
+    if (!isfinite(t->greatest)) t->greatest = 1e6 * unit;
+    if (!(t->least > 0))
+        t->least = tuning->threshold > 0 ? tuning->threshold / below_threshold : 1e-3 * unit;
+    if (!(t->greatest > t->least))
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "stiffness is searched between two numbers, 0 < a < b, not %.9g and %.9g",
+                          t->least, t->greatest);
+    if (t->greatest > longest * longest && longest * longest > t->least) {
+        t->greatest = longest * longest;
+        t->most_steps = true;
+    }
+    t->whole = (size_t)ceil(fmin(log10(t->greatest / t->least), decades) * TUNE_DECADE) + 1;
+    if (t->whole > GOUGH_TUNING_POINTS) t->whole = GOUGH_TUNING_POINTS;
+    return GOUGH_OK;
+}
+
+/* the program's period; where it has none, rest at home is looked at in its place */
+static gough_status find_period(tune *t, gough_error *error) {
+    gough_tuning *tuning = t->tuning;
+    gough_error why = {0};
+    const gough_status status = gough_motion_period(&t->model->motion, &t->period, &why);
+
+    if (status != GOUGH_OK && t->model->motion.period > 0)
+        return gough_fail(error, status, "%s", why.message);
+    tuning->periodic = status == GOUGH_OK && !t->period.resting;
+    if (status != GOUGH_OK) {
+        gough_fail(&why, status, "the program has no period");
+        t->period = (gough_period){.resting = true};
+        memset(&t->steady->motion, 0, sizeof t->steady->motion);
+    } else if (t->period.resting) {
+        gough_fail(&why, status, "the program ends at rest");
+    }
+    if (!tuning->periodic) {
+        why.message[sizeof tuning->unchecked - 1] = '\0';
+        memcpy(tuning->unchecked, why.message, sizeof tuning->unchecked);
+    }
+    return GOUGH_OK;
+}
+
+static gough_status prepare(tune *t, const gough_simulation *simulation, bool feedforward,
+                            gough_error *error) {
+    const gough_machine *machine = &t->model->machine;
+    const double g = machine->gravity_magnitude, M = machine->load.mass, T = simulation->duration;
+    const double unit = g > 0 ? M * g / machine->base_radius : M / (T * T);
+    gough_status status;
+
+    t->simulation = *simulation;
+    t->simulation.precision = GOUGH_DOUBLE;
+    t->simulation.reactions = false;
+    t->simulation.tolerance = fmax(t->simulation.tolerance, 1e-14);
+    if (simulation->method != GOUGH_DOP853 || simulation->step > 0) {
+        t->simulation.method = GOUGH_DOP853;
+        t->simulation.step = 0;
+        t->simulation.tolerance = 1e-10;
+    }
+    status = gough_simulation_check(t->model, &t->simulation, error);
+    if (status != GOUGH_OK) return status;
+
+    memcpy(t->steady, t->loop, sizeof *t->steady);
+    t->loop->control.feedforward = feedforward;
+    status = look_at_home(t, unit, error);
+    if (status == GOUGH_OK) status = find_range(t, unit, error);
+    if (status == GOUGH_OK) status = find_period(t, error);
+    t->steady->control.feedforward = feedforward;
+    return status;
+}
+
+/* ---- bracketing --------------------------------------------------------------------------------------------------- */
+
+/* Between a G that does not and one that does, to `bracket`. */
+static gough_status refine(tune *t, gough_tuning_point *fails, gough_tuning_point *does,
+                           gough_error *error) {
+    while (does->stiffness > fails->stiffness * (1 + bracket)) {
+        const double ratio = does->stiffness / fails->stiffness;
+        double stiffness[INSIDE];
+        gough_tuning_point point[INSIDE];
+        gough_status status;
+
+        for (int i = 0; i < INSIDE; i++)
+            stiffness[i] = fails->stiffness * pow(ratio, (i + 1.0) / (INSIDE + 1));
+        status = tune_evaluate(t, stiffness, INSIDE, point, error);
+        if (status != GOUGH_OK) return status;
+        for (int i = 0; i < INSIDE; i++) {
+            if (tune_meets(t, &point[i])) {
+                *does = point[i];
+                break;
+            }
+            *fails = point[i];
+        }
+    }
+    return GOUGH_OK;
+}
+
+static double rounded_up(double x) {
+    const double unit = pow(10, 4 - floor(log10(x)));
+
+    return ceil(x * unit * (1 - 1e-12)) / unit;
+}
+
+static gough_tuning_binding binding_of(const tune *t, const gough_tuning_point *fails) {
+    if (!(fails->stiffness > 0)) return GOUGH_TUNING_SEARCH;
+    if (fails->cause == GOUGH_END_INVALID) return GOUGH_TUNING_THRESHOLD;
+    if (fails->cause != GOUGH_END_DONE) return GOUGH_TUNING_END;
+    return fails->position_deviation > t->options->deviation ? GOUGH_TUNING_POSITION
+                                                             : GOUGH_TUNING_ANGLE;
+}
+
+/* ---- the hunt ----------------------------------------------------------------------------------------------------- */
+
+/* where the search for the least G stands */
+typedef struct {
+    size_t next;              /* of the curve's points */
+    gough_tuning_point fails; /* the greatest that was found not to do; G = 0: none */
+    bool lifted;              /* over what grows, to: */
+    double floor;
+    tune_growth blocked;
+    int lifts;
+    bool over, found;
+} hunt;
+
+static void name(tune *t, const hunt *h, const gough_tuning_point *point, bool by_stability) {
+    gough_tuning *tuning = t->tuning;
+
+    tuning->stiffness = point->stiffness;
+    tuning->damping = point->damping;
+    tuning->binding = by_stability ? h->blocked.kind : binding_of(t, &h->fails);
+    tuning->cause = tuning->binding == GOUGH_TUNING_END ? h->fails.cause : GOUGH_END_DONE;
+    tuning->fails = h->fails.stiffness > 0 ? h->fails.stiffness : NAN;
+    if (by_stability) {
+        tuning->fails = h->blocked.to;
+        tuning->mode = h->blocked.mode;
+    } else if (tuning->binding == GOUGH_TUNING_THRESHOLD) {
+        tuning->mode = tuning->least_mode;
+    }
+    tuning->mode_share = NAN;
+}
+
+/* a G that meets the accuracy: named, if it is clear of what grows */
+static gough_status consider(tune *t, hunt *h, const gough_tuning_point *does, bool by_stability,
+                             gough_error *error) {
+    const double round = rounded_up(does->stiffness);
+    gough_tuning_point point;
+    double clear;
+    gough_status status = tune_evaluate(t, &round, 1, &point, error);
+
+    if (status != GOUGH_OK) return status;
+    if (!tune_meets(t, &point)) point = *does;
+    status = tune_clear(t, &point, &clear, &h->blocked, error);
+    if (status != GOUGH_OK) return status;
+    if (!(clear > point.stiffness)) {
+        name(t, h, &point, by_stability);
+        h->found = h->over = true;
+    } else if (!isfinite(clear) || ++h->lifts > MOST_LIFTS) {
+        h->over = true;
+    } else {
+        h->lifted = true;
+        h->floor = clear;
+    }
+    return GOUGH_OK;
+}
+
+/* the point to which the search was lifted */
+static gough_status try_floor(tune *t, hunt *h, gough_error *error) {
+    gough_tuning_point point;
+    const gough_status status = tune_evaluate(t, &h->floor, 1, &point, error);
+
+    h->lifted = false;
+    if (status != GOUGH_OK) return status;
+    if (tune_meets(t, &point)) return consider(t, h, &point, true, error);
+    h->fails = point;
+    return GOUGH_OK;
+}
+
+static gough_status go_on(tune *t, hunt *h, gough_error *error) {
+    gough_status status = GOUGH_OK;
+
+    while (!h->over && status == GOUGH_OK) {
+        if (h->lifted) {
+            status = try_floor(t, h, error);
+            continue;
+        }
+        if (h->next == t->tuning->points) break;
+        gough_tuning_point point = t->point[h->next];
+        if (!(point.stiffness > h->fails.stiffness)) {
+            h->next++;
+        } else if (!tune_meets(t, &point)) {
+            h->fails = point;
+            h->next++;
+        } else {
+            if (h->fails.stiffness > 0) status = refine(t, &h->fails, &point, error);
+            if (status == GOUGH_OK) status = consider(t, h, &point, false, error);
+        }
+    }
+    return status;
+}
+
+/* ---- the curve ---------------------------------------------------------------------------------------------------- */
+
+static gough_status add_points(tune *t, gough_error *error) {
+    gough_tuning *tuning = t->tuning;
+    gough_tuning_point *point = &t->point[tuning->points];
+    const size_t left = t->whole - tuning->points, count = left < TUNE_ROUND ? left : TUNE_ROUND;
+    const double before = tuning->points ? point[-1].stiffness : 0;
+    tune_growth growth[TUNE_INTERVALS];
+    double stiffness[TUNE_ROUND];
+    size_t grown;
+    gough_status status;
+
+    for (size_t i = 0; i < count; i++) {
+        const double place = (double)(tuning->points + i) / (double)(t->whole - 1);
+        stiffness[i] = t->least * pow(t->greatest / t->least, place);
+    }
+    status = tune_evaluate(t, stiffness, count, point, error);
+    if (status == GOUGH_OK)
+        status = tune_growth_of(t, before, point, count, growth, TUNE_INTERVALS, &grown, error);
+    if (status != GOUGH_OK) return status;
+    tune_note_growth(t, growth, grown);
+    tuning->points += count;
+    if (t->options->progress &&
+        t->options->progress(t->options->context, (double)tuning->points / (double)t->whole))
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL, "the search was stopped");
+    return GOUGH_OK;
+}
+
+/* whether more of the curve would tell nothing */
+static bool enough(const tune *t, const hunt *h) {
+    const gough_tuning *tuning = t->tuning;
+    const double reached = t->point[tuning->points - 1].stiffness;
+
+    if (tuning->points == t->whole) return true;
+    if (h->found) return reached >= beyond * tuning->stiffness;
+    if (h->over) return true;
+    return reached > 1e3 * fmax(tuning->threshold, t->least) && tune_is_flat(t);
+}
+
+gough_status gough_tune(const gough_model *model, const gough_simulation *simulation,
+                        bool feedforward, const gough_tuning_options *options,
+                        gough_tuning_point *point, gough_tuning *tuning, void *memory,
+                        gough_error *error) {
+    hunt h = {0};
+    gough_status status = check_options(options, error);
+    tune *t;
+
+    memset(tuning, 0, sizeof *tuning);
+    if (status != GOUGH_OK) return status;
+    t = lay_out(model, options, memory);
+    t->point = point;
+    t->tuning = tuning;
+    status = prepare(t, simulation, feedforward, error);
+    do {
+        if (status == GOUGH_OK) status = add_points(t, error);
+        if (status == GOUGH_OK) status = go_on(t, &h, error);
+    } while (status == GOUGH_OK && !enough(t, &h));
+    if (status != GOUGH_OK) return status;
+
+    tuning->found = h.found;
+    tune_curve(t);
+    if (h.found) return tune_detail(t, error);
+    tune_reason(t);
+    return GOUGH_OK;
+}

@@ -1,0 +1,96 @@
+/* The search for the feedback: what its parts share. Theory: docs/theory/tuning.md. */
+#ifndef GOUGH_ANALYSE_TUNE_H
+#define GOUGH_ANALYSE_TUNE_H
+
+#include "gough/tune.h"
+
+enum {
+    TUNE_DECADE = 20,   /* points of the curve in a decade of G */
+    TUNE_ROUND = 10,    /* of them run at once */
+    TUNE_INTERVALS = 64 /* in which a mode grows, looked at at once */
+};
+
+/* an interval of G in which a mode grows */
+typedef struct {
+    double from, to;
+    gough_tuning_binding kind; /* threshold or tongue */
+    gough_mode mode;
+} tune_growth;
+
+typedef struct tune {
+    const gough_model *model;
+    const gough_tuning_options *options;
+    gough_simulation simulation; /* adaptive */
+    gough_model *
+        steady; /* a copy whose stability is looked at: its program at rest at home where it has no period */
+    gough_model *loop; /* a copy with the feed-forward asked for, its gains set as they are tried */
+    gough_period period;
+    bool ratio;       /* D follows from G */
+    double frequency; /* of the fastest mode at home where G is 1 and outweighs the rest */
+    double least, greatest;
+    bool most_steps; /* `greatest` is where runs get too long */
+    gough_rest rest;
+
+    gough_batch_run run[TUNE_ROUND + 1];
+    gough_control control[TUNE_ROUND + 1];
+    gough_outcome outcome[TUNE_ROUND + 1];
+    gough_map_point map_point[TUNE_ROUND + 2];
+    gough_map_row map_row;
+    gough_interval map_interval[TUNE_INTERVALS];
+    gough_batch_options batch;
+    void *batch_memory, *map_memory;
+
+    gough_tuning_point *point;
+    gough_tuning *tuning;
+    size_t whole; /* points of the curve from least to greatest */
+} tune;
+
+/* ---- tune_damping.c ---- */
+
+/* smallest −Re λ/|λ| of a loop's eigenvalues; NaN where there are none to be had */
+double tune_least_ratio(double matrix[GOUGH_LINEAR][GOUGH_LINEAR]);
+
+/* ---- tune_run.c ---- */
+
+/* Runs of at most TUNE_ROUND + 1 values of G, rising; fills all but growth, stable, regular. */
+gough_status tune_evaluate(tune *t, const double *stiffness, size_t count,
+                           gough_tuning_point *point, gough_error *error);
+
+/* whether a run reached its end within what is asked */
+bool tune_meets(const tune *t, const gough_tuning_point *point);
+
+/* The numbers of the run with the G and D named, mode and leg that bind. */
+gough_status tune_detail(tune *t, gough_error *error);
+
+/* distance from the program at the beginning */
+double tune_initial_offset(const tune *t);
+
+/* ---- tune_stable.c ---- */
+
+/* Growth of at most TUNE_ROUND + 1 points that have been run, and, from `before` on (the point before them; 0: none), the intervals
+ * in which a mode grows. Returns how many in `count`. */
+gough_status tune_growth_of(tune *t, double before, gough_tuning_point *point, size_t points,
+                            tune_growth *growth, size_t room, size_t *count, gough_error *error);
+
+/* The least G from that of a point on that has no growth within the margin around it; `blocked` tells, where it is greater, what
+ * is below it. INFINITY: none up to the greatest. */
+gough_status tune_clear(tune *t, const gough_tuning_point *point, double *clear,
+                        tune_growth *blocked, gough_error *error);
+
+/* the map over a range of G, with D as it is */
+gough_map_options tune_map_options(const gough_tuning_options *options, double from, double to,
+                                   size_t count);
+
+/* ---- tune_curve.c ---- */
+
+/* slope and exceptions of the curve */
+void tune_curve(tune *t);
+void tune_note_growth(tune *t, const tune_growth *growth, size_t count);
+
+/* whether over the last decade the deviation has stopped falling, or all runs have ended early */
+bool tune_is_flat(const tune *t);
+
+/* why no G does it */
+void tune_reason(tune *t);
+
+#endif

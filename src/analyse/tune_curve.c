@@ -1,0 +1,311 @@
+/* The curve of deviation against G: its slope, where it leaves its trend, and, where no G does, why. Theory:
+ * docs/theory/tuning.md. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "analyse/tune.h"
+
+/* a point whose deviation is this factor off the trend is not of it */
+static const double off_trend = 1.5;
+
+/* a deviation below this, in base radii, is round-off and tells nothing */
+static const double rounding = 1e-12;
+
+/* as flat as this, a curve does not lead to any accuracy */
+static const double flat = -0.05;
+
+enum { SWEEPS = 40, FEWEST = 5 };
+
+static const char *const binding_names[] = {"position",  "angle",  "end",
+                                            "threshold", "tongue", "search"};
+static const char *const exception_names[] = {"ended", "unstable", "off_trend"};
+
+const char *gough_tuning_binding_name(gough_tuning_binding binding) {
+    return binding_names[binding];
+}
+
+const char *gough_tuning_exception_name(gough_tuning_exception_kind kind) {
+    return exception_names[kind];
+}
+
+/* ---- trend -------------------------------------------------------------------------------------------------------- */
+
+static bool usable(const tune *t, const gough_tuning_point *p) {
+    return p->cause == GOUGH_END_DONE && p->stable &&
+           p->position_deviation > rounding * t->model->machine.base_radius;
+}
+
+/* ln of deviation over trend */
+static double excess(const gough_tuning *tuning, const gough_tuning_point *p) {
+    return log(p->position_deviation / tuning->scale) - tuning->slope * log(p->stiffness);
+}
+
+/* least squares of ln deviation = ln scale + slope ln G over points of weight w(excess); false where there are too few */
+static bool fit(tune *t, double (*weight)(double excess), bool begun) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    gough_tuning *tuning = t->tuning;
+    size_t points = 0;
+
+    for (size_t i = 0; i < tuning->points; i++) {
+        const gough_tuning_point *p = &t->point[i];
+        if (!usable(t, p)) continue;
+        const double x = log(p->stiffness), y = log(p->position_deviation);
+        const double w = begun ? weight(excess(tuning, p)) : 1;
+        n += w, sx += w * x, sy += w * y, sxx += w * x * x, sxy += w * x * y;
+        points += w > 0;
+    }
+    if (points < FEWEST || !(n * sxx - sx * sx > 0)) return false;
+    tuning->slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    tuning->scale = exp((sy - tuning->slope * sx) / n);
+    return true;
+}
+
+/* that of least absolute deviations: points far off pull no harder than others */
+static double sturdy(double e) { return 1 / fmax(fabs(e), 0.01); }
+static double within(double e) { return fabs(e) <= log(off_trend); }
+
+static void find_trend(tune *t) {
+    gough_tuning *tuning = t->tuning;
+    bool found = fit(t, NULL, false);
+
+    for (int i = 0; i < SWEEPS && found; i++) found = fit(t, sturdy, true);
+    for (int i = 0; i < 3 && found; i++) found = fit(t, within, true);
+    if (!found) tuning->slope = tuning->scale = NAN;
+    for (size_t i = 0; i < tuning->points; i++) {
+        gough_tuning_point *p = &t->point[i];
+        p->regular = found && usable(t, p) && within(excess(tuning, p)) > 0;
+    }
+}
+
+/* ---- exceptions --------------------------------------------------------------------------------------------------- */
+
+static void keep(gough_tuning *tuning, const gough_tuning_exception *e) {
+    size_t place = tuning->exceptions;
+
+    if (place == GOUGH_TUNING_EXCEPTIONS) return;
+    while (place > 0 && tuning->exception[place - 1].from > e->from) {
+        tuning->exception[place] = tuning->exception[place - 1];
+        place--;
+    }
+    tuning->exception[place] = *e;
+    tuning->exceptions++;
+}
+
+/* Intervals in which a mode grows, each once although it may reach over the ends of what is looked at. */
+void tune_note_growth(tune *t, const tune_growth *growth, size_t count) {
+    gough_tuning *tuning = t->tuning;
+
+    for (size_t i = 0; i < count; i++) {
+        gough_tuning_exception e = {.from = growth[i].from,
+                                    .to = growth[i].to,
+                                    .kind = GOUGH_TUNING_UNSTABLE,
+                                    .worst = NAN};
+        bool known = false;
+        memcpy(e.mode, growth[i].mode.name, sizeof e.mode);
+        for (size_t k = 0; k < tuning->exceptions; k++) {
+            gough_tuning_exception *other = &tuning->exception[k];
+            if (strcmp(other->mode, e.mode) != 0 || other->to < e.from * (1 - 1e-5) ||
+                other->from > e.to * (1 + 1e-5))
+                continue;
+            other->from = fmin(other->from, e.from);
+            other->to = fmax(other->to, e.to);
+            known = true;
+        }
+        if (!known) keep(tuning, &e);
+    }
+}
+
+static bool in_known_interval(const gough_tuning *tuning, size_t known, double stiffness) {
+    for (size_t k = 0; k < known; k++) {
+        const gough_tuning_exception *e = &tuning->exception[k];
+        if (stiffness >= e->from && stiffness <= e->to) return true;
+    }
+    return false;
+}
+
+static gough_tuning_exception_kind kind_of(const gough_tuning_point *p) {
+    if (p->cause != GOUGH_END_DONE && p->cause != GOUGH_END_INVALID) return GOUGH_TUNING_ENDED;
+    return p->stable ? GOUGH_TUNING_OFF_TREND : GOUGH_TUNING_UNSTABLE;
+}
+
+static double ratio_to_trend(const gough_tuning *tuning, const gough_tuning_point *p) {
+    return isfinite(tuning->slope) && p->position_deviation > 0 ? exp(excess(tuning, p)) : NAN;
+}
+
+static void find_exceptions(tune *t) {
+    gough_tuning *tuning = t->tuning;
+    gough_tuning_exception found[GOUGH_TUNING_EXCEPTIONS];
+    const size_t known = tuning->exceptions;
+    size_t count = 0;
+
+    for (size_t i = 0; i < tuning->points && count < GOUGH_TUNING_EXCEPTIONS; i++) {
+        const gough_tuning_point *p = &t->point[i];
+        gough_tuning_exception *last = count ? &found[count - 1] : NULL;
+        const gough_tuning_exception_kind kind = kind_of(p);
+        const double ratio = ratio_to_trend(tuning, p);
+        if (p->regular || (kind == GOUGH_TUNING_OFF_TREND && !isfinite(tuning->slope))) continue;
+        if (kind == GOUGH_TUNING_UNSTABLE && in_known_interval(tuning, known, p->stiffness))
+            continue;
+        const bool follows = last && i > 0 && !(last->to < t->point[i - 1].stiffness) &&
+                             last->kind == kind &&
+                             strcmp(last->mode, kind == GOUGH_TUNING_UNSTABLE ? p->mode : "") == 0;
+        if (follows) {
+            last->to = p->stiffness;
+            last->worst = fmax(last->worst, ratio);
+            continue;
+        }
+        found[count] = (gough_tuning_exception){
+            .from = p->stiffness, .to = p->stiffness, .kind = kind, .worst = ratio};
+        if (kind == GOUGH_TUNING_ENDED) found[count].cause = p->cause;
+        if (kind == GOUGH_TUNING_UNSTABLE) memcpy(found[count].mode, p->mode, sizeof p->mode);
+        count++;
+    }
+    for (size_t i = 0; i < count; i++) keep(tuning, &found[i]);
+}
+
+void tune_curve(tune *t) {
+    find_trend(t);
+    find_exceptions(t);
+}
+
+/* ---- why none does ------------------------------------------------------------------------------------------------ */
+
+/* slope over the last decade of points that reached their end; NaN: too few */
+static double last_slope(const tune *t) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+
+    for (size_t i = t->tuning->points; i-- > 0 && n <= TUNE_DECADE;) {
+        const gough_tuning_point *p = &t->point[i];
+        if (!usable(t, p)) continue;
+        const double x = log(p->stiffness), y = log(p->position_deviation);
+        n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+    }
+    return n >= FEWEST ? (n * sxy - sx * sy) / (n * sxx - sx * sx) : NAN;
+}
+
+bool tune_is_flat(const tune *t) {
+    const double slope = last_slope(t);
+
+    return isfinite(slope) && slope > flat;
+}
+
+static const gough_tuning_point *best_point(const tune *t) {
+    const gough_tuning_point *best = NULL;
+
+    for (size_t i = 0; i < t->tuning->points; i++) {
+        const gough_tuning_point *p = &t->point[i];
+        if (p->cause != GOUGH_END_DONE) continue;
+        if (!best || p->position_deviation < best->position_deviation) best = p;
+    }
+    return best;
+}
+
+static bool met_somewhere(const tune *t, const gough_tuning_point **where) {
+    for (size_t i = 0; i < t->tuning->points; i++) {
+        *where = &t->point[i];
+        if (tune_meets(t, *where)) return true;
+    }
+    return false;
+}
+
+static const char *end_words(gough_cause cause) {
+    switch (cause) {
+    case GOUGH_END_LEG_SHORT:
+        return "a leg gets too short";
+    case GOUGH_END_LEG_LONG:
+        return "a leg gets too long";
+    case GOUGH_END_LEG_SPEED:
+        return "a leg gets too fast";
+    case GOUGH_END_LEG_FORCE:
+        return "a leg's force gets too great";
+    case GOUGH_END_LEG_NO_LENGTH:
+        return "a leg loses its length";
+    case GOUGH_END_SINGULAR:
+        return "the platform collapses into a singular pose";
+    case GOUGH_END_NOT_FINITE:
+        return "a formula or the motion is not finite";
+    default:
+        return "the steps do not converge";
+    }
+}
+
+static void say_ends(tune *t, char *reason, size_t size) {
+    const gough_tuning *tuning = t->tuning;
+    const gough_tuning_point *last = &t->point[tuning->points - 1];
+    char leg[24] = "";
+
+    if (last->leg) snprintf(leg, sizeof leg, " (leg %d)", last->leg);
+    if (last->cause == GOUGH_END_INVALID)
+        snprintf(reason, size,
+                 "home is unstable with every G up to %.6g, and then no damping helps: search "
+                 "further, by --stiffness",
+                 last->stiffness);
+    else
+        snprintf(reason, size,
+                 "no run reaches its end: with G = %.6g it ends at t = %.6g because %s%s; the "
+                 "study's limits or its initial state must change",
+                 last->stiffness, last->end_time, end_words(last->cause), leg);
+}
+
+static void say_floor(const tune *t, const gough_tuning_point *best, char *reason, size_t size) {
+    const double offset = tune_initial_offset(t);
+    const bool damped = t->ratio ? t->options->damping_ratio > 0 : t->model->control.damping[0] > 0;
+
+    if (offset > 0.1 * best->position_deviation && !damped)
+        snprintf(reason, size,
+                 "the deviation does not fall with G, it stays at %.3g or more: the run starts "
+                 "%.3g off the program, and without damping an initial offset is kept for ever; "
+                 "ask for --damping-ratio or for less accuracy",
+                 best->position_deviation, offset);
+    else
+        snprintf(reason, size,
+                 "the deviation stops falling with G: the least is %.3g, at G = %.6g; beyond, what "
+                 "excites the run does not get less",
+                 best->position_deviation, best->stiffness);
+}
+
+static void say_far(const tune *t, const gough_tuning_point *best, double slope, char *reason,
+                    size_t size) {
+    const double wanted =
+        best->stiffness * pow(t->options->deviation / best->position_deviation, 1 / slope);
+
+    snprintf(reason, size,
+             "up to G = %.6g the least deviation is %.3g; it falls as G^%.2f, so about G = %.2g "
+             "would be needed: %s",
+             t->point[t->tuning->points - 1].stiffness, best->position_deviation, slope, wanted,
+             t->most_steps ? "beyond, a run takes more than a million steps; shorten "
+                             "simulation.duration"
+                           : "search further, by --stiffness");
+}
+
+void tune_reason(tune *t) {
+    char *reason = t->tuning->reason;
+    const size_t size = sizeof t->tuning->reason;
+    const gough_tuning_point *best = best_point(t), *where;
+    const double offset = tune_initial_offset(t), slope = last_slope(t);
+
+    if (offset > t->options->deviation)
+        snprintf(reason, size,
+                 "no feedback can do it: the run starts %.3g off the program, which is more than "
+                 "the deviation asked for; start nearer, or ask for less accuracy",
+                 offset);
+    else if (!best)
+        say_ends(t, reason, size);
+    else if (met_somewhere(t, &where))
+        snprintf(reason, size,
+                 "the deviation is met from G = %.6g on, but up to G = %.6g no G keeps a margin of "
+                 "%.3g %% from what makes a mode (%s) grow; ask for less --margin, or for "
+                 "--damping-ratio",
+                 where->stiffness, t->point[t->tuning->points - 1].stiffness,
+                 100 * t->options->margin, where->mode);
+    else if (best->position_deviation <= t->options->deviation)
+        snprintf(reason, size,
+                 "the angle asked for is not met: with G = %.6g, where the position is, it is %.3g "
+                 "degrees",
+                 best->stiffness, best->angle_deviation * 57.29577951308232);
+    else if (!(slope < flat))
+        say_floor(t, best, reason, size);
+    else
+        say_far(t, best, slope, reason, size);
+}

@@ -1,0 +1,325 @@
+/* Nonlinear runs of the search: many values of G at once, and the one named in full. Theory: docs/theory/tuning.md. */
+#include <complex.h>
+#include <lapacke.h>
+#include <math.h>
+#include <string.h>
+
+#include "analyse/tune.h"
+
+enum { N = GOUGH_LINEAR };
+
+/* Deviations are taken so often that the fastest mode turns by this angle in between: a peak is then missed by 2 % at most. */
+static const double turn_between_rows = 0.4;
+
+/* more rows than this are not taken, whatever the fastest mode */
+static const double most_rows = 1e6;
+
+/* ---- many -------------------------------------------------------------------------------------------------------- */
+
+/* the study's output times, and others between them */
+static gough_simulation simulation_for(const tune *t, double stiffness) {
+    gough_simulation s = t->simulation;
+    const double turn = t->frequency * sqrt(stiffness) * s.output_step;
+    double parts = 1;
+
+    while (turn / parts > turn_between_rows && s.duration / s.output_step * parts < most_rows)
+        parts *= 2;
+    s.output_step /= parts;
+    return s;
+}
+
+/* D for a G: the model's, or that of the damping ratio, of nine digits as it will be typed; NaN: there is none */
+static gough_status damping_for(tune *t, double stiffness, double damping[GOUGH_LEGS],
+                                gough_error *error) {
+    gough_error unstable = {0};
+    double D = NAN;
+    gough_status status;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) damping[v] = t->model->control.damping[v];
+    if (!t->ratio) return GOUGH_OK;
+    for (int v = 0; v < GOUGH_LEGS; v++) t->loop->control.stiffness[v] = stiffness;
+    status = gough_damping_for_ratio(t->loop, t->options->damping_ratio, &D, &unstable);
+    if (status == GOUGH_ERROR_INPUT) return gough_fail(error, status, "%s", unstable.message);
+    if (status != GOUGH_OK) D = NAN;
+    if (D > 0) {
+        const double unit = pow(10, 8 - floor(log10(D)));
+        D = round(D * unit) / unit;
+    }
+    for (int v = 0; v < GOUGH_LEGS; v++) damping[v] = D;
+    return GOUGH_OK;
+}
+
+static int look(void *context, size_t done) {
+    const tune *t = context;
+
+    (void)done;
+    return t->options->progress &&
+           t->options->progress(
+               t->options->context,
+               fmin(1, (double)t->tuning->points / (double)(t->whole ? t->whole : 1)));
+}
+
+static gough_status run_them(tune *t, double stiffness, size_t count, gough_error *error) {
+    const gough_simulation simulation = simulation_for(t, stiffness);
+    gough_status status;
+
+    if (count == 0) return GOUGH_OK;
+    t->batch.progress = look;
+    t->batch.context = t;
+    status = gough_batch(&t->model->motion, &simulation, t->run, count, &t->batch, t->outcome,
+                         t->batch_memory, error);
+    t->tuning->runs += count;
+    return status;
+}
+
+gough_status tune_evaluate(tune *t, const double *stiffness, size_t count,
+                           gough_tuning_point *point, gough_error *error) {
+    size_t place[TUNE_ROUND + 1], runs = 0;
+    gough_status status = GOUGH_OK;
+
+    for (size_t i = 0; i < count && status == GOUGH_OK; i++) {
+        gough_control *control = &t->control[runs];
+        *control = (gough_control){.feedforward = t->loop->control.feedforward};
+        status = damping_for(t, stiffness[i], control->damping, error);
+        point[i] = (gough_tuning_point){.stiffness = stiffness[i],
+                                        .damping = control->damping[0],
+                                        .cause = GOUGH_END_INVALID,
+                                        .end_time = NAN,
+                                        .position_deviation = NAN,
+                                        .angle_deviation = NAN,
+                                        .force = NAN,
+                                        .speed = NAN,
+                                        .growth = NAN};
+        if (!isfinite(control->damping[0])) continue;
+        for (int v = 0; v < GOUGH_LEGS; v++) control->stiffness[v] = stiffness[i];
+        t->run[runs] = (gough_batch_run){&t->model->machine, control, &t->model->disturbance,
+                                         &t->model->initial, t->model->disturbance.noise.run};
+        place[runs++] = i;
+    }
+    if (status == GOUGH_OK) status = run_them(t, stiffness[count - 1], runs, error);
+    for (size_t r = 0; r < runs && status == GOUGH_OK; r++) {
+        const gough_outcome *out = &t->outcome[r];
+        gough_tuning_point *p = &point[place[r]];
+        p->cause = out->cause;
+        p->leg = out->leg;
+        p->end_time = out->time;
+        if (!(out->rows > 0)) continue;
+        p->position_deviation = out->position_deviation;
+        p->angle_deviation = out->angle_deviation;
+        p->force = out->force;
+        p->speed = out->speed;
+    }
+    return status;
+}
+
+bool tune_meets(const tune *t, const gough_tuning_point *point) {
+    return point->cause == GOUGH_END_DONE && point->position_deviation <= t->options->deviation &&
+           point->angle_deviation <= t->options->angle_deviation;
+}
+
+/* ---- one in full ------------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    const gough_model *model;
+    gough_summary summary;
+    double position, position_time, angle, angle_time;
+    bool by_angle;               /* which of the two is at its worst in `worst` */
+    double worst[GOUGH_COLUMNS]; /* row at which the deviation that binds is largest */
+} listener;
+
+static int listen(void *context, const gough_row *row) {
+    listener *l = context;
+    const double *value = row->value, before = l->summary.angle_deviation;
+    const double distance = hypot(hypot(value[GOUGH_EX], value[GOUGH_EY]), value[GOUGH_EZ]);
+    bool worse = false;
+
+    gough_summary_add(&l->summary, &l->model->machine, row);
+    if (!(distance <= l->position)) {
+        l->position = distance;
+        l->position_time = value[GOUGH_T];
+        worse = !l->by_angle;
+    }
+    if (!(l->summary.angle_deviation <= before) || l->summary.rows == 1) {
+        l->angle = l->summary.angle_deviation;
+        l->angle_time = value[GOUGH_T];
+        worse |= l->by_angle;
+    }
+    if (worse) memcpy(l->worst, value, sizeof l->worst);
+    return 0;
+}
+
+static void cross_to(const double a[3], const double b[3], double out[3]) {
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* rotation vector of A Bᵀ where they differ little: half of its skew part */
+static void turn_between(double A[3][3], double B[3][3], double out[3]) {
+    double C[3][3];
+
+    for (int r = 0; r < 3; r++) {
+        for (int c = 0; c < 3; c++) {
+            C[r][c] = A[r][0] * B[c][0] + A[r][1] * B[c][1] + A[r][2] * B[c][2];
+        }
+    }
+    out[0] = 0.5 * (C[2][1] - C[1][2]);
+    out[1] = 0.5 * (C[0][2] - C[2][0]);
+    out[2] = 0.5 * (C[1][0] - C[0][1]);
+}
+
+/* centre of mass from the top-frame origin, base axes */
+static void arm_of(const gough_machine *machine, double R[3][3], double arm[3]) {
+    const double *c = machine->load.center_of_mass;
+
+    for (int r = 0; r < 3; r++) arm[r] = R[r][0] * c[0] + R[r][1] * c[1] + R[r][2] * c[2];
+}
+
+/* ξ of a row: from the program's state to the actual one, to first order */
+static void deviation_of(const gough_model *model, const double *value, double xi[N]) {
+    double actual[3][3], arm[3], program_arm[3], spin[3], program_spin[3];
+    gough_acceleration none;
+    gough_state program;
+
+    gough_program(&model->machine, &model->motion, value[GOUGH_T], &program, &none);
+    gough_rotation_from_angles(value + GOUGH_ROLL_ANGLE, actual);
+    turn_between(actual, program.rotation, xi + 3);
+    arm_of(&model->machine, actual, arm);
+    arm_of(&model->machine, program.rotation, program_arm);
+    cross_to(value + GOUGH_WX, arm, spin);
+    cross_to(program.angular_velocity, program_arm, program_spin);
+    for (int i = 0; i < 3; i++) {
+        xi[i] = value[GOUGH_EX + i] + arm[i] - program_arm[i];
+        xi[6 + i] = value[GOUGH_VX + i] - program.velocity[i] + spin[i] - program_spin[i];
+        xi[9 + i] = value[GOUGH_WX + i] - program.angular_velocity[i];
+    }
+}
+
+/* ξ = Σ c_k (s_k, λ_k s_k) */
+static bool amplitudes(const gough_rest *rest, const double xi[N], double complex c[N]) {
+    double complex a[N * N];
+    lapack_int pivot[N];
+
+    for (int k = 0; k < N; k++) {
+        const gough_eigenvalue *e = &rest->eigenvalue[k];
+        const double complex lambda = CMPLX(e->value[0], e->value[1]);
+        for (int i = 0; i < 6; i++) {
+            const double complex s = CMPLX(e->mode.shape[i][0], e->mode.shape[i][1]);
+            a[i + N * k] = s;
+            a[6 + i + N * k] = lambda * s;
+        }
+        c[k] = xi[k];
+    }
+    return LAPACKE_zgesv_work(LAPACK_COL_MAJOR, N, 1, a, N, pivot, c, N) == 0;
+}
+
+/* What modes called alike contribute to the deviation of position, or of angle. */
+static double contribution(const tune *t, const char *name, const double complex c[N], bool angle) {
+    double sum[3] = {0, 0, 0}, arm[3];
+    gough_rest rest = t->rest;
+
+    arm_of(&t->model->machine, rest.state.rotation, arm);
+    for (int k = 0; k < N; k++) {
+        const gough_mode *mode = &rest.eigenvalue[k].mode;
+        double part[6], lever[3];
+        if (strcmp(mode->name, name) != 0) continue;
+        for (int i = 0; i < 6; i++)
+            part[i] = creal(c[k] * CMPLX(mode->shape[i][0], mode->shape[i][1]));
+        cross_to(part + 3, arm, lever);
+        for (int i = 0; i < 3; i++) sum[i] += angle ? part[3 + i] : part[i] - lever[i];
+    }
+    return hypot(hypot(sum[0], sum[1]), sum[2]);
+}
+
+/* which mode holds most of the deviation at its worst */
+static void binding_mode(tune *t, const listener *l) {
+    const gough_rest *rest = &t->rest;
+    gough_tuning *tuning = t->tuning;
+    double complex c[N];
+    double xi[N], most = 0, sum = 0;
+
+    tuning->mode_share = NAN;
+    strcpy(tuning->mode.name, "none");
+    deviation_of(t->model, l->worst, xi);
+    if (!amplitudes(rest, xi, c)) return;
+    for (int k = 0; k < N; k++) {
+        const gough_mode *mode = &rest->eigenvalue[k].mode;
+        bool counted = false;
+        for (int j = 0; j < k; j++)
+            counted |= strcmp(rest->eigenvalue[j].mode.name, mode->name) == 0;
+        const double part = contribution(t, mode->name, c, l->by_angle);
+        if (counted || !isfinite(part)) continue;
+        sum += part;
+        if (part > most) {
+            most = part;
+            tuning->mode = *mode;
+        }
+    }
+    if (sum > 0) tuning->mode_share = most / sum;
+}
+
+static void binding_leg(tune *t, const gough_summary *summary) {
+    const gough_platform *limit = &t->model->machine.platform;
+    gough_tuning *tuning = t->tuning;
+
+    tuning->force = tuning->speed = 0;
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        const gough_leg_summary *leg = &summary->leg[v];
+        const double force = fmax(fabs(leg->force_min), fabs(leg->force_max));
+        /* legs that are alike but for rounding: the first */
+        if (force > tuning->force * (1 + 1e-9)) {
+            tuning->force = force;
+            tuning->leg = v + 1;
+        }
+        tuning->speed = fmax(tuning->speed, leg->speed);
+    }
+    tuning->force_share = isfinite(limit->force_max) ? tuning->force / limit->force_max : NAN;
+    tuning->speed_share = isfinite(limit->speed_max) ? tuning->speed / limit->speed_max : NAN;
+}
+
+gough_status tune_detail(tune *t, gough_error *error) {
+    gough_tuning *tuning = t->tuning;
+    const gough_simulation simulation = simulation_for(t, tuning->stiffness);
+    listener l = {.model = t->model, .position = -1, .angle = -1};
+    gough_end end;
+    gough_status status;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        t->loop->control.stiffness[v] = tuning->stiffness;
+        t->loop->control.damping[v] = t->ratio ? tuning->damping : t->model->control.damping[v];
+    }
+    l.by_angle = tuning->binding == GOUGH_TUNING_ANGLE;
+    gough_summary_begin(&l.summary);
+    status = gough_simulate(t->loop, &simulation, listen, &l, &end, error);
+    if (status != GOUGH_OK) return status;
+    gough_summary_end(&l.summary);
+    tuning->deviation = l.position;
+    tuning->deviation_time = l.position_time;
+    tuning->angle_deviation = l.angle;
+    tuning->angle_time = l.angle_time;
+    binding_leg(t, &l.summary);
+
+    status = gough_stability_at_rest(t->loop, NULL, &t->rest, error);
+    if (status != GOUGH_OK) return status;
+    tuning->damping_ratio = tune_least_ratio(t->rest.matrix);
+    if (tuning->binding != GOUGH_TUNING_THRESHOLD && tuning->binding != GOUGH_TUNING_TONGUE)
+        binding_mode(t, &l);
+    return GOUGH_OK;
+}
+
+/* ---- the beginning ----------------------------------------------------------------------------------------------- */
+
+static int first_row(void *context, const gough_row *row) {
+    const double *e = row->value + GOUGH_EX;
+
+    *(double *)context = hypot(hypot(e[0], e[1]), e[2]);
+    return 1;
+}
+
+double tune_initial_offset(const tune *t) {
+    double offset = NAN;
+    gough_end end;
+
+    (void)gough_simulate(t->loop, &t->simulation, first_row, &offset, &end, NULL);
+    return offset;
+}

@@ -1,0 +1,189 @@
+/* Stability along the search: growth at each point of the curve, intervals of G in which a mode grows, and the least G that keeps
+ * its distance from them. Theory: docs/theory/tuning.md. */
+#include <math.h>
+#include <string.h>
+
+#include "analyse/tune.h"
+
+/* a multiplier over 1 + this is growth, as in gough_floquet.stable */
+static const double growth_limit = 1e-7;
+
+/* without feed-forward the margin is looked at in so many places on each side */
+enum { PLACES = 4 };
+
+/* beyond an interval's edge, relative: the edge itself is known to less */
+static const double past_edge = 1e-6;
+
+static void set_gains(tune *t, double stiffness, double damping) {
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        t->steady->control.stiffness[v] = stiffness;
+        t->steady->control.damping[v] = t->ratio ? damping : t->model->control.damping[v];
+    }
+}
+
+/* ---- at one G ----------------------------------------------------------------------------------------------------- */
+
+/* Where no motion to look at is found, the loop does not hold: growth is unknown, and it is not stable. */
+static void look_at_rest(tune *t, gough_tuning_point *point, gough_mode *mode) {
+    gough_rest *rest = &t->rest;
+    gough_error none;
+
+    if (gough_stability_at_rest(t->steady, NULL, rest, &none) != GOUGH_OK) return;
+    point->growth = exp(rest->growth);
+    point->stable = rest->stable;
+    *mode = rest->eigenvalue[0].mode;
+}
+
+static void look_along(tune *t, gough_tuning_point *point, gough_mode *mode) {
+    gough_floquet floquet;
+    gough_error none;
+
+    if (gough_floquet_multipliers(t->steady, &t->period, 1e-10, &floquet, &none) != GOUGH_OK)
+        return;
+    point->growth = floquet.growth;
+    point->stable = floquet.growth <= 1 + growth_limit;
+    *mode = floquet.multiplier[0].mode;
+}
+
+static void look_at(tune *t, gough_tuning_point *point, gough_mode *mode) {
+    memset(mode, 0, sizeof *mode);
+    point->stable = false;
+    point->growth = NAN;
+    if (isnan(point->damping)) {
+        set_gains(t, point->stiffness, 0);
+        look_at_rest(t, point, mode);
+        point->stable = false;
+    } else {
+        set_gains(t, point->stiffness, point->damping);
+        if (t->period.resting)
+            look_at_rest(t, point, mode);
+        else
+            look_along(t, point, mode);
+    }
+    memcpy(point->mode, mode->name, sizeof point->mode);
+}
+
+/* ---- over a range ------------------------------------------------------------------------------------------------- */
+
+static bool grows(const tune *t, const gough_interval *interval) {
+    return t->period.resting || interval->growth > 1 + growth_limit;
+}
+
+static gough_status map_range(tune *t, double from, double to, size_t count, double damping,
+                              tune_growth *growth, size_t room, size_t *found, gough_error *error) {
+    gough_map_options options = tune_map_options(t->options, from, to, count);
+    gough_map map = {t->map_point, &t->map_row, t->map_interval};
+    gough_status status;
+
+    set_gains(t, from, damping);
+    status = gough_map_find(t->steady, &options, &map, t->map_memory, error);
+    *found = 0;
+    if (status != GOUGH_OK) return status;
+    if (t->map_row.error.status != GOUGH_OK)
+        return gough_fail(error, t->map_row.error.status, "%s", t->map_row.error.message);
+    for (size_t i = 0; i < t->map_row.intervals && *found < room; i++) {
+        const gough_interval *interval = &t->map_interval[i];
+        if (!grows(t, interval)) continue;
+        growth[(*found)++] = (tune_growth){
+            interval->from, interval->to,
+            interval->kind == GOUGH_INTERVAL_STATIC ? GOUGH_TUNING_THRESHOLD : GOUGH_TUNING_TONGUE,
+            interval->mode};
+    }
+    return GOUGH_OK;
+}
+
+/* the map is quick where the motion is the program's own, and D the same at each G */
+static bool can_map(const tune *t) { return t->loop->control.feedforward && !t->ratio; }
+
+gough_status tune_growth_of(tune *t, double before, gough_tuning_point *point, size_t points,
+                            tune_growth *growth, size_t room, size_t *count, gough_error *error) {
+    const size_t extra = before > 0;
+    gough_mode mode;
+
+    *count = 0;
+    if (can_map(t) && points + extra > 1) {
+        const gough_status status =
+            map_range(t, extra ? before : point[0].stiffness, point[points - 1].stiffness,
+                      points + extra, 0, growth, room, count, error);
+        for (size_t i = 0; i < points && status == GOUGH_OK; i++) {
+            const gough_map_point *p = &t->map_point[i + extra];
+            point[i].growth = t->period.resting ? exp(p->rate) : p->growth;
+            point[i].stable = p->stable;
+            memcpy(point[i].mode, p->mode, sizeof point[i].mode);
+        }
+        return status;
+    }
+    for (size_t i = 0; i < points; i++) look_at(t, &point[i], &mode);
+    return GOUGH_OK;
+}
+
+/* ---- clear of it -------------------------------------------------------------------------------------------------- */
+
+/* the least G from `stiffness` on whose margin meets none of the intervals, and the last that it had to pass */
+static double pass(double stiffness, double margin, const tune_growth *growth, size_t count,
+                   tune_growth *blocked) {
+    bool moved = true;
+
+    while (moved) {
+        moved = false;
+        for (size_t i = 0; i < count; i++) {
+            if (!(growth[i].to >= stiffness * (1 - margin) * (1 - past_edge)) ||
+                !(growth[i].from <= stiffness * (1 + margin)))
+                continue;
+            stiffness = growth[i].to * (1 + 2 * past_edge) / (1 - margin);
+            *blocked = growth[i];
+            moved = true;
+        }
+    }
+    return stiffness;
+}
+
+static gough_status clear_by_map(tune *t, double stiffness, double damping, double *clear,
+                                 tune_growth *blocked, gough_error *error) {
+    const double margin = t->options->margin, low = stiffness * (1 - margin) * (1 - past_edge),
+                 high = stiffness * (1 + margin) * (1 + past_edge);
+    tune_growth growth[TUNE_INTERVALS];
+    size_t count;
+    gough_status status =
+        map_range(t, low, high, 3, damping, growth, TUNE_INTERVALS, &count, error);
+
+    *clear = stiffness;
+    if (status != GOUGH_OK || count == 0) return status;
+    status =
+        map_range(t, low, 4 * high, TUNE_ROUND, damping, growth, TUNE_INTERVALS, &count, error);
+    if (status == GOUGH_OK) *clear = pass(stiffness, margin, growth, count, blocked);
+    return status;
+}
+
+/* without a map: some places within the margin */
+static void clear_by_places(tune *t, double stiffness, double damping, double *clear,
+                            tune_growth *blocked) {
+    const double margin = t->options->margin;
+
+    *clear = stiffness;
+    for (int i = PLACES; i >= -PLACES; i--) {
+        gough_tuning_point place = {.stiffness = stiffness * (1 + margin * i / PLACES),
+                                    .damping = damping};
+        gough_mode mode;
+        look_at(t, &place, &mode);
+        if (place.stable) continue;
+        *clear = place.stiffness * (1 + 1e-3) / (1 - margin);
+        *blocked = (tune_growth){place.stiffness, place.stiffness,
+                                 place.stiffness < t->tuning->threshold ? GOUGH_TUNING_THRESHOLD
+                                                                        : GOUGH_TUNING_TONGUE,
+                                 mode};
+        return;
+    }
+}
+
+gough_status tune_clear(tune *t, const gough_tuning_point *point, double *clear,
+                        tune_growth *blocked, gough_error *error) {
+    gough_status status = GOUGH_OK;
+
+    if (t->loop->control.feedforward)
+        status = clear_by_map(t, point->stiffness, point->damping, clear, blocked, error);
+    else
+        clear_by_places(t, point->stiffness, point->damping, clear, blocked);
+    if (*clear > t->greatest) *clear = INFINITY;
+    return status;
+}

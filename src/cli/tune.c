@@ -1,0 +1,243 @@
+/* gough tune: which stiffness of the feedback, and which damping, keep the platform within an accuracy; or why none does. */
+#define _GNU_SOURCE
+#include "cli/tune.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+static const double DEGREES = 57.295779513082320877;
+
+static const struct argp_option option[] = {
+    {"deviation", OPTION_DEVIATION, "X", 0,
+     "the greatest distance from the program that is allowed, in the study's unit of length", 0},
+    {"angle-deviation", OPTION_ANGLE_DEVIATION, "DEG", 0,
+     "besides, the greatest angle from it, in degrees", 0},
+    {"damping-ratio", OPTION_DAMPING_RATIO, "Z", 0,
+     "choose the damping too, so that the least damped mode at home has this ratio, 0 <= Z < 1 "
+     "(default: the study's damping)",
+     0},
+    {"feedforward", OPTION_FEEDFORWARD, "program|none|both", 0,
+     "with the program's forces fed forward, without, or each (default: both)", 0},
+    {"margin", OPTION_MARGIN, "M", 0,
+     "no instability within this part of the stiffness below and above it (default: 0.05)", 0},
+    {"stiffness", OPTION_STIFFNESS, "A:B", 0,
+     "search between these; 0 for A: from a quarter of the threshold at rest on (default: from "
+     "there to 1e6 M g/R_b)",
+     0},
+    {"output", OPTION_OUTPUT, "FILE", 0,
+     "write the curve of deviation against stiffness to FILE: its data (.csv, .h5; - is CSV on "
+     "standard output) or its picture (.png, .svg, .pdf); may be given several times",
+     0},
+    {"json", OPTION_JSON, NULL, 0, "print the choice as JSON", 0},
+    {"set", OPTION_SET, "KEY=VALUE", 0,
+     "override a key of the study, as in --set load.mass=2; may be repeated", 0},
+    {"threads", OPTION_THREADS, "N", 0, "threads (default: one for each processor)", 0},
+    {"title", OPTION_TITLE, "TEXT", 0, "heading of the picture (default: the study's title)", 0},
+    {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0, "results in units of R_b, M and sqrt(R_b/g)",
+     0},
+    {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
+    {0}};
+
+static const verb_usage usage = {
+    .verb = "tune",
+    .option = option,
+    .arguments = "STUDY",
+    .text =
+        "The least stiffness G of the feedback, the same in all legs, with which the platform "
+        "stays within --deviation of its program under the study's own disturbances, initial state "
+        "and duration.\v"
+        "Each G is judged by a run of the whole nonlinear motion; the one named is stable, clear "
+        "of "
+        "resonance tongues by the margin, and a G less by a ten-thousandth does not do. Said too: "
+        "which mode and which leg bind, the force and the rate that the legs need, how the "
+        "deviation falls with G and where it does not. Where no G does it the reason is said and "
+        "the exit status is 1.",
+    .least_files = 1,
+    .most_files = 1};
+
+/* ---- outputs ------------------------------------------------------------------------------------------------------ */
+
+static bool ends_in(const char *path, const char *const *ending) {
+    const char *dot = strrchr(path, '.');
+    for (; dot && *ending; ending++)
+        if (strcasecmp(dot, *ending) == 0) return true;
+    return false;
+}
+
+static bool is_data(const char *path) {
+    static const char *const ending[] = {".csv", ".h5", NULL};
+    return strcmp(path, "-") == 0 || ends_in(path, ending);
+}
+
+static bool is_picture(const char *path) {
+    static const char *const ending[] = {".png", ".svg", ".pdf", NULL};
+    return ends_in(path, ending);
+}
+
+/* What can be known before the work. */
+static gough_status check_outputs(const command_line *line) {
+    for (size_t i = 0; i < line->output_count; i++) {
+        const char *path = line->outputs[i];
+        const bool standard = strcmp(path, "-") == 0;
+        if (!is_data(path) && !is_picture(path)) {
+            complain(line->verb,
+                     "-o takes a name that ends in .csv or .h5 (data) or in .png, .svg or .pdf "
+                     "(picture), or - for CSV on standard output; '%s' does not",
+                     path);
+            return GOUGH_ERROR_INPUT;
+        }
+        if (standard && line->json) {
+            complain(line->verb, "'-o -' and --json both want standard output; give -o a file");
+            return GOUGH_ERROR_INPUT;
+        }
+        const gough_status status = standard ? GOUGH_OK : check_folder(line->verb, path);
+        if (status) return status;
+    }
+    return GOUGH_OK;
+}
+
+static gough_status write_outputs(const command_line *line, const tune_report *report,
+                                  FILE *stream) {
+    gough_error error = {0};
+    gough_status status = GOUGH_OK;
+    gough_table *table = line->output_count ? tune_table(report) : NULL;
+    if (line->output_count && !table)
+        status = gough_fail(&error, GOUGH_ERROR_FILE, "memory is out");
+    const gough_table *const tables[] = {table};
+    for (size_t i = 0; i < line->output_count && !status; i++) {
+        const char *path = line->outputs[i];
+        gough_figure figure = gough_figure_default();
+        figure.kind = "tuning";
+        figure.title = line->figure.title;
+        fflush(stdout);
+        status = is_data(path) ? gough_table_write(table, report->study->text, path, &error)
+                               : gough_figure_draw(&figure, tables, NULL, 1, path, &error);
+        if (!status && stream && strcmp(path, "-") != 0) fprintf(stream, "wrote %s\n", path);
+    }
+    if (status) complain(line->verb, "%s", error.message);
+    gough_table_free(table);
+    return status;
+}
+
+/* ---- the search --------------------------------------------------------------------------------------------------- */
+
+typedef struct watch {
+    progress bar;
+    int done, all; /* searches */
+} watch;
+
+static int look(void *context, double part) {
+    watch *w = context;
+    progress_update(&w->bar, w->done + part);
+    return 0;
+}
+
+static gough_status search(const command_line *line, tune_report *report, gough_error *error) {
+    const gough_study *study = report->study;
+    watch w = {progress_begin(line->verb, report->choices, line->quiet), 0, report->choices};
+    gough_tuning_options options = report->asked;
+    size_t bytes = 0;
+    options.progress = look;
+    options.context = &w;
+    gough_status status = gough_tune_size(study->model, &options, &bytes, error);
+    void *memory = status ? NULL : aligned_alloc(64, (bytes + 63) / 64 * 64);
+    if (!status && !memory) status = gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+    for (; w.done < report->choices && !status; w.done++) {
+        tune_choice *choice = &report->choice[w.done];
+        choice->point = calloc(GOUGH_TUNING_POINTS, sizeof *choice->point);
+        if (!choice->point) status = gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+        if (!status)
+            status = gough_tune(study->model, &study->simulation, choice->feedforward, &options,
+                                choice->point, &choice->tuning, memory, error);
+    }
+    progress_end(&w.bar);
+    free(memory);
+    return status;
+}
+
+/* ---- the verb ----------------------------------------------------------------------------------------------------- */
+
+static gough_tuning_options asked_of(const command_line *line) {
+    gough_tuning_options asked = gough_tuning_options_default();
+    asked.deviation = line->tuning.deviation;
+    if (isfinite(line->tuning.angle)) asked.angle_deviation = line->tuning.angle / DEGREES;
+    asked.damping_ratio = line->tuning.ratio;
+    if (isfinite(line->tuning.margin)) asked.margin = line->tuning.margin;
+    if (line->tuning.bounded) {
+        asked.least = line->tuning.from;
+        asked.greatest = line->tuning.to;
+    }
+    asked.threads = line->threads;
+    return asked;
+}
+
+/* Where none is found the reasons are on standard error, whatever else is printed. */
+static gough_status explain(const command_line *line, const tune_report *report) {
+    gough_status status = GOUGH_OK;
+    for (int c = 0; c < report->choices; c++) {
+        const tune_choice *choice = &report->choice[c];
+        if (choice->tuning.found) continue;
+        const bool rescaled = report->units.length != 1 || report->units.time != 1;
+        complain(line->verb, "%s: %s feed-forward: %s%s", report->study->name,
+                 choice->feedforward ? "with" : "without", choice->tuning.reason,
+                 rescaled ? " (in the study's own units)" : "");
+        status = GOUGH_ERROR_NUMERICAL;
+    }
+    return status;
+}
+
+static gough_status tell(const command_line *line, tune_report *report) {
+    bool standard = false;
+    for (size_t i = 0; i < line->output_count; i++)
+        standard = standard || strcmp(line->outputs[i], "-") == 0;
+    FILE *stream = line->quiet || line->json ? NULL : standard ? stderr : stdout;
+    tune_scale(report);
+    if (stream) tune_print(stream, report);
+    const int failed = line->json ? tune_print_json(report) : 0;
+    const gough_status written = write_outputs(line, report, stream);
+    const gough_status found = explain(line, report);
+    if (failed) return GOUGH_ERROR_FILE;
+    return written ? written : found;
+}
+
+static gough_status tune_study(const command_line *line, const gough_study *study) {
+    tune_report *report = calloc(1, sizeof *report);
+    gough_error error = {.message = "memory is out"};
+    gough_status status = report ? GOUGH_OK : GOUGH_ERROR_FILE;
+    if (!status) {
+        report->verb = line->verb;
+        report->study = study;
+        report->asked = asked_of(line);
+        for (int with = 1; with >= 0; with--)
+            if (line->tuning.feedforward == 2 || line->tuning.feedforward == with)
+                report->choice[report->choices++].feedforward = with != 0;
+        status = gough_units_of_study(study, line->dimensionless, &report->units, &error);
+    }
+    if (!status) status = search(line, report, &error);
+    if (status)
+        complain(line->verb, "%s: %s", study->name, error.message);
+    else
+        status = tell(line, report);
+    for (int c = 0; report && c < 2; c++) free(report->choice[c].point);
+    free(report);
+    return status;
+}
+
+gough_status tune_verb(int count, char **argument) {
+    command_line line = command_line_read(&usage, count, argument);
+    gough_study *study = NULL;
+    gough_status status = GOUGH_OK;
+    if (isnan(line.tuning.deviation)) {
+        complain(line.verb, "--deviation is missing: how far from its program the platform may "
+                            "be, as in --deviation 1e-3");
+        status = GOUGH_ERROR_INPUT;
+    }
+    if (!status) status = check_outputs(&line);
+    if (!status) status = read_study(&line, &study);
+    if (!status) status = tune_study(&line, study);
+    gough_study_free(study);
+    command_line_free(&line);
+    return status;
+}

@@ -1,0 +1,287 @@
+/* The choice of gough tune for reading. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/summary.h"
+#include "cli/tune.h"
+
+static const double DEGREES = 57.295779513082320877;
+
+/* ---- units -------------------------------------------------------------------------------------------------------- */
+
+static void scale_tuning(gough_tuning *tuning, const gough_units *u) {
+    const double stiffness = u->mass / (u->time * u->time), force = stiffness * u->length;
+    tuning->stiffness /= stiffness;
+    tuning->fails /= stiffness;
+    tuning->threshold /= stiffness;
+    tuning->damping /= u->mass / u->time;
+    tuning->deviation /= u->length;
+    tuning->deviation_time /= u->time;
+    tuning->angle_deviation *= DEGREES;
+    tuning->angle_time /= u->time;
+    tuning->force /= force;
+    tuning->speed /= u->length / u->time;
+    tuning->scale *= pow(stiffness, tuning->slope) / u->length;
+    for (size_t i = 0; i < tuning->exceptions; i++) {
+        tuning->exception[i].from /= stiffness;
+        tuning->exception[i].to /= stiffness;
+    }
+}
+
+static void scale_point(gough_tuning_point *point, const gough_units *u) {
+    const double stiffness = u->mass / (u->time * u->time);
+    point->stiffness /= stiffness;
+    point->damping /= u->mass / u->time;
+    point->end_time /= u->time;
+    point->position_deviation /= u->length;
+    point->angle_deviation *= DEGREES;
+    point->force /= stiffness * u->length;
+    point->speed /= u->length / u->time;
+}
+
+void tune_scale(tune_report *report) {
+    const gough_units *u = &report->units;
+    const double stiffness = u->mass / (u->time * u->time);
+    report->asked.deviation /= u->length;
+    report->asked.angle_deviation *= DEGREES;
+    report->asked.least /= stiffness;
+    report->asked.greatest /= stiffness;
+    for (int c = 0; c < report->choices; c++) {
+        tune_choice *choice = &report->choice[c];
+        scale_tuning(&choice->tuning, u);
+        for (size_t i = 0; i < choice->tuning.points; i++) scale_point(&choice->point[i], u);
+    }
+}
+
+/* ---- words -------------------------------------------------------------------------------------------------------- */
+
+static const char *end_words(gough_cause cause) {
+    switch (cause) {
+    case GOUGH_END_LEG_SHORT:
+        return "a leg too short";
+    case GOUGH_END_LEG_LONG:
+        return "a leg too long";
+    case GOUGH_END_LEG_SPEED:
+        return "a leg too fast";
+    case GOUGH_END_LEG_FORCE:
+        return "a leg overloaded";
+    case GOUGH_END_SINGULAR:
+        return "collapse into a singular pose";
+    default:
+        return gough_cause_name(cause);
+    }
+}
+
+static void print_binding(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+    fprintf(stream, "  binds       ");
+    switch (tuning->binding) {
+    case GOUGH_TUNING_POSITION:
+    case GOUGH_TUNING_ANGLE:
+        fprintf(stream, "the deviation of %s",
+                tuning->binding == GOUGH_TUNING_ANGLE ? "angle" : "position");
+        if (isfinite(tuning->mode_share))
+            fprintf(stream, ", at its worst %.0f %% in %s", 100 * tuning->mode_share,
+                    tuning->mode.name);
+        break;
+    case GOUGH_TUNING_END:
+        fprintf(stream, "with less the run ends early: %s", end_words(tuning->cause));
+        break;
+    case GOUGH_TUNING_THRESHOLD:
+        fprintf(stream, "stability: with less, %s grows at rest", tuning->mode.name);
+        break;
+    case GOUGH_TUNING_TONGUE:
+        fprintf(stream, "stability: just below, the motion pumps %s", tuning->mode.name);
+        break;
+    case GOUGH_TUNING_SEARCH:
+        fprintf(stream, "nothing: it is the least G of the search");
+        break;
+    }
+    if (isfinite(tuning->fails))
+        fprintf(stream, "; G = %.5g%s does not do", tuning->fails, unit->stiffness);
+    fputc('\n', stream);
+}
+
+static void print_legs(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+    fprintf(stream, "  legs        force up to %.5g%s, in leg %d", tuning->force, unit->force,
+            tuning->leg);
+    if (isfinite(tuning->force_share))
+        fprintf(stream, " (%.3g %% of the limit)", 100 * tuning->force_share);
+    fprintf(stream, "; rate up to %.5g%s", tuning->speed, unit->speed);
+    if (isfinite(tuning->speed_share))
+        fprintf(stream, " (%.3g %% of the limit)", 100 * tuning->speed_share);
+    fputc('\n', stream);
+}
+
+static void print_exception(FILE *stream, const gough_tuning_exception *e, const unit_words *unit) {
+    fprintf(stream, "    G %-.6g to %.6g%s: ", e->from, e->to, unit->stiffness);
+    if (e->kind == GOUGH_TUNING_UNSTABLE)
+        fprintf(stream, "unstable (%s)", *e->mode ? e->mode : "no motion to hold");
+    else if (e->kind == GOUGH_TUNING_ENDED)
+        fprintf(stream, "the run ends early: %s", end_words(e->cause));
+    else
+        fprintf(stream, "off the trend, by a factor of %.3g", e->worst);
+    fputc('\n', stream);
+}
+
+static void print_curve(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+    if (isfinite(tuning->slope))
+        fprintf(stream, "  curve       deviation goes as G^%.3f (%.4g%s at G = 1), %zu points\n",
+                tuning->slope, tuning->scale, unit->length, tuning->points);
+    else
+        fprintf(stream,
+                "  curve       no trend: the deviation is round-off, or runs are too few\n");
+    if (tuning->exceptions) fprintf(stream, "  exceptions  off that curve\n");
+    for (size_t i = 0; i < tuning->exceptions; i++)
+        print_exception(stream, &tuning->exception[i], unit);
+}
+
+static void print_choice(FILE *stream, const tune_choice *choice, const unit_words *unit) {
+    const gough_tuning *tuning = &choice->tuning;
+    fprintf(stream, "\n%s feed-forward\n", choice->feedforward ? "With" : "Without");
+    if (tuning->found) {
+        fprintf(stream, "  stiffness   G = %.5g%s in each leg\n", tuning->stiffness,
+                unit->stiffness);
+        fprintf(stream, "  damping     D = %.9g%s, ratio of the least damped mode %.4g\n",
+                tuning->damping, unit->damping, tuning->damping_ratio);
+        fprintf(stream, "  deviation   %.5g%s at t = %.6g%s, and %.4g deg at t = %.6g%s\n",
+                tuning->deviation, unit->length, tuning->deviation_time, unit->time,
+                tuning->angle_deviation, tuning->angle_time, unit->time);
+        print_binding(stream, tuning, unit);
+        print_legs(stream, tuning, unit);
+    } else {
+        fprintf(stream, "  no G does it, see below\n");
+    }
+    if (*tuning->unchecked)
+        fprintf(stream, "  stability   was looked at about rest at home only: %s\n",
+                tuning->unchecked);
+    print_curve(stream, tuning, unit);
+}
+
+void tune_print(FILE *stream, const tune_report *report) {
+    const unit_words *unit = unit_words_of(&report->units);
+    const gough_tuning_options *asked = &report->asked;
+    const gough_tuning *first = &report->choice[0].tuning;
+    if (*report->study->title) fprintf(stream, "%s\n", report->study->title);
+    fprintf(stream, "Feedback for a deviation of at most %.6g%s", asked->deviation, unit->length);
+    if (isfinite(asked->angle_deviation)) fprintf(stream, " and %.6g deg", asked->angle_deviation);
+    fprintf(stream, ", %.3g %% clear of instability\n%s\n", 100 * asked->margin,
+            units_sentence(report->study, &report->units));
+    if (first->threshold > 0)
+        fprintf(stream,
+                "At rest, with its forces fed forward, the machine needs G over %.6g%s (%s)\n",
+                first->threshold, unit->stiffness, first->least_mode.name);
+    for (int c = 0; c < report->choices; c++) print_choice(stream, &report->choice[c], unit);
+}
+
+/* ---- table -------------------------------------------------------------------------------------------------------- */
+
+enum {
+    FEEDFORWARD,
+    G,
+    D,
+    POSITION,
+    ANGLE,
+    FORCE,
+    SPEED,
+    GROWTH,
+    STABLE,
+    REGULAR,
+    ENDED,
+    CAUSE,
+    LEG,
+    END_TIME,
+    NAMED,
+    ASKED,
+    COLUMNS
+};
+
+static void name_columns(gough_table *table, bool dimensionless, double *column[COLUMNS]) {
+    static const char *const name[COLUMNS][2] = {{"feedforward", "1"},
+                                                 {"G", "N/m"},
+                                                 {"D", "N s/m"},
+                                                 {"position_deviation", "m"},
+                                                 {"angle_deviation", "degree"},
+                                                 {"force", "N"},
+                                                 {"speed", "m/s"},
+                                                 {"growth", "1"},
+                                                 {"stable", "1"},
+                                                 {"regular", "1"},
+                                                 {"ended", "1"},
+                                                 {"end_cause", "1"},
+                                                 {"end_leg", "1"},
+                                                 {"end_time", "s"},
+                                                 {"named", "1"},
+                                                 {"asked", "m"}};
+    for (int c = 0; c < COLUMNS; c++) {
+        const char *unit = dimensionless && c != ANGLE ? "1" : name[c][1];
+        column[c] = gough_table_name(table, (size_t)c, name[c][0], unit);
+    }
+}
+
+static void set_row(double *const column[COLUMNS], size_t row, const tune_report *report,
+                    bool feedforward, const gough_tuning_point *point, bool named) {
+    const bool ended = point->cause != GOUGH_END_DONE;
+    const double value[COLUMNS] = {feedforward,
+                                   point->stiffness,
+                                   point->damping,
+                                   point->position_deviation,
+                                   point->angle_deviation,
+                                   point->force,
+                                   point->speed,
+                                   point->growth,
+                                   point->stable,
+                                   point->regular,
+                                   ended,
+                                   point->cause,
+                                   point->leg,
+                                   point->end_time,
+                                   named,
+                                   report->asked.deviation};
+    for (int c = 0; c < COLUMNS; c++) column[c][row] = value[c];
+}
+
+static gough_tuning_point named_point(const tune_report *report, const gough_tuning *tuning) {
+    return (gough_tuning_point){.stiffness = tuning->stiffness,
+                                .damping = tuning->damping,
+                                .end_time = report->study->simulation.duration / report->units.time,
+                                .position_deviation = tuning->deviation,
+                                .angle_deviation = tuning->angle_deviation,
+                                .force = tuning->force,
+                                .speed = tuning->speed,
+                                .growth = NAN,
+                                .stable = true,
+                                .regular = false};
+}
+
+gough_table *tune_table(const tune_report *report) {
+    size_t rows = 0, row = 0;
+    double *column[COLUMNS];
+    for (int c = 0; c < report->choices; c++)
+        rows += report->choice[c].tuning.points + report->choice[c].tuning.found;
+    gough_table *table = gough_table_new(report->study->title, report->verb, COLUMNS, rows);
+    if (!table) return NULL;
+    name_columns(table, report->units.dimensionless, column);
+    for (int c = 0; c < COLUMNS; c++) {
+        if (column[c]) continue;
+        gough_table_free(table);
+        return NULL;
+    }
+    for (int c = 0; c < report->choices; c++) {
+        const tune_choice *choice = &report->choice[c];
+        bool named = !choice->tuning.found; /* or its row is yet to come */
+        for (size_t i = 0; i < choice->tuning.points; i++) {
+            if (!named && choice->point[i].stiffness >= choice->tuning.stiffness) {
+                const gough_tuning_point point = named_point(report, &choice->tuning);
+                set_row(column, row++, report, choice->feedforward, &point, true);
+                named = true;
+            }
+            set_row(column, row++, report, choice->feedforward, &choice->point[i], false);
+        }
+        if (!named) {
+            const gough_tuning_point point = named_point(report, &choice->tuning);
+            set_row(column, row++, report, choice->feedforward, &point, true);
+        }
+    }
+    return table;
+}
