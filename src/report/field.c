@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { ELLIPSE = 8, INTERVAL_NODES = 3 + 2 * (ELLIPSE - 1) };
 enum { BACKGROUND_RED = 0xf2, BACKGROUND_GREEN = 0xf5, BACKGROUND_BLUE = 0xf4 };
 
 /* ---- levels of a row --------------------------------------------------------------------------------------------- */
@@ -45,7 +46,42 @@ static int by_place(const void *left, const void *right) {
     return (a->x > b->x) - (a->x < b->x);
 }
 
-/* Grid points; and of intervals that no other overlaps there, the edges and the greatest growth. */
+/* A narrow tongue is half an ellipse in first order: nodes along it where the grid has hardly any. */
+static size_t add_ellipse(const gough_interval *one, double level, field_node *node) {
+    for (int i = 1; i < ELLIPSE; i++) {
+        const double part = (double)i / ELLIPSE, edge = 1 - part * part;
+        /* closer to the edges, where it is steep */
+        const double height = level * sqrt(1 - edge * edge);
+        node[2 * i - 2] =
+            (field_node){one->stiffness + edge * (one->from - one->stiffness), height};
+        node[2 * i - 1] = (field_node){one->stiffness + edge * (one->to - one->stiffness), height};
+    }
+    return 2 * (ELLIPSE - 1);
+}
+
+/* The edges of an interval and where it grows most, as far as no other overlaps it. */
+static size_t add_interval(const field *f, size_t row, int number, double period,
+                           field_node *node) {
+    const gough_map_range *range = &f->options->stiffness;
+    const gough_interval *one = field_interval(f, row, number);
+    const bool starts = one->from > range->from && !field_covered(f, row, number, one->from);
+    const bool ends = !one->cut && one->to < range->to && !field_covered(f, row, number, one->to);
+    const bool peaks = one->stiffness > one->from && one->stiffness < one->to &&
+                       !field_covered(f, row, number, one->stiffness);
+    const double level = level_of(f, one->growth, one->rate, period);
+    size_t count = 0, inside = 0;
+    for (size_t i = 0; i < range->count; i++) {
+        const double x = gough_map_value(range, i);
+        inside += x > one->from && x < one->to;
+    }
+    if (starts) node[count++] = (field_node){one->from, 0};
+    if (ends) node[count++] = (field_node){one->to, 0};
+    if (peaks) node[count++] = (field_node){one->stiffness, level};
+    if (starts && ends && peaks && inside <= 3) count += add_ellipse(one, level, node + count);
+    return count;
+}
+
+/* Grid points and what intervals know besides. */
 static void fill_row(field *f, size_t row, double period) {
     const gough_map_range *range = &f->options->stiffness;
     field_node *node = &f->node[row * f->nodes];
@@ -55,17 +91,8 @@ static void fill_row(field *f, size_t row, double period) {
         const double level = p->stable ? 0 : level_of(f, p->growth, p->rate, period);
         node[count++] = (field_node){gough_map_value(range, i), level};
     }
-    for (int i = 0; i < (int)row_of(f, row)->intervals; i++) {
-        const gough_interval *one = field_interval(f, row, i);
-        const double level = level_of(f, one->growth, one->rate, period);
-        if (one->from > range->from && !field_covered(f, row, i, one->from))
-            node[count++] = (field_node){one->from, 0};
-        if (!one->cut && one->to < range->to && !field_covered(f, row, i, one->to))
-            node[count++] = (field_node){one->to, 0};
-        if (one->stiffness > one->from && one->stiffness < one->to &&
-            !field_covered(f, row, i, one->stiffness))
-            node[count++] = (field_node){one->stiffness, level};
-    }
+    for (int i = 0; i < (int)row_of(f, row)->intervals; i++)
+        count += add_interval(f, row, i, period, node + count);
     qsort(node, count, sizeof *node, by_place);
     f->count[row] = count;
     for (size_t i = 0; i < count; i++) f->greatest = fmax(f->greatest, node[i].level);
@@ -91,19 +118,18 @@ double field_level(const field *f, size_t row, double x) {
 
 static double centre_of(const gough_interval *one) { return 0.5 * (one->from + one->to); }
 
-static bool same_kind(const gough_interval *a, const gough_interval *b) {
-    return a->kind == b->kind && strcmp(a->mode.name, b->mode.name) == 0;
-}
-
-/* The interval of another row that is nearest to this one and of its kind; -1: none within a tenth of the range. */
+/* The interval of another row that is nearest to this one, one of another mode or kind counting as farther off; -1: none within a
+ * tenth of the range. */
 static int nearest(const field *f, const gough_interval *one, size_t row) {
-    const gough_map_range *range = &f->options->stiffness;
-    double least = 0.1 * (range->to - range->from);
+    const double range = f->options->stiffness.to - f->options->stiffness.from;
+    double least = 0.1 * range;
     int best = -1;
     for (int i = 0; i < (int)row_of(f, row)->intervals; i++) {
         const gough_interval *other = field_interval(f, row, i);
-        const double distance = fabs(centre_of(other) - centre_of(one));
-        if (!same_kind(one, other) || !(distance < least)) continue;
+        double distance = fabs(centre_of(other) - centre_of(one));
+        if (other->kind != one->kind) distance += 0.04 * range;
+        if (strcmp(other->mode.name, one->mode.name) != 0) distance += 0.04 * range;
+        if (!(distance < least)) continue;
         least = distance;
         best = i;
     }
@@ -136,7 +162,7 @@ bool field_make(field *f, const gough_map_options *options, const gough_map *map
         intervals += map->row[r].intervals;
         if (map->row[r].intervals > most) most = map->row[r].intervals;
     }
-    f->nodes = options->stiffness.count + 3 * most;
+    f->nodes = options->stiffness.count + INTERVAL_NODES * most;
     f->node = calloc(f->rows * f->nodes, sizeof *f->node);
     f->count = calloc(f->rows, sizeof *f->count);
     f->pair = calloc(2 * intervals + 1, sizeof *f->pair);

@@ -59,6 +59,25 @@ void stability_write_frame(const stability_pen *pen, const char *explanation) {
             stability_size(pen, STABILITY_SMALL), stability_ink);
 }
 
+int stability_list_tics(const field *f, double apart, stability_tic tic[STABILITY_TICS]) {
+    static const double growth[] = {1,   1.01, 1.1, 1.5, 2,   3,    5,    10,   30,   100,
+                                    1e3, 1e4,  1e5, 1e6, 1e8, 1e10, 1e15, 1e20, 1e30, 1e50};
+    double last = -1;
+    int count = 0;
+    for (int i = 0; i < STABILITY_TICS; i++) {
+        const double level = f->resting ? f->greatest * i / 10 : log(growth[i]);
+        const double shade = field_shade(f, level);
+        if (level > f->greatest * (1 + 1e-9) || shade - last < apart) continue;
+        last = shade;
+        tic[count].shade = shade;
+        if (!f->resting && growth[i] >= 1e3)
+            snprintf(tic[count++].text, sizeof tic->text, "10^{%.0f}", log10(growth[i]));
+        else
+            snprintf(tic[count++].text, sizeof tic->text, "%.3g", f->resting ? level : growth[i]);
+    }
+    return count;
+}
+
 void stability_write_margins(const stability_pen *pen, int top, int height) {
     fprintf(pen->file,
             "set lmargin at screen %.6f\nset rmargin at screen %.6f\nset tmargin at screen "

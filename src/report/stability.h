@@ -1,4 +1,4 @@
-/* Pictures of stability maps: what those of one axis and of two share. Positions are in nominal pixels from the upper left corner. */
+/* Pictures of stability maps: what those of one axis and of two share. Positions are nominal pixels from the upper left. */
 #ifndef GOUGH_REPORT_STABILITY_H
 #define GOUGH_REPORT_STABILITY_H
 
@@ -42,6 +42,16 @@ void stability_write_thresholds(const stability_pen *pen, int height);
 double stability_screen_x(double x);
 double stability_screen_y(const stability_pen *pen, double y);
 double stability_size(const stability_pen *pen, double pixels);
+
+/* A number on the scale of growth: 0 … 1 along it, and its text. */
+enum { STABILITY_TICS = 20 };
+typedef struct stability_tic {
+    double shade;
+    char text[24];
+} stability_tic;
+
+/* As many as stand apart by so much of the scale: growth per period, or growth rate where all rests. */
+int stability_list_tics(const field *field, double apart, stability_tic tic[STABILITY_TICS]);
 
 /* From value to pixel. */
 double stability_place_x(const stability_pen *pen, double value);

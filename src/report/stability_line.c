@@ -40,30 +40,29 @@ int stability_lanes(const field *f) {
 
 /* ---- the panel --------------------------------------------------------------------------------------------------- */
 
-/* Range of the ordinate: growth per period from 1, or growth rate from 0. */
-typedef struct ordinate {
-    bool logarithmic;
-    double low, high;
-} ordinate;
-
-static ordinate ordinate_of(const field *f) {
-    if (f->resting) return (ordinate){false, 0, f->greatest > 0 ? 1.08 * f->greatest : 1};
-    const double growth = exp(fmin(f->greatest, 690));
-    if (growth <= 20) return (ordinate){false, 1, 1 + 1.08 * fmax(growth - 1, 0.01)};
-    return (ordinate){true, 1, pow(10, ceil(fmin(1.05 * log10(growth), 307)))};
-}
-
+/* Points of the line, on the scale of colours of maps over two axes, where weak growth has room. */
 static bool write_growth(const stability_pen *pen) {
     const field *f = pen->field;
     FILE *file = stability_open(pen, "growth");
     if (file == NULL) return false;
-    for (size_t i = 0; i < f->count[0]; i++) {
-        const field_node *node = &f->node[i];
-        fprintf(file, "%.9g %.9g\n", node->x, f->resting ? node->level : exp(node->level));
-    }
+    for (size_t i = 0; i < f->count[0]; i++)
+        fprintf(file, "%.9g %.9g\n", f->node[i].x, field_shade(f, f->node[i].level));
     if (f->count[0] == 0) fprintf(file, "NaN NaN\n");
     const bool good = ferror(file) == 0;
     return fclose(file) == 0 && good;
+}
+
+static void write_ordinate(const stability_pen *pen) {
+    const field *f = pen->field;
+    stability_tic tic[STABILITY_TICS];
+    const int tics = stability_list_tics(f, 20.0 / pen->panel_height, tic);
+    fprintf(pen->file, "unset logscale y\nset yrange [0:1.03]\nset ytics (");
+    for (int i = 0; i < tics; i++)
+        fprintf(pen->file, "%s'%s' %.6f", i ? ", " : "", tic[i].text, tic[i].shade);
+    fprintf(pen->file, ")\nset ylabel '%s' noenhanced offset character 0.2,character 0\n",
+            !f->resting                        ? "growth in each period"
+            : pen->figure->units.dimensionless ? "growth rate"
+                                               : "growth rate (1/s)");
 }
 
 /* Behind the line a band for every interval. */
@@ -80,24 +79,20 @@ static void write_bands(const stability_pen *pen) {
 
 static void plot_growth(const stability_pen *pen) {
     const field *f = pen->field;
-    const ordinate y = ordinate_of(f);
     FILE *file = pen->file;
     fprintf(file,
             "set border 3 lw 0.8 lc rgb '%s'\nset grid y back lt 1 dt 1 lw 0.7 lc rgb '#e6e6e6'\n",
             stability_ink);
     stability_write_margins(pen, pen->top, pen->panel_height);
     stability_write_abscissa(pen, false);
-    sheet_write_scale(file, "y", y.logarithmic, y.low, y.high, pen->panel_height / 36);
-    fprintf(file, "set ylabel '%s' noenhanced offset character 0.2,character 0\n",
-            f->resting ? pen->figure->units.dimensionless ? "growth rate" : "growth rate (1/s)"
-                       : "growth in each period");
+    write_ordinate(pen);
     write_bands(pen);
     stability_write_thresholds(pen, pen->panel_height + LANES_GAP + LANE * stability_lanes(f));
-    fprintf(file,
-            "plot 'growth' using 1:2 with filledcurves y1=%.9g fillstyle transparent solid 0.35 "
-            "noborder fillcolor rgb '#b73779' notitle, 'growth' using 1:2 with lines lw 1.8 lc rgb "
-            "'#8c2981' notitle\nunset label\nunset arrow\nunset object\nunset ylabel\nunset grid\n",
-            y.low);
+    fprintf(
+        file,
+        "plot 'growth' using 1:2 with filledcurves y1=0 fillstyle transparent solid 0.35 "
+        "noborder fillcolor rgb '#b73779' notitle, 'growth' using 1:2 with lines lw 1.5 lc rgb "
+        "'#8c2981' notitle\nunset label\nunset arrow\nunset object\nunset ylabel\nunset grid\n");
 }
 
 /* ---- lanes ------------------------------------------------------------------------------------------------------- */
@@ -139,7 +134,7 @@ static void plot_lanes(const stability_pen *pen) {
     fprintf(file, "set border 1 lw 0.8 lc rgb '%s'\nunset ytics\n", stability_ink);
     stability_write_margins(pen, top, LANE * modes > 0 ? LANE * modes : 1);
     stability_write_abscissa(pen, true);
-    fprintf(file, "unset logscale y\nset yrange [0:1]\nplot NaN notitle\n");
+    fprintf(file, "set yrange [0:1]\nplot NaN notitle\n");
 }
 
 bool stability_write_line(stability_pen *pen) {

@@ -71,30 +71,15 @@ static void write_scale_number(const stability_pen *pen, double shade, const cha
         stability_screen_y(pen, y), stability_size(pen, STABILITY_SMALL), stability_ink);
 }
 
-/* Numbers beside the scale of colours, as many as have room: growth per period, or growth rate where all rests. */
 static void write_scale_numbers(const stability_pen *pen) {
-    static const double growth[] = {1,   1.1, 1.5, 2,   3,   5,    10,   30,   100,
-                                    1e3, 1e4, 1e5, 1e6, 1e8, 1e10, 1e15, 1e20, 1e30};
-    const field *f = pen->field;
-    double last = -1;
+    stability_tic tic[STABILITY_TICS];
+    const int tics = stability_list_tics(pen->field, 20.0 / pen->panel_height, tic);
     fprintf(pen->file,
             "set label '%s' at screen %.6f,screen %.6f right font ',%.4g' textcolor rgb '%s'\n",
-            f->resting ? "growth rate" : "growth per period",
+            pen->field->resting ? "growth rate" : "growth per period",
             stability_screen_x(STABILITY_WIDTH - 12), stability_screen_y(pen, pen->top - 12),
             stability_size(pen, STABILITY_SMALL), stability_ink);
-    for (size_t i = 0; i < sizeof growth / sizeof growth[0]; i++) {
-        const double level = f->resting ? 0.1 * (double)i * f->greatest : log(growth[i]);
-        char text[32];
-        if (level > f->greatest * (1 + 1e-9)) break;
-        const double shade = field_shade(f, level);
-        if (shade - last < 20.0 / pen->panel_height) continue;
-        last = shade;
-        if (!f->resting && growth[i] >= 1e3)
-            snprintf(text, sizeof text, "10^{%.0f}", log10(growth[i]));
-        else
-            snprintf(text, sizeof text, "%.3g", f->resting ? level : growth[i]);
-        write_scale_number(pen, shade, text);
-    }
+    for (int i = 0; i < tics; i++) write_scale_number(pen, tic[i].shade, tic[i].text);
 }
 
 /* ---- edges ------------------------------------------------------------------------------------------------------- */
@@ -141,15 +126,46 @@ typedef struct tongue {
     const gough_interval *widest;
 } tongue;
 
-/* 1 where all pixels under a box are of the plain, stable colour, −1 where none is, 0 for a mixture. */
+/* Pixels of the image that an edge runs through become the colour of no other. */
+static const unsigned char edge_colour[3] = {0, 0, 0};
+
+static void mark_edges(const stability_pen *pen, unsigned char *pixel) {
+    const field *f = pen->field;
+    const int width = pen->view.width, height = pen->view.height;
+    for (size_t p = 0; p < f->pairs; p++) {
+        const field_pair *pair = &f->pair[p];
+        if (pair->low < 0 || pair->high < 0) continue;
+        const gough_interval *end[2] = {field_interval(f, pair->row, pair->low),
+                                        field_interval(f, pair->row + 1, pair->high)};
+        double x[2][2], y[2];
+        for (int e = 0; e < 2; e++) {
+            const double from = fmax(end[e]->from, pen->view.low_x);
+            x[e][0] = FINE * (stability_place_x(pen, from) - pen->left);
+            x[e][1] = FINE * (stability_place_x(pen, end[e]->to) - pen->left);
+            y[e] = FINE * (stability_place_y(
+                               pen, gough_map_value(&f->options->second, pair->row + (size_t)e)) -
+                           pen->top);
+        }
+        for (int row = (int)y[1]; row <= y[0] && row < height; row++)
+            for (int side = 0; side < 2; side++) {
+                const double part = y[0] > y[1] ? (row - y[1]) / (y[0] - y[1]) : 0;
+                const int column = (int)(x[1][side] + part * (x[0][side] - x[1][side]));
+                if (row < 0 || column < 0 || column >= width) continue;
+                memcpy(pixel + 3 * ((size_t)row * (size_t)width + (size_t)column), edge_colour, 3);
+            }
+    }
+}
+
+/* 1 where all pixels under a box are of the plain, stable colour, -1 where none is, 0 for a mixture or an edge. */
 static int ground_of(const unsigned char *pixel, const stability_pen *pen, const box *b) {
-    const int width = pen->panel_width * FINE, height = pen->panel_height * FINE;
+    const int width = pen->view.width, height = pen->view.height;
     size_t plain = 0, all = 0;
     for (int y = (int)(FINE * (b->top - pen->top)); y < FINE * (b->top + b->height - pen->top); y++)
         for (int x = (int)(FINE * (b->left - pen->left));
              x < FINE * (b->left + b->width - pen->left); x++) {
             if (x < 0 || y < 0 || x >= width || y >= height) return 0;
             const unsigned char *at = pixel + 3 * ((size_t)y * (size_t)width + (size_t)x);
+            if (memcmp(at, edge_colour, 3) == 0) return 0;
             plain += at[0] >= 0xf0 && at[1] >= 0xf0 && at[2] >= 0xf0;
             all++;
         }
@@ -203,11 +219,11 @@ static bool place_name(const stability_pen *pen, const unsigned char *pixel, con
     const double y = stability_place_y(pen, value), width = text_width(t->widest->mode.name);
     const double from = stability_place_x(pen, fmax(t->widest->from, pen->view.low_x));
     const double to = stability_place_x(pen, fmin(t->widest->to, pen->view.high_x));
-    const double left[3] = {0.5 * (from + to - width), to + 3, from - 3 - width};
+    const double left[3] = {0.5 * (from + to - width), to + 4, from - 4 - width};
     for (int i = 0; i < 3; i++) {
         const box b = {left[i], y - 0.5 * NAME_HEIGHT, width, NAME_HEIGHT};
         const int ground = ground_of(pixel, pen, &b);
-        if (ground == 0 || (i == 0) != (ground < 0) || !is_free(&b, placed, count)) continue;
+        if (ground == 0 || !is_free(&b, placed, count)) continue;
         placed[count] = b;
         fprintf(pen->file,
                 "set label '%s' at screen %.6f,screen %.6f center front noenhanced font ',%.4g' "
@@ -323,6 +339,7 @@ bool stability_write_plane(stability_pen *pen) {
         plot_scale(pen, pen->view.height);
         fprintf(pen->file, "unset label\nunset arrow\n");
     }
+    mark_edges(pen, pixel); /* the image is written: now it tells where names have room */
     good = name_tongues(pen, pixel) && good;
     write_plot(pen);
     free(pixel);
