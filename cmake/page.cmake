@@ -31,19 +31,17 @@ int probe(double x) {
     return snprintf(text, sizeof text, \"%g\", (double)((long double)x * x) + sin(x));
 }
 ")
-set(GOUGH_PAGE_CORE_MISSING "clang or wasm-ld was not found")
+set(failed 1)
+set(said "clang or wasm-ld was not found")
 if(GOUGH_PAGE_CLANG AND GOUGH_PAGE_LINKER)
     execute_process(
         COMMAND ${GOUGH_PAGE_CLANG} ${GOUGH_PAGE_CORE_FLAGS} -o ${GOUGH_PAGE_FOLDER}/probe.wasm ${GOUGH_PAGE_FOLDER}/probe.c
-        RESULT_VARIABLE failed OUTPUT_VARIABLE GOUGH_PAGE_CORE_MISSING ERROR_VARIABLE GOUGH_PAGE_CORE_MISSING)
-    if(failed EQUAL 0)
-        set(GOUGH_PAGE_CORE_MISSING "")
-    endif()
+        RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
 endif()
-if(GOUGH_PAGE_CORE_MISSING)
+if(NOT failed EQUAL 0)
     message(FATAL_ERROR "The page of `gough report` has the library compiled to WebAssembly, which needs the Debian packages "
         "clang, lld, wasi-libc and libclang-rt-14-dev-wasm32 (scripts/install-packages.sh build installs them). "
-        "Without them, configure with -DGOUGH_PAGE=OFF.\n${GOUGH_PAGE_CORE_MISSING}")
+        "Without them, configure with -DGOUGH_PAGE=OFF.\n${said}")
 endif()
 
 set(GOUGH_PAGE_CORE ${GOUGH_PAGE_FOLDER}/core.wasm)
