@@ -50,7 +50,7 @@ typedef struct gough_map_options {
     void *context; /**< handed to progress */
 } gough_map_options;
 
-/** No axes yet, 64 intervals a row, widest lanes, all processors, no progress. */
+/** No axes yet, 256 intervals a row, widest lanes, all processors, no progress. */
 GOUGH_API gough_map_options gough_map_options_default(void);
 
 /** One point of the grid. In a row that has no values: NaN, "", not stable. */
@@ -92,7 +92,7 @@ typedef struct gough_map_row {
     gough_error error;       /**< status GOUGH_OK, or why this row has no values */
     gough_period period;     /**< of its program */
     size_t intervals;        /**< how many are in its part of the list, by rising `from` */
-    size_t intervals_missed; /**< how many more there was no room for */
+    size_t intervals_missed; /**< how many more there were, narrower than these */
     size_t
         meetings; /**< where multipliers met that could have left the unit circle and did not, or in less than the resolution;
                           counted without damping and with feed-forward only */

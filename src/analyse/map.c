@@ -17,7 +17,7 @@ enum { MOST_THREADS = 256, MOST_REFINE = 64 };
 static const double most_points = 2147483648.0;
 
 gough_map_options gough_map_options_default(void) {
-    return (gough_map_options){.axis = GOUGH_MAP_NONE, .intervals = 64};
+    return (gough_map_options){.axis = GOUGH_MAP_NONE, .intervals = 256};
 }
 
 const char *gough_interval_kind_name(gough_interval_kind kind) {
@@ -263,6 +263,7 @@ gough_status gough_map_find(const gough_model *model, const gough_map_options *o
     w.done = 0;
     atomic_init(&w.next, 0);
     atomic_init(&w.stopped, 0);
+    for (size_t row = 0; row < w.rows; row++) map_row_clear(&w.job, row);
     status = choose_steps(&w.job, map_worker_begin(&w.job, memory), error);
     if (status != GOUGH_OK) return status;
     pthread_mutex_init(&w.lock, NULL);

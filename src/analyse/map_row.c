@@ -327,6 +327,24 @@ static bool alike(const gough_interval *a, const gough_interval *b, double width
            strcmp(a->mode.name, b->mode.name) == 0;
 }
 
+/* no room for all: the narrowest goes, if it is not the one found */
+static bool leave_narrowest(gough_map_row *row, gough_interval *list, const gough_interval *found) {
+    double least = found->to - found->from;
+    size_t narrowest = row->intervals;
+
+    for (size_t i = 0; i < row->intervals; i++) {
+        if (!(list[i].to - list[i].from < least)) continue;
+        least = list[i].to - list[i].from;
+        narrowest = i;
+    }
+    row->intervals_missed++;
+    if (narrowest == row->intervals) return false;
+    memmove(list + narrowest, list + narrowest + 1,
+            (row->intervals - narrowest - 1) * sizeof *list);
+    row->intervals--;
+    return true;
+}
+
 static void put_interval(void *context, const gough_interval *found) {
     map_worker *w = context;
     const gough_map_options *o = w->job->options;
@@ -339,10 +357,7 @@ static void put_interval(void *context, const gough_interval *found) {
         list[i].modes++;
         return;
     }
-    if (row->intervals == o->intervals) {
-        row->intervals_missed++;
-        return;
-    }
+    if (row->intervals == o->intervals && !leave_narrowest(row, list, found)) return;
     for (place = row->intervals++; place > 0 && list[place - 1].from > found->from; place--)
         list[place] = list[place - 1];
     list[place] = *found;
@@ -431,38 +446,39 @@ static int find_by_tables(map_worker *w, gough_error *error) {
     return scan_nodes(w, &w->complete, look_damped, true, 0.8, 1);
 }
 
-static void without_values(map_worker *w) {
-    const size_t count = w->job->options->stiffness.count;
+void map_row_clear(const map_job *job, size_t index) {
+    const gough_map_options *o = job->options;
+    gough_map_row *row = &job->map->row[index];
 
-    for (size_t i = 0; i < count; i++) {
-        gough_map_point *p = &w->job->map->point[w->index * count + i];
-        *p = (gough_map_point){.growth = NAN, .rate = NAN};
+    memset(row, 0, sizeof *row);
+    row->value = o->axis == GOUGH_MAP_NONE ? 0 : gough_map_value(&o->second, index);
+    gough_fail(&row->error, GOUGH_ERROR_NUMERICAL, "the map was stopped before this row was done");
+    for (size_t i = 0; i < o->stiffness.count; i++) {
+        job->map->point[index * o->stiffness.count + i] =
+            (gough_map_point){.growth = NAN, .rate = NAN};
     }
 }
 
 int map_row_find(map_worker *w, size_t index) {
-    const gough_map_options *o = w->job->options;
     gough_map_row *row = &w->job->map->row[index];
+    gough_error error = {GOUGH_OK, ""};
+    gough_status status;
     int stopped = 0;
 
-    memset(row, 0, sizeof *row);
-    row->value = o->axis == GOUGH_MAP_NONE ? 0 : gough_map_value(&o->second, index);
     w->places = w->meetings = 0;
     w->reported = 0;
-    w->index = index;
-    without_values(w);
-    row->error.status = map_row_begin(w, index, &row->error);
-    row->period = w->period;
-    if (row->error.status == GOUGH_OK) {
+    status = map_row_begin(w, index, &error);
+    if (status == GOUGH_OK) {
+        row->period = w->period;
         if (w->period.resting) {
             stopped = find_one_by_one(w, look_at_rest);
         } else if (!w->model.control.feedforward) {
             stopped = find_one_by_one(w, look_along_orbit);
         } else {
-            stopped = find_by_tables(w, &row->error);
+            stopped = find_by_tables(w, &error);
         }
     }
     row->meetings = w->meetings;
-    if (row->error.status != GOUGH_OK) memset(&row->period, 0, sizeof row->period);
+    if (!stopped) row->error = error;
     return stopped | report(w, 1);
 }

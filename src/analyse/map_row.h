@@ -47,6 +47,9 @@ gough_status map_row_begin(map_worker *w, size_t index, gough_error *error);
 /* How far the multipliers of the row change when its steps are halved, relative to the largest; both with `refine`. */
 gough_status map_row_accuracy(map_worker *w, size_t refine, double *change, gough_error *error);
 
+/* No values yet. */
+void map_row_clear(const map_job *job, size_t index);
+
 /* All of a row: points, intervals, and what it says of itself. Returns nonzero if stopped. */
 int map_row_find(map_worker *w, size_t index);
 
