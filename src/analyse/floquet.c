@@ -86,7 +86,7 @@ static gough_status go_round(monodromy *m, gough_state *state, gough_error *erro
 gough_status gough_floquet_multipliers(const gough_model *model, const gough_period *period,
                                        double tolerance, gough_floquet *floquet,
                                        gough_error *error) {
-    const double asked = fabs(tolerance) > 0 ? tolerance : usual_tolerance;
+    const double asked = fabs(tolerance) <= 0 ? usual_tolerance : tolerance;
     gough_period found;
     gough_status status;
     monodromy m;

@@ -9,10 +9,13 @@
 #include "dynamics/state.h"
 #include "integrate/dop853.h"
 
-enum { N = GOUGH_LINEAR, PAIR = 2 * N, PAIRS = N / 2, MOST_STEPS = 50000 };
+enum { N = GOUGH_LINEAR, PAIR = 2 * N, PAIRS = N / 2, MOST_STEPS = 20000 };
 
 /* as in a run: beyond it a pose is called nearly singular */
 static const double greatest_condition = 1e8;
+
+/* where no step meets the tolerance at such a condition, a singular pose ahead is why */
+static const double hindering_condition = 1e4;
 
 /* a step shorter than this part of the period tells that none will do */
 static const double shortest = 1e-11;
@@ -198,23 +201,34 @@ static double side_of_program(const monodromy *m) {
     return side;
 }
 
-/* Stops at a pose that is singular or nearly so, and beyond one: a motion through it cannot be run. */
-static gough_status check_pose(passage *p, gough_error *error) {
+static double condition_now(const passage *p, double *determinant) {
     gough_acceleration acceleration;
-    double condition, determinant;
+    double condition;
     gough_state state;
 
     if (p->moving)
         monodromy_fold(p->m->loop.machine, p->y, &state);
     else
         gough_program(p->m->loop.machine, p->m->loop.motion, p->t, &state, &acceleration);
-    gough_conditioning(p->m->loop.machine, &state, &condition, &determinant);
-    if (condition <= greatest_condition && determinant * p->side > 0) return GOUGH_OK;
+    gough_conditioning(p->m->loop.machine, &state, &condition, determinant);
+    return condition;
+}
+
+static gough_status say_singular(const passage *p, double condition, gough_error *error) {
     return gough_fail(
         error, GOUGH_ERROR_NUMERICAL,
         "by t = %.9g the %s has come to a singular pose or nearly so (condition %.3g): "
         "choose a motion that keeps away from it",
         p->t, p->moving ? "platform" : "program", condition);
+}
+
+/* Stops at a pose that is singular or nearly so, and beyond one: a motion through it cannot be run. */
+static gough_status check_pose(passage *p, gough_error *error) {
+    double determinant;
+    const double condition = condition_now(p, &determinant);
+
+    if (condition <= greatest_condition && determinant * p->side > 0) return GOUGH_OK;
+    return say_singular(p, condition, error);
 }
 
 /* the accepted step: trace, motion projected, A at the new beginning */
@@ -250,6 +264,8 @@ static gough_status stuck(const passage *p, gough_error *error) {
                           "platform swings very often in it; a larger tolerance or less stiffness "
                           "would do",
                           MOST_STEPS);
+    if (!(condition_now(p, NULL) <= hindering_condition))
+        return say_singular(p, condition_now(p, NULL), error);
     return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                       "at t = %.9g no step meets the tolerance: the motion is not smooth there, or "
                       "a leg has no length; a larger tolerance may do",
