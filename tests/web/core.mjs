@@ -431,6 +431,22 @@ test("takes recorded motion of any length, again and again, in the same memory",
   assert.ok(Math.abs(core.program()[2] - (1.2 + 0.05 * Math.sin(600))) < 1e-12);
 });
 
+test("the page of a study carries the model and its table, to the bit", async () => {
+  const file = write(all), page = join(SCRATCH, "page.html");
+  execFileSync(GOUGH, ["report", file, "-q", "-o", page], { stdio: "pipe" });
+  const [, json] = readFileSync(page, "utf8").match(/<script type="application\/json" id="gough-data">(.*?)<\/script>/s);
+  const [study] = JSON.parse(json).studies;
+  const flat = doublesOf(bytesOf(study.live));
+  assert.deepEqual(flat, flatOf(file));
+  const core = await Core.load(module);
+  core.begin(flat);
+  const table = tableOf(file);
+  for (const column of study.columns) {
+    const c = table.names.indexOf(column.name);
+    assert.deepEqual(Array.from(doublesOf(bytesOf(column.data))), table.rows.map((row) => row[c]));
+  }
+});
+
 test("base64 comes back as bytes", () => {
   const bytes = Uint8Array.from({ length: 256 }, (_, i) => i);
   assert.deepEqual(bytesOf(Buffer.from(bytes).toString("base64")), bytes);
