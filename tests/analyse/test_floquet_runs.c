@@ -1,0 +1,315 @@
+/* Multipliers against nonlinear runs: what begins 1e-9 beside a periodic motion is multiplied in a period as predicted. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "gough/analyse.h"
+#include "support/machines.h"
+#include "support/suite.h"
+
+enum { N = GOUGH_LINEAR };
+
+static const double beside =
+    1e-9; /* in units of length, angle and their rates; the units here are dimensionless */
+
+/* of the runs, over a period */
+static const double rounding = 5e-13;
+
+/* ---- states and deviations ---- */
+
+static void cross_product(const double a[3], const double b[3], double out[3]) {
+    for (int i = 0; i < 3; i++)
+        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+/* R turned by a small rotation θ: (1 + [θ] + [θ]²/2) R, exact to θ³ */
+static void turn(double R[3][3], const double theta[3]) {
+    for (int c = 0; c < 3; c++) {
+        const double e[3] = {R[0][c], R[1][c], R[2][c]};
+        double once[3], twice[3];
+        cross_product(theta, e, once);
+        cross_product(theta, once, twice);
+        for (int r = 0; r < 3; r++) R[r][c] = e[r] + once[r] + twice[r] / 2;
+    }
+}
+
+/* R c of the centre of mass */
+static void arm_of(const gough_machine *machine, const gough_state *s, double arm[3]) {
+    for (int r = 0; r < 3; r++) {
+        arm[r] = 0;
+        for (int c = 0; c < 3; c++) arm[r] += s->rotation[r][c] * machine->load.center_of_mass[c];
+    }
+}
+
+/* centre of mass and its velocity */
+static void mass_center(const gough_machine *machine, const gough_state *s, double r[3],
+                        double v[3]) {
+    double arm[3], swing[3];
+
+    arm_of(machine, s, arm);
+    cross_product(s->angular_velocity, arm, swing);
+    for (int i = 0; i < 3; i++) r[i] = s->position[i] + arm[i], v[i] = s->velocity[i] + swing[i];
+}
+
+/* the state with ξ added: of the top from centre of mass and rotation */
+static gough_state changed(const gough_machine *machine, const gough_state *s, const double xi[N]) {
+    gough_state out = *s;
+    double r[3], v[3], arm[3], swing[3];
+
+    mass_center(machine, s, r, v);
+    turn(out.rotation, xi + 3);
+    for (int i = 0; i < 3; i++) out.angular_velocity[i] += xi[9 + i];
+    arm_of(machine, &out, arm);
+    cross_product(out.angular_velocity, arm, swing);
+    for (int i = 0; i < 3; i++) {
+        out.position[i] = r[i] + xi[i] - arm[i];
+        out.velocity[i] = v[i] + xi[6 + i] - swing[i];
+    }
+    return out;
+}
+
+/* ξ from a to b, to first order */
+static void difference(const gough_machine *machine, const gough_state *a, const gough_state *b,
+                       double xi[N]) {
+    double ra[3], va[3], rb[3], vb[3];
+
+    mass_center(machine, a, ra, va);
+    mass_center(machine, b, rb, vb);
+    for (int i = 0; i < 3; i++) {
+        xi[i] = rb[i] - ra[i];
+        xi[3 + i] = 0;
+        xi[6 + i] = vb[i] - va[i];
+        xi[9 + i] = b->angular_velocity[i] - a->angular_velocity[i];
+    }
+    for (int c = 0; c < 3; c++) {
+        const double e[3] = {a->rotation[0][c], a->rotation[1][c], a->rotation[2][c]};
+        const double f[3] = {b->rotation[0][c], b->rotation[1][c], b->rotation[2][c]};
+        double turned[3];
+        cross_product(e, f, turned);
+        for (int i = 0; i < 3; i++) xi[3 + i] += turned[i] / 2;
+    }
+}
+
+static double size_of(const double xi[N]) {
+    double sum = 0;
+
+    for (int i = 0; i < N; i++) sum += xi[i] * xi[i];
+    return sqrt(sum);
+}
+
+static void multiply(const gough_floquet *f, const double xi[N], double out[N]) {
+    for (int i = 0; i < N; i++) {
+        out[i] = 0;
+        for (int j = 0; j < N; j++) out[i] += f->monodromy[i][j] * xi[j];
+    }
+}
+
+/* ---- runs ---- */
+
+static int keep_last(void *context, const gough_row *row) {
+    gough_state *s = context;
+    const double *v = row->value,
+                 angles[3] = {v[GOUGH_ROLL_ANGLE], v[GOUGH_PITCH_ANGLE], v[GOUGH_YAW_ANGLE]};
+
+    gough_rotation_from_angles(angles, s->rotation);
+    for (int i = 0; i < 3; i++) {
+        s->position[i] = v[GOUGH_X + i];
+        s->velocity[i] = v[GOUGH_VX + i];
+        s->angular_velocity[i] = v[GOUGH_WX + i];
+    }
+    return 0;
+}
+
+/* where a run from a state at t = 0 is at its end */
+static gough_state run(gough_model *model, const gough_state *from, double duration) {
+    gough_simulation options = gough_simulation_default();
+    gough_error error = {0};
+    gough_state to, begin = *from;
+    gough_end end;
+
+    options.duration = duration;
+    options.output_step = duration;
+    options.tolerance = 1e-14;
+    gough_angles_from_rotation(begin.rotation, model->initial.component + 3);
+    for (int i = 0; i < 3; i++) {
+        model->initial.component[i] =
+            begin.position[i] - (i == 2 ? model->machine.platform.height : 0);
+        model->initial.velocity[i] = begin.velocity[i];
+        model->initial.angular_velocity[i] = begin.angular_velocity[i];
+    }
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) model->initial.given[c] = true;
+    model->initial.velocity_given = model->initial.angular_velocity_given = true;
+    ck_assert_msg(gough_simulate(model, &options, keep_last, &to, &end, &error) == GOUGH_OK, "%s%s",
+                  error.message, end.message);
+    return to;
+}
+
+static gough_floquet multipliers(const gough_model *model) {
+    gough_error error = {0};
+    gough_floquet f;
+
+    ck_assert_msg(gough_floquet_multipliers(model, NULL, 0, &f, &error) == GOUGH_OK, "%s",
+                  error.message);
+    ck_assert(fabs(f.start) <= 0); /* no start-up: runs begin at t = 0 */
+    return f;
+}
+
+/* the direction that grows most, by power iteration from one that favours none; |μ| where it is real */
+static double growing(const gough_floquet *f, double xi[N]) {
+    double next[N], size = 1;
+
+    for (int i = 0; i < N; i++) xi[i] = 1 + 0.3 * i - 0.05 * i * i;
+    for (int sweep = 0; sweep < 400; sweep++) {
+        multiply(f, xi, next);
+        size = size_of(next);
+        for (int i = 0; i < N; i++) xi[i] = next[i] / size;
+    }
+    return size;
+}
+
+/* after one period from 1e-9 beside the motion: the run's deviation is M ξ, for the growing direction and for two others, to 1e-4 of
+ * its size and the rounding of the runs; and it has grown by |μ| where that is real */
+static void check_run(gough_model *model, bool real, double unstable) {
+    const gough_floquet f = multipliers(model);
+    const gough_state home = run(model, &f.state, f.period);
+    double xi[3][N];
+    const double growth = growing(&f, xi[0]);
+
+    ck_assert_msg(f.growth > unstable, "growth %g", f.growth);
+    if (real) ck_assert_msg(fabs(growth - f.growth) <= 1e-9 * f.growth, "%g %g", growth, f.growth);
+    for (int i = 0; i < N; i++) {
+        xi[1][i] = cos(1 + i) / 3;
+        xi[2][i] = sin(2 + 3 * i) / 3;
+    }
+    for (int k = 0; k < 3; k++) {
+        double predicted[N], found[N], apart[N];
+        gough_state from, to;
+        for (int i = 0; i < N; i++) xi[k][i] *= beside;
+        from = changed(&model->machine, &f.state, xi[k]);
+        to = run(model, &from, f.period);
+        difference(&model->machine, &home, &to, found);
+        multiply(&f, xi[k], predicted);
+        for (int i = 0; i < N; i++) apart[i] = found[i] - predicted[i];
+        ck_assert_msg(size_of(apart) <= 1e-4 * size_of(predicted) + rounding,
+                      "direction %d: %g of %g", k, size_of(apart), size_of(predicted));
+        if (k == 0 && real) {
+            const double ratio = size_of(found) / size_of(xi[0]);
+            ck_assert_msg(fabs(ratio - f.growth) <= 1e-3 * f.growth, "%.9g, not %.9g", ratio,
+                          f.growth);
+        }
+    }
+}
+
+/* ---- models ---- */
+
+static gough_model *model_of(bool skew, const char *const text[GOUGH_COMPONENTS], double G,
+                             double D) {
+    gough_model *model = calloc(1, sizeof *model);
+
+    ck_assert(model != NULL);
+    if (skew)
+        skew_machine(&model->machine);
+    else
+        paper_machine(&model->machine);
+    model->control.feedforward = true;
+    set_gains(model, G, D);
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) set_formula(&model->motion.formula[c], text[c]);
+    return model;
+}
+
+static const char *const heave[] = {"0", "0", "0.2*sin(t)", "0", "0", "0"};
+static const char *const all[] = {"0.05*sin(t)",   "0.04*sin(2*t + 0.4)", "0.1*sin(t)",
+                                  "0.08*sin(2*t)", "0.06*cos(t)",         "0.1*sin(3*t + 1)"};
+static const char *const fast[] = {"0",   "0.05*cos(2*t)", "0.25*sin(2*t)", "0.1*sin(2*t)",
+                                   "0.1", "0.1*sin(4*t)"};
+
+START_TEST(growth_is_that_of_a_run_in_heave) {
+    const double stiffness[] = {0, 0.15, 0.35};
+
+    for (int i = 0; i < 3; i++) {
+        gough_model *model = model_of(false, heave, stiffness[i], 0);
+        check_run(model, i == 1, 10); /* sway and roll grow alike elsewhere */
+        free(model);
+    }
+}
+END_TEST
+
+START_TEST(growth_is_that_of_a_run_on_six_axes) {
+    gough_model *model = model_of(false, all, 0.2, 0);
+
+    check_run(model, true, 10);
+    free(model);
+    model = model_of(true, all, 0.1, 0);
+    check_run(model, true, 10);
+    free(model);
+}
+END_TEST
+
+START_TEST(growth_is_that_of_a_run_with_damping) {
+    gough_model *model = model_of(true, all, 0.1, 0.05);
+
+    check_run(model, true, 5);
+    free(model);
+    model = model_of(true, fast, 1.2, 0.02);
+    check_run(model, false, 0);
+    free(model);
+    model = model_of(true, all, 3, 0.3);
+    check_run(model, false, 0);
+    free(model);
+}
+END_TEST
+
+/* ---- without feed-forward ---- */
+
+/* the motion found comes back in a run; away from it deviations go as predicted */
+static void check_motion(bool skew, const char *const text[GOUGH_COMPONENTS], double G, double D) {
+    gough_model *model = model_of(skew, text, G, D);
+    double apart[N];
+    gough_floquet f;
+    gough_state after;
+
+    model->control.feedforward = false;
+    f = multipliers(model);
+    after = run(model, &f.state, f.period);
+    difference(&model->machine, &f.state, &after, apart);
+    ck_assert_msg(size_of(apart) <= 1e-9, "G = %g, D = %g: %g", G, D, size_of(apart));
+    if (!(D > 0)) {
+        ck_assert_msg(f.determinant_defect <= 1e-9, "%g", f.determinant_defect);
+        ck_assert_msg(f.pair_defect <= 1e-9, "%g", f.pair_defect);
+    }
+    check_run(model, false, 0);
+    free(model);
+}
+
+START_TEST(motion_without_feedforward_comes_back) {
+    check_motion(false, heave, 5, 0);
+    check_motion(false, heave, 100, 0);
+    check_motion(false, heave, 2, 0);
+    check_motion(false, all, 4, 0.5);
+    check_motion(true, all, 5, 0);
+    check_motion(true, fast, 6, 0.4);
+}
+END_TEST
+
+START_TEST(weak_legs_without_feedforward_are_told) {
+    const double stiffness[] = {0, 0.01, 1};
+
+    for (int i = 0; i < 3; i++) {
+        gough_model *model = model_of(false, heave, stiffness[i], 0);
+        gough_error error = {0};
+        gough_floquet f;
+        model->control.feedforward = false;
+        ck_assert(gough_floquet_multipliers(model, NULL, 0, &f, &error) == GOUGH_ERROR_NUMERICAL);
+        ck_assert_msg(strstr(error.message, "without feed-forward") &&
+                          strstr(error.message, "control.stiffness") &&
+                          strstr(error.message, "control.feedforward"),
+                      "%s", error.message);
+        free(model);
+    }
+}
+END_TEST
+
+int main(void) {
+    return SUITE_RUN("floquet_runs", 120, growth_is_that_of_a_run_in_heave,
+                     growth_is_that_of_a_run_on_six_axes, growth_is_that_of_a_run_with_damping,
+                     motion_without_feedforward_comes_back, weak_legs_without_feedforward_are_told);
+}
