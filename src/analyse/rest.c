@@ -110,18 +110,22 @@ static double symmetric_problem(const double *K, const double *B, double kappa[F
 
     memcpy(a, K, sizeof a);
     memcpy(b, B, sizeof b);
+    for (int i = 0; i < FREEDOMS * FREEDOMS; i++) {
+        if (!isfinite(a[i]) || !isfinite(b[i])) return -1;
+    }
     if (LAPACKE_dsygv_work(LAPACK_COL_MAJOR, 1, 'V', 'U', FREEDOMS, a, FREEDOMS, b, FREEDOMS, kappa,
                            work, WORK) != 0) {
         return -1;
     }
     for (int k = 0; k < FREEDOMS; k++) {
         for (int i = 0; i < FREEDOMS; i++) shape[k][i] = a[i + FREEDOMS * k];
+        if (!isfinite(kappa[k])) return -1;
         largest = fmax(largest, fabs(kappa[k]));
     }
     for (int k = 0; k < FREEDOMS; k++) {
         if (fabs(kappa[k]) <= rounding * largest) kappa[k] = 0;
     }
-    return isfinite(largest) ? largest : -1;
+    return largest;
 }
 
 static void equal_apart(const gough_machine *machine, const double kappa[FREEDOMS], double largest,
@@ -169,6 +173,7 @@ static bool damped(const at_rest *r, linear_matrix A, double complex value[GOUGH
         /* of a pair the first has the real part, the second the imaginary part of the shape */
         const int first = im[k] < 0 ? k - 1 : k;
         const double sign = im[k] > 0 ? 1 : im[k] < 0 ? -1 : 0;
+        if (!isfinite(re[k]) || !isfinite(im[k])) return false;
         value[k] = re[k] + I * im[k];
         largest = fmax(largest, cabs(value[k]));
         for (int i = 0; i < 6; i++) {
@@ -177,7 +182,7 @@ static bool damped(const at_rest *r, linear_matrix A, double complex value[GOUGH
         }
     }
     mode_separate(r->loop.machine, N, value, same_value * largest, shape);
-    return isfinite(largest);
+    return true;
 }
 
 /* by falling growth rate, then by rising frequency; opposite ones stay as they come, the positive first, next to each other */
