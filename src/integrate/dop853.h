@@ -12,14 +12,15 @@ typedef struct {
     number dense[8][STEPPER_SIZE];
 } dop853;
 
-/* components that are summed together: as many as stay in registers */
-enum { DOP853_BLOCK = 8 };
+/* components that are summed together: as many as stay in registers, of which lanes of 2 and 4 have sixteen */
+enum { DOP853_BLOCK = NUMBER_WIDTH == 2 || NUMBER_WIDTH == 4 ? 12 : 24 };
 
 /* z = y + h Σ a_j slope_j for `width` components from `first` on */
 KERNEL_INLINE void dop853_block(const dop853 *s, int first, int width, int row, real h,
                                 const number *y, number *z) {
     number sum[DOP853_BLOCK];
 
+    KERNEL_UNROLL
     for (int i = 0; i < width; i++) sum[i] = number_of(0);
     for (int j = 0; j < row && j < 15; j++) {
         if (dop853_a[row][j] == 0) continue; /* the tableau's own zeros */
@@ -27,6 +28,7 @@ KERNEL_INLINE void dop853_block(const dop853 *s, int first, int width, int row, 
         KERNEL_UNROLL
         for (int i = 0; i < width; i++) sum[i] = sum[i] + weight * s->slope[j][first + i];
     }
+    KERNEL_UNROLL
     for (int i = 0; i < width; i++) z[first + i] = y[first + i] + number_of_real(h) * sum[i];
 }
 

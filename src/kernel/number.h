@@ -17,11 +17,13 @@
 
 /* where a call through memory would cost more than the function */
 #define KERNEL_INLINE __attribute__((always_inline)) static inline
+/* where one copy for all callers is enough */
+#define KERNEL_APART __attribute__((noinline, unused)) static
 /* the loop that follows is laid out whole, so that what it works on can stay in registers */
 #if defined(__clang__)
 #define KERNEL_UNROLL _Pragma("clang loop unroll(full)")
 #else
-#define KERNEL_UNROLL _Pragma("GCC unroll 8")
+#define KERNEL_UNROLL _Pragma("GCC unroll 24")
 #endif
 
 #if defined(NUMBER_DOUBLE)

@@ -76,7 +76,7 @@ KERNEL_INLINE elimination solve_counted(number a[6][6], number b[][6], int count
 
 /* a x = b by Gaussian elimination with partial pivoting, for `count` right-hand sides b[r], which become the solutions;
  * a is destroyed. A singular matrix gives determinant 0 and solutions that are not finite. */
-static inline elimination solve_six(number a[6][6], number b[][6], int count) {
+KERNEL_APART elimination solve_six(number a[6][6], number b[][6], int count) {
     switch (count) {
     case 0:
         return solve_counted(a, b, 0);
