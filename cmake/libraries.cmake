@@ -25,14 +25,15 @@ else()
     list(FILTER GOUGH_ANALYSE_SOURCES EXCLUDE REGEX "analyse_lanes_[48]\\.c$")
 endif()
 
-# The same for stages made ready side by side.
+# The same for one run, and for its stages made ready side by side.
 set_source_files_properties(src/simulate/ahead_lanes_2.c PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    set_source_files_properties(src/simulate/ahead_lanes_4.c PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx2")
-    set_source_files_properties(src/simulate/ahead_lanes_8.c
+    set_source_files_properties(src/simulate/ahead_lanes_4.c src/simulate/simulate_double_4.c
+        PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx2")
+    set_source_files_properties(src/simulate/ahead_lanes_8.c src/simulate/simulate_double_8.c
         PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx512f;-mavx512dq;-mavx512vl")
 else()
-    list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "ahead_lanes_[48]\\.c$")
+    list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "(ahead_lanes|simulate_double)_[48]\\.c$")
 endif()
 
 # gough_room_libraries(SUFFIX [FLAGS…]): the static libraries gough_core<SUFFIX>, gough_analyse<SUFFIX> and gough_files<SUFFIX>.

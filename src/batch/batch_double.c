@@ -65,8 +65,7 @@ static void listen_end(listener *l, const gough_end *end) {
 
 void batch_alone(const batch_job *job, size_t which) {
     const simulate_parts parts = parts_of(job, which);
-    const struct simulate_table *table =
-        job->simulation->precision == GOUGH_QUADRUPLE ? &simulate_quad : &simulate_double;
+    const struct simulate_table *table = simulate_table_of(job->simulation->precision);
     gough_end end = {.cause = GOUGH_END_DONE};
     listener l;
 

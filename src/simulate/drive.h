@@ -382,6 +382,23 @@ static inline void drive_look_ahead(drive *d) {
     lookahead_ready(d->ahead);
 }
 
+/* the same for fixed steps from step k on: rk4 comes to few times in a step, so several steps go together */
+static inline void drive_look_far(drive *d, long long k) {
+    enum { TOGETHER = 5 };
+    const real h = d->h;
+
+    if (d->r.options->method == GOUGH_DOP853) drive_look_ahead(d);
+    if (d->ahead == NULL || d->r.options->method != GOUGH_RK4 || k % TOGETHER != 0) return;
+    lookahead_clear(d->ahead);
+    for (long long i = k; i < k + TOGETHER; i++) {
+        const real t = (real)i * h;
+        lookahead_announce(d->ahead, t + h / 2);
+        lookahead_announce(d->ahead, t + h);
+        lookahead_announce(d->ahead, (real)(i + 1) * h);
+    }
+    lookahead_ready(d->ahead);
+}
+
 /* adaptive dop853 */
 static inline gough_status drive_adaptive(drive *d) {
     const gough_machine *machine = d->r.lane[0].machine;
@@ -484,6 +501,7 @@ static inline gough_status drive_fixed(drive *d) {
             const gough_status converged = drive_converged(d, residual);
             if (converged != GOUGH_OK) return converged;
         } else {
+            drive_look_far(d, k);
             drive_explicit_step(d, &work);
         }
         d->t = (real)(k + 1) * h;

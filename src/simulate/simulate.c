@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "simulate/ahead.h"
 #include "simulate/simulate.h"
 
 /* more rows than this are a mistake, not a study */
@@ -146,8 +147,13 @@ gough_status simulate_check(const gough_motion *motion, const gough_simulation *
     return status;
 }
 
-static const struct simulate_table *table_of(const gough_simulation *simulation) {
-    return simulation->precision == GOUGH_QUADRUPLE ? &simulate_quad : &simulate_double;
+const struct simulate_table *simulate_table_of(gough_precision precision) {
+    if (precision == GOUGH_QUADRUPLE) return &simulate_quad;
+#if defined(__x86_64__)
+    if (ahead_lanes() == 8) return &simulate_double_8;
+    if (ahead_lanes() == 4) return &simulate_double_4;
+#endif
+    return &simulate_double;
 }
 
 /* an end that is the input's fault is its error's sentence too */
@@ -163,7 +169,7 @@ gough_status gough_forces(const gough_model *model, const gough_simulation *simu
 
     *end = (gough_end){.cause = GOUGH_END_DONE};
     if (checked != GOUGH_OK) return checked;
-    return finish(table_of(simulation)
+    return finish(simulate_table_of(simulation->precision)
                       ->forces(model, simulation, sink, context, crossings, crossings_context, end),
                   end, error);
 }
@@ -177,6 +183,7 @@ gough_status gough_simulate(const gough_model *model, const gough_simulation *si
     const simulate_parts parts = {&model->motion,  &model->machine,
                                   &model->control, &model->disturbance,
                                   &model->initial, model->disturbance.noise.run};
-    return finish(table_of(simulation)->simulate(&parts, simulation, sink, context, end), end,
-                  error);
+    return finish(
+        simulate_table_of(simulation->precision)->simulate(&parts, simulation, sink, context, end),
+        end, error);
 }

@@ -27,5 +27,11 @@ struct simulate_table {
 };
 
 extern const struct simulate_table simulate_double, simulate_quad;
+#if defined(__x86_64__)
+extern const struct simulate_table simulate_double_4, simulate_double_8;
+#endif
+
+/* the table for a precision and this processor; all of one precision give the same bits */
+const struct simulate_table *simulate_table_of(gough_precision precision);
 
 #endif
