@@ -23,6 +23,9 @@ static const double growth_limit = 1e-7;
 /* joints this far out of a plane, in base radii, are in it */
 static const double plane_tolerance = 1e-9;
 
+/* a stiffness further from symmetric than this, relative to its largest element, was not found */
+static const double greatest_asymmetry = 1e-6;
+
 static const char no_eigenvalues[] =
     "the eigenvalues of the loop at rest were not found: its numbers are too far apart in size; "
     "use units in which they are near 1";
@@ -293,6 +296,9 @@ static gough_status analyse(const at_rest *r, gough_rest *rest, gough_error *err
     gough_status status = linear_check(loop, 0, NULL, rest->matrix, wrong, error);
 
     if (status == GOUGH_OK) status = stiffness_of(r, loop, &rest->asymmetry, K, error);
+    if (status == GOUGH_OK && !(rest->asymmetry <= greatest_asymmetry)) {
+        status = gough_fail(error, GOUGH_ERROR_NUMERICAL, "%s", no_eigenvalues);
+    }
     if (status == GOUGH_OK) status = parts_of_stiffness(r, rest, error);
     if (status == GOUGH_OK) status = eigenvalues(r, K, rest, error);
     if (status == GOUGH_OK) status = thresholds(loop->machine, rest, error);

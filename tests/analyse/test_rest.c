@@ -545,6 +545,20 @@ START_TEST(poses_that_nothing_holds_are_refused) {
 }
 END_TEST
 
+/* a platform of 1e-45 units, beyond what complex steps resolve: said, not answered */
+START_TEST(numbers_without_meaning_are_refused) {
+    const double gravity[3] = {0, 0, -1};
+    gough_model *model = new_model(1, 0);
+    gough_platform platform = gough_platform_symmetric(1e-45, 0.2, 0.6e-45, 0.1, 1e-45);
+    gough_load load = {.mass = 1, .inertia = {{1e-91, 0, 0}, {0, 1e-91, 0}, {0, 0, 1e-91}}};
+    gough_error error;
+
+    ck_assert(gough_machine_init(&model->machine, &platform, &load, gravity, &error) == GOUGH_OK);
+    refused(model, NULL, GOUGH_ERROR_NUMERICAL, "too far apart", "units");
+    free(model);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN(
         "rest", 60, stiffness_is_that_of_the_closed_forms, thresholds_are_those_of_the_closed_forms,
@@ -554,5 +568,5 @@ int main(void) {
         stiffness_of_any_machine_is_symmetric_and_linear_in_the_gain,
         nothing_moves_without_gravity_and_springs, free_freedoms_do_not_grow_by_rounding,
         the_largest_threshold_is_where_the_loop_becomes_stable,
-        poses_that_nothing_holds_are_refused);
+        poses_that_nothing_holds_are_refused, numbers_without_meaning_are_refused);
 }
