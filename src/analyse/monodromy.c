@@ -1,5 +1,5 @@
-/* The variational equations over one period: ξ̇ = A(t) ξ for twelve columns, in pairs, by the stepper of the runs; A by complex steps
- * at the times of its stages. Theory: docs/theory/floquet.md. */
+/* The variational equations over one period: ξ̇ = A(t) ξ for twelve columns, in pairs, by the stepper of the runs; A by complex
+ * steps at the times of its stages. Theory: docs/theory/floquet.md. */
 #define NUMBER_DOUBLE
 #include "analyse/monodromy.h"
 

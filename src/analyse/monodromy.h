@@ -5,7 +5,8 @@
 
 #include "analyse/linear.h"
 
-/* Parts of the period. In each of them even fast growth is moderate, so that determinant and small multipliers keep their digits. */
+/* Parts of the period: in each of them even fast growth is moderate, so that determinant and small multipliers keep their
+ * digits. */
 enum { MONODROMY_PARTS = 64, MONODROMY_SIZE = GOUGH_LINEAR * GOUGH_LINEAR };
 
 typedef struct {

@@ -1,5 +1,5 @@
-/* A state that comes back after a period, by Newton's method with the monodromy matrix as derivative; where that fails, from stiffer
- * and damped legs, whose motion is nearer to the program, to those asked for. Theory: docs/theory/floquet.md. */
+/* A state that comes back after a period, by Newton's method with the monodromy matrix as derivative; where that fails, from
+ * stiffer and damped legs, whose motion is nearer to the program, to those asked for. Theory: docs/theory/floquet.md. */
 #define NUMBER_DOUBLE
 #include "analyse/orbit.h"
 
@@ -21,7 +21,7 @@ static const double farthest = 0.5, shrinks = 0.8;
 
 /* The way from legs (1 + STIFFER) times as stiff and with damping 2√(GM) to those asked for: at most so many motions on it, and the
  * least progress from one to the next. */
-enum { STIFFER = 3, MOST_MOTIONS = 16 };
+enum { STIFFER = 3, MOST_MOTIONS = 24 };
 static const double least_progress = 1e-3;
 
 /* of the steps on this way */

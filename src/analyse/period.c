@@ -1,5 +1,5 @@
-/* When and how a program repeats itself: a period is proposed by its formulas or given, and then verified on the program itself, with
- * both derivatives. Angles in radians; degrees in sentences. Theory: docs/theory/floquet.md. */
+/* When and how a program repeats itself: a period is proposed by its formulas or given, and then verified on the program
+ * itself, with both derivatives. Angles in radians; degrees in sentences. Theory: docs/theory/floquet.md. */
 #define NUMBER_DOUBLE
 #include <math.h>
 

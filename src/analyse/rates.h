@@ -19,8 +19,8 @@ typedef struct {
 /* (floquet-1) of all formulas of a motion as it runs, its factor of frequency included. */
 void rates_of_motion(const gough_motion *motion, rates *found);
 
-/* (floquet-2): the common period of all of them, 0 where there is no rate. `cycles`: of the fastest in it. Returns false where two of
- * them, which are named, have no ratio of whole numbers up to 1000. */
+/* (floquet-2): the common period of all of them, 0 where there is no rate. `cycles`: of the fastest in it. Returns false where
+ * two of them, which are named, have no ratio of whole numbers up to 1000. */
 bool rates_common_period(const rates *found, double *period, double *cycles, double apart[2]);
 
 #endif

@@ -1,5 +1,5 @@
-/* Multipliers about periodic heave programs: against the numbers of the paper's machine and against (stab-11), (stab-12), integrated by
- * another road; what must hold for every loop; refusals. */
+/* Multipliers about periodic heave programs: against the numbers of the paper's machine and against (stab-11), (stab-12),
+ * integrated by another road; what must hold for every loop; refusals. */
 #include <complex.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -87,8 +87,8 @@ END_TEST
 
 typedef long double real;
 
-/* A symmetric machine that heaves by amplitude · sin(rate t), all in closed form. x: displacement of the centre of the top joints and
- * rotation */
+/* A symmetric machine that heaves by amplitude · sin(rate t), all in closed form. x: displacement of the centre of the top
+ * joints and rotation */
 typedef struct {
     symmetric s;
     double Jx, Jz, amplitude, rate, G, D;
