@@ -182,7 +182,8 @@ static void exchange_moves(pass *p, gough_motion *motion, size_t count, gough_mo
     double before = -INFINITY;
 
     for (size_t i = 0; i < count && p->status == GOUGH_OK; i++) {
-        gough_move move = p->from ? (gough_move){.start = 0} : motion->move[i];
+        gough_move move = {.start = 0};
+        if (p->from == NULL) move = motion->move[i];
         exchange_numbers(p, &move.start, 1);
         if (p->from && move.start < before) refuse(p, "no earlier than the end of the move before");
         exchange_numbers(p, &move.duration, 1);
