@@ -18,16 +18,15 @@ static void append(char words[MODE_WORDS], const char *text) {
     snprintf(words + used, MODE_WORDS - used, "%s", text);
 }
 
-/* " 0.53", " -31 deg", " 0.2 (90 deg ahead)" */
+/* " 0.53", " -31 deg", " 0.2 (80 deg ahead)"; a phase beyond a right angle is told by the sign. */
 static void append_ratio(char words[MODE_WORDS], double complex ratio, const char *unit) {
-    const bool real = fabs(cimag(ratio)) <= 0.01 * cabs(ratio);
-    const double size = real ? creal(ratio) : cabs(ratio);
+    const double sign = creal(ratio) < 0 ? -1 : 1, phase = carg(sign * ratio) * DEGREES;
     char text[64];
-    if (real)
-        snprintf(text, sizeof text, " %.3g%s", size, unit);
+    if (fabs(phase) < 0.5)
+        snprintf(text, sizeof text, " %.3g%s", sign * cabs(ratio), unit);
     else
-        snprintf(text, sizeof text, " %.3g%s (%.0f deg %s)", size, unit,
-                 fabs(carg(ratio)) * DEGREES, carg(ratio) > 0 ? "ahead" : "behind");
+        snprintf(text, sizeof text, " %.3g%s (%.0f deg %s)", sign * cabs(ratio), unit, fabs(phase),
+                 phase > 0 ? "ahead" : "behind");
     append(words, text);
 }
 

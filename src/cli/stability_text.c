@@ -74,7 +74,7 @@ static int name_width(const value_group *group, int groups) {
         for (const char *at = name; *at; at++) width += ((unsigned char)*at & 0xC0) != 0x80;
         if (width > widest) widest = width;
     }
-    return widest;
+    return widest + 2;
 }
 
 static void print_name(FILE *stream, const value_group *group, int width) {

@@ -1,0 +1,200 @@
+#!/usr/bin/env bash
+# gough stability: the theory's numbers through the command; the keys of its JSON; matrix and eigenvalues agree; the map's tongues are
+# where the theory has them, in tables and pictures; what does not fit is refused.
+source "$(dirname "$0")/support.sh"
+command -v jq >/dev/null || { echo "skipped: no jq"; exit 77; }
+cd "$scratch" || exit 1
+"$GOUGH" example paper-heave >heave.yaml
+"$GOUGH" example own-machine >own.yaml
+
+near() { # near WHAT VALUE EXPECTED TOLERANCE; what is no number fails
+    awk -v a="$2" -v b="$3" -v t="$4" 'BEGIN { d = a - b; exit !(a != "" && a !~ /nan|null/ && d <= t + 0 && -d <= t + 0) }' ||
+        fail "$1: $2 instead of $3 within $4"
+}
+refused() { # refused SENTENCE ARGUMENT…
+    local sentence=$1
+    shift
+    run "$@"
+    expect_code 2 "$@"
+    [[ ! -s out ]] || fail "$*: standard output is not empty"
+    grep -qF -- "$sentence" err || fail "$*: does not say '$sentence' but: $(cat err)"
+}
+
+# ---- at rest: the closed forms (stab-4) to (stab-10) for h = 1, R = 1, r = 0.6, d = 0.7 ----
+run stability heave.yaml --json
+expect_code 0 "an unstable loop"
+cp out open.json
+awk 'BEGIN { h = 1; R = 1; r = 0.6; d2 = 0.49; l2 = h * h + d2; c = (R * R + r * r - d2) / (2 * R * r); s2 = 1 - c * c; q = r * r - r * R * c
+    kx = -(l2 + h * h) / (2 * l2 * h); ko = -q / (2 * l2); kt = -(r * r * d2 / l2 - q) / (2 * h)
+    jx = 3 * d2 / l2; jo = -3 * h * q / l2; jt = 3 * r * r * h * h / l2
+    A = jx * jt - jo * jo; B = kx * jt + kt * jx - 2 * ko * jo; C = kx * kt - ko * ko; D = sqrt(B * B - 4 * A * C)
+    printf "%.15g %.15g %.15g %.15g %.15g\n", sqrt(d2 / (h * l2)), d2 / (6 * h ^ 3), (l2 * c / (R * r * s2) - 1) / (6 * h), (-B + D) / (2 * A), (-B - D) / (2 * A) }' >forms
+read -r rate heave yaw tilt low <forms
+threshold() { jq -r --arg mode "$1" "[.thresholds[] | select(.mode == \$mode) | .stiffness] | .[${2:-0}]" open.json; }
+near "heave's threshold" "$(threshold heave)" "$heave" 1e-13
+near "yaw's threshold" "$(threshold yaw)" "$yaw" 1e-13
+near "the greater threshold of sway with tilt" "$(threshold sway–tilt 0)" "$tilt" 1e-12
+near "its twin" "$(threshold sway–tilt 1)" "$tilt" 1e-12
+near "the lesser" "$(threshold sway–tilt 2)" "$low" 1e-12
+near "heave's growth rate" "$(jq '[.eigenvalues, .modes] | transpose | map(select(.[1].name == "heave") | .[0][0]) | max' open.json)" "$rate" 1e-13
+near "the trace" "$(jq .trace open.json)" -2 1e-13
+[[ $(jq -c '[.thresholds[].stiffness] | . == (sort | reverse)' open.json) == true ]] || fail "thresholds do not fall"
+grep -q '^  Without feedback some mode always grows' <("$GOUGH" stability heave.yaml) || fail "the trace theorem is not told"
+
+# ---- JSON ----
+keys='["verb","title","pose","eigenvalues","modes","thresholds","growth_rate","trace","trace_theorem","asymmetry","last","period","period_start","multipliers","multiplier_modes","growth_per_period","determinant","determinant_defect","pair_defect","stable"]'
+[[ $(jq -c keys_unsorted open.json) == "$keys" ]] || fail "keys $(jq -c keys_unsorted open.json)"
+jq -e '.verb == "stability" and .stable == false and ([.eigenvalues, .multipliers] | all(length == 12 and all(length == 2)))
+    and (.modes | length) == 12 and .growth_rate == .eigenvalues[0][0]' open.json >/dev/null || fail "JSON: $(head -c 400 open.json)"
+near "the period" "$(jq .period open.json)" 6.283185307179586 1e-12
+near "the determinant's defect" "$(jq .determinant_defect open.json)" 0 1e-9
+near "the pairs' defect" "$(jq .pair_defect open.json)" 0 1e-9
+near "growth per period" "$(jq '.growth_per_period - (.multipliers[0] | .[0] * .[0] + .[1] * .[1] | sqrt)' open.json)" 0 1e-9
+
+# ---- along the program: the trace of heave's two multipliers ----
+while read -r G trace tolerance; do
+    "$GOUGH" stability heave.yaml --set control.stiffness="$G" --json >at.json
+    near "heave's trace at G = $G" "$(jq '[.multipliers, .multiplier_modes] | transpose | map(select(.[1].name == "heave") | .[0][0]) | add' at.json)" "$trace" "$tolerance"
+done <<END
+0 42.8326 6e-5
+0.0817 2.30856 6e-6
+0.2 -1.731017 6e-7
+1 1.578140 6e-7
+5 -1.716563 6e-7
+END
+jq -e '.stable == true' at.json >/dev/null || fail "not stable at G = 5"
+run stability heave.yaml --set control.stiffness=5 --set control.damping=0.5 --json
+jq -e '.stable and .growth_per_period < 1 and .pair_defect == null' out >/dev/null || fail "damped: $(jq -c '[.stable, .growth_per_period]' out)"
+
+# ---- the matrix: traces of its powers are sums of powers of the eigenvalues ----
+for options in "" "--set control.stiffness=3 --set control.damping=0.7" "--pose heave=0.1,yaw=10 --set control.stiffness=2"; do
+    # shellcheck disable=SC2086
+    "$GOUGH" stability heave.yaml --matrix $options >matrix.csv
+    # shellcheck disable=SC2086
+    "$GOUGH" stability heave.yaml --json --matrix $options >m.json
+    [[ $(head -1 matrix.csv) == x,y,z,rx,ry,rz,vx,vy,vz,wx,wy,wz && $(wc -l <matrix.csv) == 13 ]] || fail "the matrix: $(head -1 matrix.csv)"
+    [[ $(jq -r '.matrix[] | map(tostring) | join(",")' m.json | wc -l) == 12 ]] || fail "no matrix in JSON"
+    read -r first second fourth < <(awk -F, 'NR > 1 { for (j = 1; j <= 12; j++) a[NR - 1, j] = $j }
+        END { for (i = 1; i <= 12; i++) for (j = 1; j <= 12; j++) for (k = 1; k <= 12; k++) b[i, j] += a[i, k] * a[k, j]
+            for (i = 1; i <= 12; i++) { s += a[i, i]; t += b[i, i]; for (j = 1; j <= 12; j++) u += b[i, j] * b[j, i] }
+            printf "%.15g %.15g %.15g\n", s, t, u }' matrix.csv)
+    near "trace of the matrix ($options)" "$(jq '[.eigenvalues[][0]] | add' m.json)" "$first" 1e-9
+    near "of its square" "$(jq '[.eigenvalues[] | .[0] * .[0] - .[1] * .[1]] | add' m.json)" "$second" 1e-8
+    near "of its fourth power" "$(jq '[.eigenvalues[] | (.[0] * .[0] - .[1] * .[1]) as $a | (2 * .[0] * .[1]) as $b | $a * $a - $b * $b] | add' m.json)" "$fourth" 1e-6
+done
+# about the program: heave's coefficient (stab-12) at t = 2 of the start-up
+"$GOUGH" stability heave.yaml --matrix --at 2 --set control.stiffness=0.4 | sed -n 10p | cut -d, -f3 >element
+near "heave's coefficient at t = 2" "$(cat element)" "$(awk 'BEGIN { h = 1.072666758631; a = -0.120214942866; l2 = h * h + 0.49; printf "%.15g", (1 + a) * 0.49 / (h * l2) - 2.4 * h * h / l2 }')" 1e-10
+# in units of its own machine, growth rates are those of the unit of time
+si=(--set units=si --set gravity=9 --set load.mass=2 --set load.inertia='[0.16, 0.16, 0.3]' --set motion.heave=0 --pose surge=0)
+a=$("$GOUGH" stability heave.yaml "${si[@]}" --json --dimensionless | jq -c '.eigenvalues | map(.[0] * 1e9 | round)')
+b=$(jq -c '.eigenvalues | map(.[0] * 1e9 | round)' open.json)
+[[ $a == "$b" ]] || fail "--dimensionless: $a instead of $b"
+
+# ---- programs that rest, and others ----
+run stability own.yaml --json
+expect_code 0 "a program that comes to rest"
+jq -e '.period == null and .multipliers == [] and .growth_per_period == null and .stable' out >/dev/null || fail "own machine: $(jq -c '[.period, .stable]' out)"
+run stability heave.yaml --set motion.heave='0.1*ramp(t, 3)' --set motion.period= --set control.stiffness=2 --json
+jq -e '.period == null and (.last.pose.heave - 0.1 | fabs) < 1e-12 and .last.thresholds[0].stiffness > 0 and .stable == .last.stable' out >/dev/null ||
+    fail "a program that ends elsewhere: $(jq -c '[.period, .last.pose]' out)"
+run stability heave.yaml --set motion.period=
+expect_code 0 "the period found"
+grep -q '^About the program, of period 6.28318531, found' out || fail "the period is not found: $(grep About out)"
+refused "period" stability heave.yaml --set motion.period=3
+refused "period" stability heave.yaml --set 'motion.heave=0.1*sin(t) + 0.1*sin(sqrt(2)*t)' --set motion.period=
+refused "--pose" stability heave.yaml --set 'motion.heave=0.1*sin(t^2)' --set motion.period=
+run stability heave.yaml --set 'motion.heave=0.1*sin(t^2)' --set motion.period= --pose surge=0 --json
+expect_code 0 "rest alone of a program without a period"
+jq -e '.period == null and (.eigenvalues | length) == 12' out >/dev/null || fail "rest alone"
+run stability heave.yaml --pose yaw=90
+expect_code 1 "a singular pose"
+grep -q singular err || fail "a singular pose: $(cat err)"
+run stability heave.yaml --set motion.heave='0.2*sin(t)' --set motion.yaw='100*sin(t)'
+expect_code 1 "a program through a singular pose"
+run stability heave.yaml --set control.feedforward=none
+expect_code 1 "no rest without any force"
+
+# ---- usage ----
+refused "is 'heave' meant?" stability heave.yaml --pose heav=0.1
+refused "lengths and degrees" stability heave.yaml --pose heave
+refused "takes a number" stability heave.yaml --pose heave=0.1x
+refused "give both" stability heave.yaml --at 1
+refused "give one of them" stability heave.yaml --matrix --at 1 --pose yaw=1
+refused "from:to:count" stability heave.yaml --sweep-stiffness 0:2
+refused "whole number" stability heave.yaml --sweep-stiffness 0:2:2.5
+refused "whole number" stability heave.yaml --sweep-stiffness 0:2:1e9
+refused "'to' greater than 'from'" stability heave.yaml --sweep-stiffness 2:1:5
+refused "no value below 0" stability heave.yaml --sweep-stiffness -1:1:5
+refused "greater than 0" stability heave.yaml --sweep-stiffness 0:1:5:log
+refused "greater than 0" stability heave.yaml --sweep-stiffness 0:1:5 --sweep-frequency 0:1:5
+refused "with numbers" stability heave.yaml --sweep-stiffness nan:1:5
+refused "a map has two axes" stability heave.yaml --sweep-stiffness 0:1:5 --sweep-damping 0:1:3 --sweep-amplitude 0:1:3
+refused "give --sweep-stiffness too" stability heave.yaml --sweep-damping 0:1:3
+refused "-o is where a map goes" stability heave.yaml -o x.csv
+refused "do not go with it" stability heave.yaml --sweep-stiffness 0:1:5 --matrix
+refused "both want standard output" stability heave.yaml --sweep-stiffness 0:1:5 -o - --json
+refused "(picture)" stability heave.yaml --sweep-stiffness 0:1:5 -o map.txt
+refused "period" stability heave.yaml --sweep-stiffness 0:1:5 --set motion.period=3
+run stability heave.yaml --sweep-stiffness 0:1:5 -o nowhere/map.csv
+expect_code 3 "a folder that does not exist"
+run stability heave.yaml -q
+[[ ! -s out && ! -s err ]] || fail "-q talks"
+
+# ---- the map: heave's tongues ----
+run stability heave.yaml --sweep-stiffness 0:2:201 -o line.csv -o line.png -o line.svg -o line.pdf -o line.h5
+expect_code 0 "a map of one axis"
+[[ $(head -1 line.csv) == stiffness,growth_per_period,growth_rate,stable,mode && $(wc -l <line.csv) == 202 ]] || fail "line.csv: $(head -1 line.csv)"
+[[ $(head -1 line-tongues.csv) == mode,kind,from,to,cut,stiffness,growth_per_period,growth_rate ]] || fail "line-tongues.csv: $(head -1 line-tongues.csv)"
+tongue() { awk -F, -v n="$1" '$1 == "heave" && $2 ~ /^resonance/ && ++k == n { print $3, $4 }' line-tongues.csv; }
+read -r from to < <(tongue 1)
+near "the first tongue begins" "$from" 0.11616 5.1e-6
+near "the first tongue ends" "$to" 0.19283 5.1e-6
+read -r from to < <(tongue 2)
+near "the second tongue begins" "$from" 0.33333 5.1e-6
+near "the second tongue ends" "$to" 0.36773 5.1e-6
+[[ $(column line.csv stable | sed -n '1p;161p' | paste -sd' ') == "0 1" ]] || fail "stable at G = 0 and 1.6: $(column line.csv stable | sed -n '1p;161p' | paste -sd' ')"
+near "growth in the map and alone" "$(column line.csv growth_per_period | head -1)" "$(jq .growth_per_period open.json)" 1e-4
+grep -q '^  heave  *0.116159  *0.19283 ' out || fail "the tongue is not told: $(grep heave out)"
+[[ $(head -c 4 line.png | tail -c 3) == PNG && $(head -c 4 line.pdf) == %PDF ]] && grep -q '<svg' line.svg || fail "the pictures"
+if command -v h5dump >/dev/null; then
+    h5dump -y -w 0 -m %.17g -d /growth_rate line.h5 | grep -E '^ *-?[0-9]' | tr -d ' ' | tr ',' '\n' | sed '/^$/d' >h5
+    column line.csv growth_rate | cmp -s - h5 || fail "growth_rate differs between CSV and HDF5"
+    [[ -s line-tongues.h5 ]] || fail "no tongues beside the HDF5"
+fi
+
+# two axes: the row of the study itself is the map of one axis; the same bytes for any threads and lanes
+plane=(--sweep-stiffness 0.5:1.5:41 --sweep-amplitude 0:1.5:4)
+run stability heave.yaml "${plane[@]}" -o plane.csv -o plane.png -o plane.svg --title 'Ta`touch ran`il'"'s"' $(touch ran)'
+expect_code 0 "a map of two axes"
+[[ $(head -1 plane.csv) == stiffness,amplitude,growth_per_period,growth_rate,stable,mode && $(wc -l <plane.csv) == 165 ]] || fail "plane.csv: $(head -1 plane.csv)"
+[[ ! -e ran ]] || fail "a title is executed"
+grep -q 'touch ran' plane.svg || fail "the title is not drawn"
+"$GOUGH" stability heave.yaml --sweep-stiffness 0.5:1.5:41 -q -o - >own.csv
+awk -F, '$2 == 1' plane.csv | cut -d, -f1,3- | cmp -s - <(tail -n +2 own.csv) || fail "amplitude 1 is another map than none"
+awk -F, '$2 == 0 && $3 != "nan"' plane.csv | grep -q . && fail "a program at rest has growth per period"
+for options in "--threads 1 --lanes 1" "--threads 2 --lanes 2"; do
+    # shellcheck disable=SC2086
+    "$GOUGH" stability heave.yaml "${plane[@]}" -q $options -o again.csv -o again.png --title 'Ta`touch ran`il'"'s"' $(touch ran)'
+    cmp -s plane.csv again.csv && cmp -s plane-tongues.csv again-tongues.csv || fail "$options: other bytes"
+    cmp -s plane.png again.png || fail "$options: another picture"
+done
+"$GOUGH" stability heave.yaml "${plane[@]}" --json >plane.json
+jq -e '.map.axis == "amplitude" and (.map.stiffness | length) == 41 and (.map.rows | length) == 4 and (.map.growth_per_period | length) == 4
+    and (.map.growth_per_period | all(length == 41)) and (.tongues | all(.from < .to)) and (.thresholds | length) == 6' plane.json >/dev/null || fail "JSON of a map"
+[[ $(jq '.tongues | length' plane.json) == $(($(wc -l <plane-tongues.csv) - 1)) ]] || fail "JSON and CSV have other tongues"
+# a row without values is said and left empty: at a factor of 5 the program goes down to the base
+run stability heave.yaml --sweep-stiffness 0.5:1.5:11 --sweep-amplitude 1:5:2 -o gap.csv -o gap.png
+expect_code 0 "a map with a row without values"
+grep -q '1 of 2 rows have no values' out || fail "nothing said of a row without values"
+# damping takes the tongues away
+"$GOUGH" stability heave.yaml --sweep-stiffness 1:2:51 --sweep-damping 0:0.2:2 --json >damped.json
+jq -e '.map.axis == "damping" and ([.tongues[] | select(.value == 0)] | length) > 0 and ([.tongues[] | select(.value > 0)] | length) == 0' damped.json >/dev/null ||
+    fail "damping: $(jq -c '[.tongues[].value]' damped.json)"
+# a bar on a terminal for a map that takes its time
+if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
+    env TERM=xterm script -qec "timeout 5 '$GOUGH' stability heave.yaml --sweep-stiffness 0:2:100 --sweep-amplitude 0.1:1:400 --threads 1 --lanes 1 -o long.csv" /dev/null </dev/null >bar
+    grep -q '\[#*-*\]' bar || fail "no bar on a terminal: $(head -c 300 bar)"
+    [[ ! -e long.csv ]] || fail "a killed map leaves a file"
+fi
+finish
