@@ -201,7 +201,7 @@ export class Curve {
     ctx.lineWidth = devicePixelRatio;
     for (const { value, beyond } of this.spec.limits ?? []) {
       if (this.logarithmic && !(value > 0)) continue;
-      const y = plot.valToPos(value, "y", true);
+      const y = Math.round(plot.valToPos(value, "y", true)) + 0.5;
       ctx.setLineDash([4 * devicePixelRatio, 4 * devicePixelRatio]);
       ctx.beginPath();
       ctx.moveTo(bbox.left, y);

@@ -51,7 +51,7 @@ function figure3(study) {
     title: "Figure 3 · the force in the rod",
     unit: plan.unit("f1"),
     note: equal ? "The program's force F(t), the same in each of the six legs: equation (3.1) through the six equations of motion." : "The program's forces for equation (3.1). In this machine the six legs differ.",
-    lines: (equal ? [1] : SIX).map((leg) => ({ label: equal ? "F" : String(leg), name: `figure-3-f${leg}`, leg: equal ? undefined : leg, color: LEGS[leg - 1], width: 2, t: plan.t, y: plan.column(`f${leg}`) })),
+    lines: (equal ? [1] : SIX).map((leg) => ({ label: equal ? "F" : String(leg), name: `f${leg}`, leg: equal ? undefined : leg, color: LEGS[leg - 1], width: 2, t: plan.t, y: plan.column(`f${leg}`) })),
   };
 }
 
@@ -67,8 +67,8 @@ function figure4(studies) {
     unit: first.run.unit("z"),
     note: fed ? "Height over the mean, as in the paper's Figure 4, but with feedback: G holds it." : alone ? "Height over the mean under the given forces, η*, beside the program η of equation (3.1)." : "Height over the mean, η*, beside the program η of equation (3.1).",
     lines: [
-      ...studies.map((study) => ({ label: alone ? "η*" : study.label, name: `figure-4-${study.index}`, color: alone ? AXES[0] : studyColor(study.index), width: 2, t: study.run.t, y: over(study.run, study) })),
-      { label: "η program", name: "figure-4-program", color: "#8a8f98", dash: DASH, width: 1.5, t: first.plan.t, y: over(first.plan, first) },
+      ...studies.map((study) => ({ label: alone ? "η*" : study.label, name: `${study.index}`, color: alone ? AXES[0] : studyColor(study.index), width: 2, t: study.run.t, y: over(study.run, study) })),
+      { label: "η program", name: "program", color: "#8a8f98", dash: DASH, width: 1.5, t: first.plan.t, y: over(first.plan, first) },
     ],
   };
 }

@@ -1,0 +1,123 @@
+// What the tests of the page share: reports written by the command, pages of them in Debian's chromium from file://, and every
+// error that a page utters. Screenshots go to PICTURES, to be looked at.
+import { spawnSync } from "node:child_process";
+import { existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const { BUILD, CHROMIUM, GOUGH, PICTURES, SCRATCH, SOURCE } = process.env;
+const { chromium } = createRequire(join(BUILD, "web/source/"))("playwright-core");
+mkdirSync(PICTURES, { recursive: true });
+
+/** Path of an example. */
+export const example = (name) => join(SOURCE, "examples", `${name}.yaml`);
+
+/** The example whose motion is recorded, with its record. */
+export function flightSimulator() {
+  const samples = spawnSync("awk", ["-f", join(SOURCE, "examples/ship-deck.awk")], { encoding: "utf8", maxBuffer: 1 << 26 }).stdout;
+  writeFileSync(join(SCRATCH, "ship-deck.csv"), samples);
+  return study("flight-simulator.yaml", readFileSync(example("flight-simulator"), "utf8"));
+}
+
+/** A study file with this text. */
+export function study(name, text) {
+  const file = join(SCRATCH, name);
+  writeFileSync(file, text);
+  return file;
+}
+
+/** Runs the command; a numerical end (1) is an answer. */
+export function gough(...words) {
+  const done = spawnSync(GOUGH, words, { encoding: "utf8", maxBuffer: 1 << 30, cwd: SCRATCH });
+  if (done.status === null || done.status > 1) throw new Error(`gough ${words.join(" ")}: ${done.status} ${done.stderr}`);
+  return done.stdout;
+}
+
+const written = new Map();
+
+/** The page of some studies; the same call gives the same file. */
+export function report(...words) {
+  const key = words.join("\n");
+  if (!written.has(key)) {
+    const file = join(SCRATCH, `report-${written.size}.html`);
+    gough("report", ...words, "-q", "-o", file);
+    written.set(key, file);
+  }
+  return written.get(key);
+}
+
+/** A table of the command as {names, rows: [[number]]}. */
+export function table(verb, file, ...options) {
+  const [head, ...lines] = gough(verb, file, ...options, "-q", "-o", "-").trim().split("\n");
+  return { names: head.split(","), rows: lines.map((line) => line.split(",").map(Number)) };
+}
+
+let browsers = {};
+
+async function browser(webgl) {
+  browsers[webgl] ??= chromium.launch({
+    executablePath: CHROMIUM,
+    args: ["--no-sandbox", ...(webgl ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-gpu", "--disable-3d-apis"])],
+  });
+  return browsers[webgl];
+}
+
+/** Opens a page and waits until its curves are there. page.said collects errors of the console and of scripts. */
+export async function open(file, { width = 1360, height = 860, dark = false, motion = false, webgl = true, touch = false } = {}) {
+  const context = await (await browser(webgl)).newContext({
+    viewport: { width, height }, colorScheme: dark ? "dark" : "light", reducedMotion: motion ? "no-preference" : "reduce", acceptDownloads: true, hasTouch: touch,
+  });
+  const page = await context.newPage();
+  page.said = [];
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.said.push(message.text()));
+  page.on("pageerror", (error) => page.said.push(error.stack));
+  page.on("request", (request) => /^(https?|ws):/.test(request.url()) && page.said.push(`asks the network for ${request.url()}`));
+  await page.goto(pathToFileURL(file).href);
+  await page.waitForFunction(() => document.documentElement.dataset.ready === "true", null, { timeout: 60000 });
+  if (webgl) await page.waitForFunction(() => document.documentElement.dataset.firstPicture, null, { timeout: 60000 });
+  return page;
+}
+
+export async function closeAll() {
+  for (const one of Object.values(browsers)) await (await one).close();
+  browsers = {};
+}
+
+/** Keeps a picture of the page. */
+export async function picture(page, name, options = {}) {
+  await page.screenshot({ path: join(PICTURES, `${name}.png`), ...options });
+}
+
+/** An element by its test name. */
+export const byName = (page, name) => page.locator(`[data-testid="${name}"]`);
+
+/** Clicks what offers a file, and reads it. */
+export async function saved(page, name) {
+  const [download] = await Promise.all([page.waitForEvent("download"), byName(page, name).click()]);
+  const file = join(SCRATCH, `saved-${download.suggestedFilename()}`);
+  await download.saveAs(file);
+  return { name: download.suggestedFilename(), bytes: readFileSync(file) };
+}
+
+/** The number that a text of the page stands for: "−1.5·10⁻⁷ m" gives −1.5e-7. */
+export function read(text) {
+  const plain = text.replace(/[\u2212]/g, "-").replace(/[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]/g, (mark) => "-0123456789"["⁻⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(mark)]);
+  const [, mantissa, power] = /(-?[\d.]+)(?:·10(-?\d+))?/.exec(plain) ?? [null, "NaN"];
+  return Number(power === undefined ? mantissa : `${mantissa}e${power}`);
+}
+
+/** Moves the slider of time to a row, as a reader does. */
+export async function scrubTo(page, row) {
+  await byName(page, "scrub").evaluate((slider, value) => {
+    slider.value = String(value);
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+  }, row);
+  await pictureDrawn(page);
+}
+
+/** Waits until the page has drawn twice. */
+export const pictureDrawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+export const sizeOf = (file) => statSync(file).size;
+export const present = (file) => existsSync(file);

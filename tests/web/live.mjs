@@ -1,0 +1,150 @@
+// The live run in the page: the core in its thread, sliders, the reader's hand, and what is said when the platform goes.
+import assert from "node:assert/strict";
+import test, { after } from "node:test";
+import { byName, closeAll, example, flightSimulator, open, picture, pictureDrawn, read, report } from "./browser.mjs";
+
+after(closeAll);
+
+/** The page of a study, live. */
+async function live(file, options) {
+  const page = await open(report(file), options);
+  await byName(page, "mode-live").click();
+  await page.waitForFunction(() => window.goughPage.live.row);
+  return page;
+}
+
+async function set(page, name, value) {
+  const box = byName(page, `live-${name}-number`);
+  await box.fill(String(value));
+  await box.press("Enter");
+}
+
+const time = (page) => page.evaluate(() => {
+  const { live } = window.goughPage;
+  return live.row[live.place.t];
+});
+const off = (page) => page.evaluate(() => {
+  const { live } = window.goughPage;
+  return Math.hypot(...["ex", "ey", "ez"].map((name) => live.row[live.place[name]]));
+});
+const reach = (page, wanted) => page.waitForFunction((t) => {
+  const { live } = window.goughPage;
+  return live.over || live.row[live.place.t] > t;
+}, wanted, { timeout: 120000 });
+
+test("below the threshold of G the platform leaves and the page says why; above it stays", async () => {
+  const page = await live(example("paper-feedback"));
+  await set(page, "stiffness", 0.05);
+  await set(page, "speed", 10);
+  await byName(page, "fallen").waitFor({ state: "visible", timeout: 120000 });
+  assert.match(await byName(page, "fallen").textContent(), /at t = [\d.]+/);
+  assert.ok((await off(page)) > 0.3, `${await off(page)} off`);
+  await picture(page, "live-fallen");
+  await set(page, "stiffness", 50);
+  await byName(page, "fallen-restart").click();
+  assert.ok(await byName(page, "fallen").isHidden());
+  await page.waitForFunction(() => !window.goughPage.live.over && window.goughPage.live.row[0] < 30);
+  await reach(page, 60);
+  assert.ok(await byName(page, "fallen").isHidden());
+  assert.ok((await off(page)) < 1e-4, `${await off(page)} off`);
+  await picture(page, "live-held");
+  assert.deepEqual(page.said, []);
+  await page.close();
+});
+
+test("the slider does what the number does", async () => {
+  const page = await live(example("paper-feedback"));
+  await byName(page, "live-stiffness").evaluate((slider) => {
+    slider.value = "0";
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  assert.equal(await byName(page, "live-stiffness-number").inputValue(), "0");
+  await set(page, "speed", 10);
+  await byName(page, "fallen").waitFor({ state: "visible", timeout: 120000 });
+  assert.match(await byName(page, "fallen").textContent(), /feedback/);
+  await page.close();
+});
+
+test("without program forces a stiff feedback still carries the platform", async () => {
+  const page = await live(example("paper-feedback"));
+  await set(page, "stiffness", 100);
+  await byName(page, "live-feedforward").uncheck();
+  await byName(page, "live-restart").click();
+  await set(page, "speed", 10);
+  await reach(page, 20);
+  // legs must be shorter to carry the weight: the top hangs M g l²/(6 h² G) = 2.5e-3 low at rest, and moves about that
+  const deviation = await page.evaluate(() => Math.max(...window.goughPage.live.samples.off));
+  assert.ok(deviation > 1e-3 && deviation < 7e-3, `${deviation}`);
+  await page.close();
+});
+
+test("a hand on the load moves it, an arrow shows it, and feedback takes it back", async () => {
+  const page = await live(example("paper-feedback"));
+  await set(page, "stiffness", 2);
+  await set(page, "damping", 1);
+  await set(page, "amplitude", 0);
+  const box = await byName(page, "scene-canvas").boundingBox();
+  const grip = await page.evaluate(() => {
+    const { scene, live } = window.goughPage;
+    return scene.handAt({ clientX: 0, clientY: 0 }, live.centre).screen[0];
+  });
+  await page.mouse.move(box.x + grip[0], box.y + grip[1]);
+  await page.mouse.down();
+  await page.mouse.move(box.x + grip[0] + 150, box.y + grip[1] - 40, { steps: 5 });
+  await page.waitForFunction(() => {
+    const { live } = window.goughPage;
+    return Math.hypot(live.row[live.place.ex], live.row[live.place.ey]) > 0.01;
+  }, null, { timeout: 60000 });
+  assert.ok(await page.locator("#push").isVisible());
+  assert.match(await page.locator("#push-size").textContent(), /M g/);
+  await picture(page, "live-push");
+  await page.mouse.up();
+  assert.ok(await page.locator("#push").isHidden());
+  await set(page, "speed", 10);
+  await page.waitForFunction(() => {
+    const { live } = window.goughPage;
+    return live.over || Math.hypot(live.row[live.place.ex], live.row[live.place.ey]) < 1e-3;
+  }, null, { timeout: 60000 });
+  assert.ok(await byName(page, "fallen").isHidden());
+  assert.deepEqual(page.said, []);
+  await page.close();
+});
+
+test("runs faster than real time, and keys pause it and start it again", async () => {
+  const page = await live(flightSimulator());
+  await page.waitForFunction(() => window.goughPage.live.ratio > 0);
+  assert.ok((await page.evaluate(() => window.goughPage.live.ratio)) > 3, `${await page.evaluate(() => window.goughPage.live.ratio)}`);
+  await reach(page, 1);
+  await picture(page, "live-simulator");
+  await page.locator("h1").click();
+  await page.keyboard.press("Space");
+  await page.waitForTimeout(300);
+  const stopped = await time(page);
+  await page.waitForTimeout(300);
+  assert.equal(await time(page), stopped);
+  await page.keyboard.press("Home");
+  await page.waitForFunction((before) => window.goughPage.live.row[0] < before, stopped);
+  await page.close();
+});
+
+test("leaving the live run gives the recorded one back", async () => {
+  const page = await live(example("own-machine"));
+  await reach(page, 0.3);
+  await byName(page, "mode-recorded").click();
+  await byName(page, "scrub").focus();
+  await page.keyboard.press("End");
+  await pictureDrawn(page);
+  assert.equal(read((await byName(page, "clock").textContent()).slice(4)), 8);
+  assert.ok(Math.abs(read(await byName(page, "pose-z").textContent()) - 0.28) < 1e-3);
+  assert.deepEqual(page.said, []);
+  await page.close();
+});
+
+test("works without WebGL too, and on a phone without overflow", async () => {
+  const page = await live(example("paper-feedback"), { webgl: false, width: 360, height: 780 });
+  await reach(page, 0.5);
+  assert.ok((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
+  assert.deepEqual(page.said, []);
+  await picture(page, "live-narrow", { fullPage: true });
+  await page.close();
+});
