@@ -12,6 +12,9 @@ static const double most_rows = 1e8;
 /* more fixed steps than this take days, and near 2^53 the times of two steps are one number */
 static const double most_steps = 1e12;
 
+/* knots of the noise, which are whole numbers of 64 bits */
+static const double most_knots = 1e12;
+
 /* relative slack for one time dividing another, as both are decimals in binary */
 static const double division_slack = 1e-9;
 
@@ -125,6 +128,15 @@ static gough_status check_samples(const gough_motion *motion, const gough_simula
 
 gough_status gough_simulation_check(const gough_model *model, const gough_simulation *simulation,
                                     gough_error *error) {
+    const gough_noise *noise = &model->disturbance.noise;
+    const bool noisy = noise->leg_force > 0 || noise->force > 0 || noise->moment > 0;
+
+    if (noisy && !(simulation->duration / noise->interval <= most_knots)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "disturbance.noise.interval %.9g makes more than 1e12 knots in a run of "
+                          "%.9g; take a longer one",
+                          noise->interval, simulation->duration);
+    }
     return simulate_check(&model->motion, simulation, error);
 }
 

@@ -244,8 +244,11 @@ static inline void run_add_noise(run *r, real t, stage *s) {
         number_of_real((3 * y * y * y - 6 * y * y + 4) / 6), number_of_real(x * x * x / 6)};
     number value[NOISE_CHANNELS];
 
-    if (!(r->lane[0].disturbance->noise.interval > 0)) {
-        run_blame(r, "disturbance.noise.interval, which must be > 0: the noise", t);
+    if (!(r->lane[0].disturbance->noise.interval > 0) || !(place < 0x1p53)) {
+        run_blame(
+            r,
+            "disturbance.noise.interval, which must be > 0 and no tiny part of the run: the noise",
+            t);
         return;
     }
     if (!r->noise.fresh || knot < r->noise.knot || knot > r->noise.knot) run_draw_noise(r, knot);

@@ -144,8 +144,24 @@ START_TEST(noise_without_an_interval_is_an_error) {
 }
 END_TEST
 
+/* its knots are whole numbers, of which a tiny interval makes more than there are */
+START_TEST(noise_of_a_tiny_interval_is_an_error) {
+    noisy *n = new_noisy(1, 1);
+    gough_error error = {0};
+    gough_end end;
+
+    n->model->disturbance.noise.interval = 1e-300;
+    ck_assert_int_eq(gough_simulate(n->model, &n->simulation, NULL, NULL, &end, &error),
+                     GOUGH_ERROR_INPUT);
+    ck_assert(strstr(error.message, "disturbance.noise.interval") != NULL);
+    noise_at(n, 1, (double[12]){0});
+    ck_assert(n->r.fault.what != NULL);
+    free_noisy(n);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("noise", 60, noise_has_the_size_asked_for, noise_is_twice_differentiable,
                      noise_is_a_function_of_seed_run_and_time, noise_is_the_same_in_both_precisions,
-                     noise_without_an_interval_is_an_error);
+                     noise_without_an_interval_is_an_error, noise_of_a_tiny_interval_is_an_error);
 }
