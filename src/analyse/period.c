@@ -13,6 +13,9 @@ enum { MOMENTS = 32, DENSE = 16, SURE = 3, ORDERS = 3 };
 /* repetition is asked for up to this part of the largest value, and of each derivative */
 static const double same = 1e-12;
 
+/* and where the arguments of sines are rounded to no better than this, nothing can be told */
+static const double roughest = 1e-8;
+
 /* recorded motion closes up to the accuracy of its spline at the ends: value, rate, acceleration */
 static const double same_record[ORDERS] = {1e-6, 1e-4, 1e-2};
 
@@ -27,9 +30,9 @@ typedef struct {
 
 /* How far a window is from another. */
 typedef struct {
-    double ratio; /* to what is let pass; at most 1 where they agree */
-    double by;    /* the difference itself */
-    double t;
+    double ratio;    /* to what is let pass; at most 1 where they agree */
+    double by;       /* the difference itself */
+    double t, later; /* between which times */
     int component, order;
 } difference;
 
@@ -64,10 +67,13 @@ static void set_windows(windows *w, const gough_motion *motion, const rates *fou
     *w = (windows){.motion = motion, .T = T, .fastest = 2 * REAL_PI / T};
     for (size_t i = 0; i < found->count; i++) w->fastest = fmax(w->fastest, found->rate[i]);
     w->far = ceil(fmax(reach / w->fastest, 1.5 * found->latest + 4 * T) / T);
+}
+
+static void measure(windows *w) {
     for (double k = 0; k < w->far; k = next_window(k)) enlarge(w, k);
     enlarge(w, w->far);
     for (int group = 0; group < 2; group++) {
-        const double rate = 2 * REAL_PI / T;
+        const double rate = 2 * REAL_PI / w->T;
         for (int o = 1; o < ORDERS; o++)
             w->scale[group][o] = fmax(w->scale[group][o], rate * w->scale[group][o - 1]);
     }
@@ -88,7 +94,8 @@ static void compare(const windows *w, double t, double u, difference *worst) {
             const double by = fabs(a[k][o] - b[k][o]);
             const double let_pass = tolerance(w, fmax(t, u)) * w->scale[k >= GOUGH_ROLL][o];
             const double ratio = by <= 0 ? 0 : isfinite(by) ? by / let_pass : INFINITY;
-            if (ratio > worst->ratio) *worst = (difference){ratio, by, fmin(t, u), k, o};
+            if (ratio > worst->ratio)
+                *worst = (difference){ratio, by, fmin(t, u), fmax(t, u), k, o};
         }
     }
 }
@@ -122,7 +129,7 @@ static difference against_rest(const windows *w) {
             for (int o = 1; o < ORDERS; o++) {
                 const double by = fabs(c[k][o]);
                 const double ratio = by / (tolerance(w, t) * w->scale[k >= GOUGH_ROLL][o]);
-                if (ratio > worst.ratio) worst = (difference){ratio, by, t, k, o};
+                if (ratio > worst.ratio) worst = (difference){ratio, by, t, t, k, o};
             }
         }
     }
@@ -158,7 +165,7 @@ static double settled(const windows *w, difference *remains) {
     return passes;
 }
 
-typedef enum { RESTS, REPEATS, NEITHER } outcome;
+typedef enum { RESTS, REPEATS, NEITHER, TOO_LATE } outcome;
 
 /* What the program comes to, seen in windows of T. The nearest far window that settles it is taken, as rounding of ωt grows. */
 static outcome look(const gough_motion *motion, const rates *found, double T, windows *w,
@@ -168,6 +175,8 @@ static outcome look(const gough_motion *motion, const rates *found, double T, wi
     for (size_t i = 0; i < sizeof reach / sizeof reach[0]; i++) {
         double first;
         set_windows(w, motion, found, T, reach[i]);
+        if (!(tolerance(w, w->far * T) <= roughest)) return TOO_LATE;
+        measure(w);
         first = settled(w, remains);
         if (first < 0) continue;
         first = fmax(first, ceil(found->latest / T - 1e-9));
@@ -227,24 +236,31 @@ static gough_status check_finite(const windows *w, gough_error *error) {
     return GOUGH_OK;
 }
 
+static gough_status too_late(const windows *w, gough_error *error) {
+    return gough_fail(error, GOUGH_ERROR_INPUT,
+                      "the motion would have to be followed to t = %.3g to see whether it repeats "
+                      "itself with the period %.9g, which is too long for its fastest sine, of the "
+                      "angular frequency %.9g: numbers have no digits left there",
+                      w->far * w->T, w->T, w->fastest);
+}
+
 static gough_status not_periodic(const windows *w, const difference *d, bool proposed,
                                  gough_error *error) {
     if (check_finite(w, error) != GOUGH_OK) return GOUGH_ERROR_INPUT;
-    if (!proposed) {
+    if (!proposed)
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "motion.%s neither comes to rest nor repeats itself: it has no sine or "
-                          "cosine of a multiple of t, and from t = %.4g to %.4g its %s changes by "
+                          "cosine of a multiple of t, and from t = %.6g to %.6g its %s changes by "
                           "%.3g%s; write it with such, or give motion.period",
-                          gough_component_name(d->component), d->t, w->far * w->T,
-                          order_name[d->order], shown(d), unit(d));
-    }
+                          gough_component_name(d->component), d->t, d->later, order_name[d->order],
+                          shown(d), unit(d));
     return gough_fail(
         error, GOUGH_ERROR_INPUT,
         "motion.%s does not repeat itself: its sines have the common period %.9g, but "
-        "from t = %.4g to %.4g, %.0f periods later, its %s changes by %.3g%s; what is "
-        "to be repeated may hold no trend and nothing that dies out so slowly",
-        gough_component_name(d->component), w->T, d->t, d->t + (w->far - floor(d->t / w->T)) * w->T,
-        w->far - floor(d->t / w->T), order_name[d->order], shown(d), unit(d));
+        "from t = %.6g to %.6g, a number of periods later, its %s changes by %.3g%s; "
+        "what is to be repeated may hold no trend and nothing that dies out so slowly",
+        gough_component_name(d->component), w->T, d->t, d->later, order_name[d->order], shown(d),
+        unit(d));
 }
 
 static gough_status no_common_period(const double apart[2], gough_error *error) {
@@ -295,6 +311,7 @@ static gough_status period_of_formulas(const gough_motion *motion, gough_period 
     const bool proposed = common && T > 0;
     if (given) {
         seen = look(motion, &found, motion->period, &w, period, &remains);
+        if (seen == TOO_LATE) return too_late(&w, error);
         if (seen != NEITHER) return GOUGH_OK;
         if (check_finite(&w, error) != GOUGH_OK) return GOUGH_ERROR_INPUT;
         const windows wrong = w;
@@ -309,6 +326,7 @@ static gough_status period_of_formulas(const gough_motion *motion, gough_period 
     if (!proposed) T = found.count > 0 ? 2 * REAL_PI / fmin(apart[0], apart[1]) : 1;
     seen = look(motion, &found, T, &w, period, &remains);
     if (seen == RESTS) return GOUGH_OK;
+    if (seen == TOO_LATE) return too_late(&w, error);
     if (!common) return no_common_period(apart, error);
     if (seen == NEITHER || !proposed) return not_periodic(&w, &remains, proposed, error);
     shorten(motion, &found, &w, period);
@@ -364,7 +382,7 @@ static gough_status period_of_record(const gough_motion *motion, gough_period *p
     gough_motion_evaluate(motion, last, b);
     for (int k = 0; k < GOUGH_COMPONENTS; k++) {
         for (int o = 0; o < ORDERS; o++) {
-            const difference d = {0, fabs(a[k][o] - b[k][o]), period->start, k, o};
+            const difference d = {0, fabs(a[k][o] - b[k][o]), period->start, last, k, o};
             if (d.by <= same_record[o] * w.scale[k >= GOUGH_ROLL][o]) continue;
             return gough_fail(
                 error, GOUGH_ERROR_INPUT,
