@@ -84,7 +84,7 @@ typedef struct gough_tuning_exception {
     char mode[GOUGH_MODE_NAME];       /**< what grows, where they are unstable; "" else */
 } gough_tuning_exception;
 
-enum { GOUGH_TUNING_EXCEPTIONS = 24, GOUGH_TUNING_POINTS = 320 };
+enum { GOUGH_TUNING_EXCEPTIONS = 96, GOUGH_TUNING_POINTS = 320 };
 
 /** The choice. Numbers of a run are those of the run with the G and D named. */
 typedef struct gough_tuning {

@@ -14,6 +14,10 @@ static const double beyond = 10;
 /* runs of more steps are not made; a step turns the fastest mode by about this angle */
 static const double most_steps = 1e6, turn_of_step = 0.6;
 
+/* above the G with which the fastest mode turns by more than this in a period of the program, the map takes too long, and
+ * resonances are too narrow to matter */
+static const double most_phase = 700;
+
 /* the threshold at rest over this is where the search begins */
 static const double below_threshold = 4;
 
@@ -72,21 +76,6 @@ static gough_batch_options batch_options(const gough_tuning_options *options) {
     return batch;
 }
 
-gough_status gough_tune_size(const gough_model *model, const gough_tuning_options *options,
-                             size_t *bytes, gough_error *error) {
-    const gough_batch_options batch = batch_options(options);
-    const gough_map_options map = tune_map_options(options, 1, 2, TUNE_ROUND + 2);
-    size_t for_map = 0;
-    gough_status status = check_options(options, error);
-
-    *bytes = 0;
-    if (status == GOUGH_OK) status = gough_map_size(model, &map, &for_map, error);
-    if (status != GOUGH_OK) return status;
-    *bytes = rounded(sizeof(tune)) + 2 * rounded(sizeof(gough_model)) +
-             rounded(gough_batch_size(&batch)) + rounded(for_map);
-    return GOUGH_OK;
-}
-
 static tune *lay_out(const gough_model *model, const gough_tuning_options *options, void *memory) {
     const gough_batch_options batch = batch_options(options);
     char *place = memory;
@@ -115,8 +104,15 @@ static void set_stiffness(gough_model *model, double stiffness) {
     for (int v = 0; v < GOUGH_LEGS; v++) model->control.stiffness[v] = stiffness;
 }
 
+/* of stiffness: M g/R_b; without gravity M, by a unit of time */
+static double unit_of(const gough_machine *machine) {
+    const double g = machine->gravity_magnitude;
+
+    return machine->load.mass * (g > 0 ? g / machine->base_radius : 1);
+}
+
 /* thresholds at rest with feed-forward, and the fastest mode where G outweighs all else */
-static gough_status look_at_home(tune *t, double unit, gough_error *error) {
+static gough_status look_at_home(tune *t, gough_error *error) {
     gough_tuning *tuning = t->tuning;
     double large, fastest = 0;
     gough_status status;
@@ -129,7 +125,7 @@ static gough_status look_at_home(tune *t, double unit, gough_error *error) {
     tuning->threshold = t->rest.threshold[0].stiffness;
     tuning->least_mode = t->rest.threshold[0].mode;
 
-    large = 1e4 * fmax(unit, tuning->threshold);
+    large = 1e4 * fmax(unit_of(&t->model->machine), tuning->threshold);
     set_stiffness(t->steady, large);
     status = gough_stability_at_rest(t->steady, NULL, &t->rest, error);
     if (status != GOUGH_OK) return status;
@@ -141,7 +137,8 @@ static gough_status look_at_home(tune *t, double unit, gough_error *error) {
     return GOUGH_OK;
 }
 
-static gough_status find_range(tune *t, double unit, gough_error *error) {
+static gough_status find_range(tune *t, gough_error *error) {
+    const double unit = unit_of(&t->model->machine);
     const gough_tuning *tuning = t->tuning;
     const double longest = most_steps * turn_of_step / (t->simulation.duration * t->frequency);
     const double decades = (double)GOUGH_TUNING_POINTS / TUNE_DECADE;
@@ -186,6 +183,8 @@ static gough_status find_period(tune *t, gough_error *error) {
     } else if (t->period.resting) {
         gough_fail(&why, status, "the program ends at rest");
     }
+    t->map_top =
+        t->period.resting ? INFINITY : pow(most_phase / (t->period.period * t->frequency), 2);
     if (!tuning->periodic) {
         why.message[sizeof tuning->unchecked - 1] = '\0';
         memcpy(tuning->unchecked, why.message, sizeof tuning->unchecked);
@@ -193,11 +192,32 @@ static gough_status find_period(tune *t, gough_error *error) {
     return GOUGH_OK;
 }
 
+gough_status gough_tune_size(const gough_model *model, const gough_tuning_options *options,
+                             size_t *bytes, gough_error *error) {
+    const gough_batch_options batch = batch_options(options);
+    gough_model steady = *model;
+    gough_tuning tuning;
+    tune probe = {.model = model, .options = options, .steady = &steady, .tuning = &tuning};
+    size_t for_map = 0;
+    gough_status status = check_options(options, error);
+
+    *bytes = 0;
+    if (status == GOUGH_OK) status = look_at_home(&probe, error);
+    if (status == GOUGH_OK) status = find_period(&probe, error);
+    if (status == GOUGH_OK) {
+        const gough_map_options map =
+            tune_map_options(options, 0.5 * probe.map_top, probe.map_top, TUNE_ROUND + 2);
+        steady.control.feedforward = true;
+        status = gough_map_size(&steady, &map, &for_map, error);
+    }
+    if (status != GOUGH_OK) return status;
+    *bytes = rounded(sizeof(tune)) + 2 * rounded(sizeof(gough_model)) +
+             rounded(gough_batch_size(&batch)) + rounded(for_map);
+    return GOUGH_OK;
+}
+
 static gough_status prepare(tune *t, const gough_simulation *simulation, bool feedforward,
                             gough_error *error) {
-    const gough_machine *machine = &t->model->machine;
-    const double g = machine->gravity_magnitude, M = machine->load.mass, T = simulation->duration;
-    const double unit = g > 0 ? M * g / machine->base_radius : M / (T * T);
     gough_status status;
 
     t->simulation = *simulation;
@@ -214,8 +234,8 @@ static gough_status prepare(tune *t, const gough_simulation *simulation, bool fe
 
     memcpy(t->steady, t->loop, sizeof *t->steady);
     t->loop->control.feedforward = feedforward;
-    status = look_at_home(t, unit, error);
-    if (status == GOUGH_OK) status = find_range(t, unit, error);
+    status = look_at_home(t, error);
+    if (status == GOUGH_OK) status = find_range(t, error);
     if (status == GOUGH_OK) status = find_period(t, error);
     t->steady->control.feedforward = feedforward;
     return status;

@@ -28,6 +28,8 @@ typedef struct tune {
     bool ratio;       /* D follows from G */
     double frequency; /* of the fastest mode at home where G is 1 and outweighs the rest */
     double least, greatest;
+    double map_top;  /* up to here intervals of growth are mapped */
+    int quiet;       /* rounds in which nothing grew, since something did */
     bool most_steps; /* `greatest` is where runs get too long */
     gough_rest rest;
 
@@ -76,6 +78,9 @@ gough_status tune_growth_of(tune *t, double before, gough_tuning_point *point, s
  * is below it. INFINITY: none up to the greatest. */
 gough_status tune_clear(tune *t, const gough_tuning_point *point, double *clear,
                         tune_growth *blocked, gough_error *error);
+
+/* Looks anew at points off the trend, where growth was not looked at: whether some turn out to be unstable. */
+bool tune_look_again(tune *t);
 
 /* the map over a range of G, with D as it is */
 gough_map_options tune_map_options(const gough_tuning_options *options, double from, double to,

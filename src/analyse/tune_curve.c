@@ -166,6 +166,7 @@ static void find_exceptions(tune *t) {
 
 void tune_curve(tune *t) {
     find_trend(t);
+    if (tune_look_again(t)) find_trend(t);
     find_exceptions(t);
 }
 

@@ -14,6 +14,9 @@ static const double turn_between_rows = 0.4;
 /* more rows than this are not taken, whatever the fastest mode */
 static const double most_rows = 1e6;
 
+/* a damping ratio below this is round-off */
+static const double rounding_ratio = 1e-12;
+
 /* ---- many -------------------------------------------------------------------------------------------------------- */
 
 /* the study's output times, and others between them */
@@ -302,6 +305,7 @@ gough_status tune_detail(tune *t, gough_error *error) {
     status = gough_stability_at_rest(t->loop, NULL, &t->rest, error);
     if (status != GOUGH_OK) return status;
     tuning->damping_ratio = tune_least_ratio(t->rest.matrix);
+    if (fabs(tuning->damping_ratio) < rounding_ratio) tuning->damping_ratio = 0;
     if (tuning->binding != GOUGH_TUNING_THRESHOLD && tuning->binding != GOUGH_TUNING_TONGUE)
         binding_mode(t, &l);
     return GOUGH_OK;

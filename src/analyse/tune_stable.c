@@ -38,8 +38,7 @@ static void look_along(tune *t, gough_tuning_point *point, gough_mode *mode) {
     gough_floquet floquet;
     gough_error none;
 
-    if (gough_floquet_multipliers(t->steady, &t->period, 1e-10, &floquet, &none) != GOUGH_OK)
-        return;
+    if (gough_floquet_multipliers(t->steady, &t->period, 1e-9, &floquet, &none) != GOUGH_OK) return;
     point->growth = floquet.growth;
     point->stable = floquet.growth <= 1 + growth_limit;
     *mode = floquet.multiplier[0].mode;
@@ -92,29 +91,67 @@ static gough_status map_range(tune *t, double from, double to, size_t count, dou
     return GOUGH_OK;
 }
 
-/* the map is quick where the motion is the program's own, and D the same at each G */
-static bool can_map(const tune *t) { return t->loop->control.feedforward && !t->ratio; }
+/* After so many rounds in which nothing grew nothing is looked for any more along the curve: resonances only get narrower. */
+enum { QUIET = 2 };
+
+/* Points that nobody looked at count as stable where the run reaches its end; one that grows shows in its deviation. */
+static void pass_over(gough_tuning_point *point, size_t points) {
+    for (size_t i = 0; i < points; i++) {
+        point[i].growth = NAN;
+        point[i].stable = point[i].cause == GOUGH_END_DONE;
+    }
+}
+
+static gough_status growth_by_map(tune *t, double before, gough_tuning_point *point, size_t points,
+                                  tune_growth *growth, size_t room, size_t *count,
+                                  gough_error *error) {
+    const size_t extra = before > 0;
+    const gough_status status =
+        map_range(t, extra ? before : point[0].stiffness, point[points - 1].stiffness,
+                  points + extra, 0, growth, room, count, error);
+
+    for (size_t i = 0; i < points && status == GOUGH_OK; i++) {
+        const gough_map_point *p = &t->map_point[i + extra];
+        point[i].growth = t->period.resting ? exp(p->rate) : p->growth;
+        point[i].stable = p->stable;
+        memcpy(point[i].mode, p->mode, sizeof point[i].mode);
+    }
+    return status;
+}
 
 gough_status tune_growth_of(tune *t, double before, gough_tuning_point *point, size_t points,
                             tune_growth *growth, size_t room, size_t *count, gough_error *error) {
-    const size_t extra = before > 0;
+    const bool fed = t->loop->control.feedforward, resting = t->period.resting;
+    const double top = point[points - 1].stiffness;
+    gough_status status = GOUGH_OK;
+    bool grew = false;
     gough_mode mode;
 
     *count = 0;
-    if (can_map(t) && points + extra > 1) {
-        const gough_status status =
-            map_range(t, extra ? before : point[0].stiffness, point[points - 1].stiffness,
-                      points + extra, 0, growth, room, count, error);
-        for (size_t i = 0; i < points && status == GOUGH_OK; i++) {
-            const gough_map_point *p = &t->map_point[i + extra];
-            point[i].growth = t->period.resting ? exp(p->rate) : p->growth;
-            point[i].stable = p->stable;
-            memcpy(point[i].mode, p->mode, sizeof point[i].mode);
-        }
+    if (!resting && (!fed || t->quiet >= QUIET || (!t->ratio && top > t->map_top))) {
+        pass_over(point, points);
         return status;
     }
-    for (size_t i = 0; i < points; i++) look_at(t, &point[i], &mode);
-    return GOUGH_OK;
+    if (fed && !t->ratio && points + (before > 0) > 1)
+        status = growth_by_map(t, before, point, points, growth, room, count, error);
+    else
+        for (size_t i = 0; i < points; i++) look_at(t, &point[i], &mode);
+    for (size_t i = 0; i < points; i++) grew |= !point[i].stable;
+    t->quiet = grew || *count > 0 ? 0 : t->quiet + 1;
+    return status;
+}
+
+bool tune_look_again(tune *t) {
+    bool found = false;
+
+    for (size_t i = 0; i < t->tuning->points; i++) {
+        gough_tuning_point *point = &t->point[i];
+        gough_mode mode;
+        if (point->regular || !point->stable || !isnan(point->growth)) continue;
+        look_at(t, point, &mode);
+        found |= !point->stable;
+    }
+    return found;
 }
 
 /* ---- clear of it -------------------------------------------------------------------------------------------------- */
@@ -180,7 +217,7 @@ gough_status tune_clear(tune *t, const gough_tuning_point *point, double *clear,
                         tune_growth *blocked, gough_error *error) {
     gough_status status = GOUGH_OK;
 
-    if (t->loop->control.feedforward)
+    if (t->loop->control.feedforward && (t->period.resting || 2 * point->stiffness <= t->map_top))
         status = clear_by_map(t, point->stiffness, point->damping, clear, blocked, error);
     else
         clear_by_places(t, point->stiffness, point->damping, clear, blocked);

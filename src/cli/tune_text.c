@@ -98,7 +98,7 @@ static void print_binding(FILE *stream, const gough_tuning *tuning, const unit_w
         break;
     }
     if (isfinite(tuning->fails))
-        fprintf(stream, "; G = %.5g%s does not do", tuning->fails, unit->stiffness);
+        fprintf(stream, "; G = %.6g%s does not do", tuning->fails, unit->stiffness);
     fputc('\n', stream);
 }
 
@@ -114,7 +114,10 @@ static void print_legs(FILE *stream, const gough_tuning *tuning, const unit_word
 }
 
 static void print_exception(FILE *stream, const gough_tuning_exception *e, const unit_words *unit) {
-    fprintf(stream, "    G %-.6g to %.6g%s: ", e->from, e->to, unit->stiffness);
+    if (e->to > e->from)
+        fprintf(stream, "    G %.6g to %.6g%s: ", e->from, e->to, unit->stiffness);
+    else
+        fprintf(stream, "    G %.6g%s: ", e->from, unit->stiffness);
     if (e->kind == GOUGH_TUNING_UNSTABLE)
         fprintf(stream, "unstable (%s)", *e->mode ? e->mode : "no motion to hold");
     else if (e->kind == GOUGH_TUNING_ENDED)
@@ -124,6 +127,23 @@ static void print_exception(FILE *stream, const gough_tuning_exception *e, const
     fputc('\n', stream);
 }
 
+/* Resonances so narrow that hardly anybody meets one are counted only; JSON has them all. */
+static void print_exceptions(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+    static const double narrow = 2e-3;
+    size_t left_out = 0;
+    if (tuning->exceptions) fprintf(stream, "  exceptions  where the curve does not hold\n");
+    for (size_t i = 0; i < tuning->exceptions; i++) {
+        const gough_tuning_exception *e = &tuning->exception[i];
+        if (e->kind == GOUGH_TUNING_UNSTABLE && e->to > e->from && e->to < e->from * (1 + narrow))
+            left_out++;
+        else
+            print_exception(stream, e, unit);
+    }
+    if (left_out)
+        fprintf(stream, "    and %zu resonance%s narrower than %g %% of G\n", left_out,
+                left_out == 1 ? "" : "s", 100 * narrow);
+}
+
 static void print_curve(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
     if (isfinite(tuning->slope))
         fprintf(stream, "  curve       deviation goes as G^%.3f (%.4g%s at G = 1), %zu points\n",
@@ -131,9 +151,7 @@ static void print_curve(FILE *stream, const gough_tuning *tuning, const unit_wor
     else
         fprintf(stream,
                 "  curve       no trend: the deviation is round-off, or runs are too few\n");
-    if (tuning->exceptions) fprintf(stream, "  exceptions  off that curve\n");
-    for (size_t i = 0; i < tuning->exceptions; i++)
-        print_exception(stream, &tuning->exception[i], unit);
+    print_exceptions(stream, tuning, unit);
 }
 
 static void print_choice(FILE *stream, const tune_choice *choice, const unit_words *unit) {
