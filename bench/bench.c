@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_SECTIONS = 8 };
+enum { MOST_SECTIONS = 10 };
 
 int bench_lanes(int width) { return 1 << width; }
 
@@ -53,7 +53,7 @@ double bench_effort(double (*error)(void *context, double effort), void *context
 static timing no_timing(void) { return (timing){NAN, NAN}; }
 
 static void clear_figures(figures *f) {
-    f->threads = NAN;
+    f->threads = f->map = NAN;
     f->mujoco_step = f->mujoco_inverse = no_timing();
     for (int w = 0; w < WIDTHS; w++) {
         f->rk4[w] = f->inverse[w] = no_timing();
@@ -69,7 +69,7 @@ static void say_usage(FILE *where) {
     fputs("bench [--quick] [--json] [--only=SECTION] [--gough=COMMAND]\n"
           "  --quick   short runs: shows that all works, the times mean little\n"
           "  --json    the table for machines\n"
-          "  --only    kernels, steps, precision, mujoco, solvers, threads or process\n"
+          "  --only    kernels, steps, precision, mujoco, solvers, threads, map or process\n"
           "  --gough   the command whose processes are timed\n",
           where);
 }
@@ -110,6 +110,7 @@ int main(int count, char **text) {
         &section_solvers,
 #endif
         &section_threads,
+        &section_map,
         &section_process,
         &section_claims,
     };

@@ -20,6 +20,7 @@ typedef struct {
     timing mujoco[TARGETS];
     timing mujoco_step, mujoco_inverse;
     double threads; /* two against one */
+    double map;     /* points of a stability map in a second, on two threads */
 } figures;
 
 typedef struct {
@@ -40,7 +41,7 @@ typedef struct {
 } bench_section;
 
 extern const bench_section section_kernels, section_steps, section_precision, section_threads,
-    section_process, section_claims;
+    section_map, section_process, section_claims;
 #if defined(BENCH_PEERS)
 extern const bench_section section_mujoco, section_solvers;
 #endif
