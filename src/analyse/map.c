@@ -12,7 +12,9 @@
 #include "analyse/map_row.h"
 #include "gough/batch.h"
 
-enum { MOST_THREADS = 256, MOST_REFINE = 64 };
+enum { MOST_THREADS = 256 };
+
+static const double finest = 64;
 
 static const double most_points = 2147483648.0;
 
@@ -194,19 +196,22 @@ static bool has_tables(const map_worker *w) {
 static gough_status choose_steps(map_job *job, map_worker *w, gough_error *error) {
     const size_t rows = gough_map_rows(job->options);
 
-    job->refine = 1;
+    job->finer = 1;
     for (int look = 0; look < 3; look++) {
         const size_t row = (rows - 1) * (size_t)look / 2;
+        const double wanted = job->options->accuracy;
         double change;
         if (map_row_begin(w, row, NULL) != GOUGH_OK || !has_tables(w)) continue;
-        for (;; job->refine *= 2) {
-            if (map_row_accuracy(w, job->refine, &change, NULL) != GOUGH_OK) break;
-            if (change <= job->options->accuracy) break;
-            if (job->refine < MOST_REFINE) continue;
-            return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                              "with %zu steps in a period the multipliers are still good to %.1g "
-                              "only: the program is too rough, or too little accuracy is left",
-                              w->d.parts * w->d.steps * job->refine, change);
+        while (map_row_accuracy(w, job->finer, &change, NULL) == GOUGH_OK && !(change <= wanted)) {
+            if (job->finer > finest) {
+                return gough_fail(
+                    error, GOUGH_ERROR_NUMERICAL,
+                    "with %zu steps in a period the multipliers are still good to %.1g only: "
+                    "the program is too rough, or too little accuracy is left",
+                    map_row_steps(w, job->finer), change);
+            }
+            /* errors fall with the eighth power */
+            job->finer *= fmin(fmax(1.1 * pow(change / wanted, 0.125), 1.1), 4);
         }
     }
     return GOUGH_OK;

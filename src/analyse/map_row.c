@@ -100,8 +100,12 @@ gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
     return GOUGH_OK;
 }
 
+size_t map_row_steps(const map_worker *w, double finer) {
+    return w->d.parts * (size_t)ceil((double)w->d.steps * finer);
+}
+
 /* fills a table */
-static gough_status find(map_worker *w, bool damped, size_t refine, transitions *t,
+static gough_status find(map_worker *w, bool damped, double finer, transitions *t,
                          gough_error *error) {
     const linear_loop loop = loop_of(w);
     const gough_control damping = w->model.control;
@@ -109,17 +113,17 @@ static gough_status find(map_worker *w, bool damped, size_t refine, transitions 
     division d = w->d;
 
     if (!damped) memset(control.damping, 0, sizeof control.damping);
-    d.steps *= refine;
+    d.steps = map_row_steps(w, finer) / d.parts;
     return transition_find(w->job->width, &(linear_loop){loop.machine, loop.motion, &control},
                            &w->period, w->job->options->stiffness.to, &d, t, w->scratch, error);
 }
 
-gough_status map_row_accuracy(map_worker *w, size_t refine, double *change, gough_error *error) {
+gough_status map_row_accuracy(map_worker *w, double finer, double *change, gough_error *error) {
     const double top = w->job->options->stiffness.to;
     double phi[2][1][MATRIX];
-    gough_status status = find(w, w->damped, refine, &w->bare, error);
+    gough_status status = find(w, w->damped, finer, &w->bare, error);
 
-    if (status == GOUGH_OK) status = find(w, w->damped, 2 * refine, &w->complete, error);
+    if (status == GOUGH_OK) status = find(w, w->damped, 2 * finer, &w->complete, error);
     if (status != GOUGH_OK) return status;
     *change = 0;
     for (int part = 0; part < 3; part++) {
@@ -424,13 +428,13 @@ static int find_one_by_one(map_worker *w, int (*look)(void *context, double stif
 }
 
 static int find_by_tables(map_worker *w, gough_error *error) {
-    const size_t refine = w->job->refine;
+    const double finer = w->job->finer;
     const transitions *t = w->damped ? &w->complete : &w->bare;
-    gough_status status = find(w, false, refine, &w->bare, error);
+    gough_status status = find(w, false, finer, &w->bare, error);
 
-    if (status == GOUGH_OK && w->damped) status = find(w, true, refine, &w->complete, error);
+    if (status == GOUGH_OK && w->damped) status = find(w, true, finer, &w->complete, error);
     if (status != GOUGH_OK) return 0;
-    w->job->map->row[w->index].steps = w->d.parts * w->d.steps * refine;
+    w->job->map->row[w->index].steps = map_row_steps(w, finer);
     if (report(w, 0.1) || points(w, t, NULL)) return 1;
 
     w->nodes = 0;

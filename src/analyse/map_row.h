@@ -12,8 +12,8 @@ typedef struct map_job {
     const gough_map_options *options; /* with its defaults filled in */
     gough_map *map;
     const struct analyse_width *width;
-    size_t parts;  /* most of any row */
-    size_t refine; /* steps of each part are this many times those of transition_divide() */
+    size_t parts; /* most of any row */
+    double finer; /* steps of each part are this many times those of transition_divide() */
     /* a part of the row's work is done; nonzero stops */
     int (*report)(const struct map_job *job, double part);
     void *context;
@@ -44,8 +44,11 @@ map_worker *map_worker_begin(const map_job *job, void *memory);
 /* The study as it is in a row, its period, and how the period is divided. */
 gough_status map_row_begin(map_worker *w, size_t index, gough_error *error);
 
-/* How far the multipliers of the row change when its steps are halved, relative to the largest; both with `refine`. */
-gough_status map_row_accuracy(map_worker *w, size_t refine, double *change, gough_error *error);
+/* How far Φ of the row changes when its steps are halved, relative to its largest element. */
+gough_status map_row_accuracy(map_worker *w, double finer, double *change, gough_error *error);
+
+/* steps in a period */
+size_t map_row_steps(const map_worker *w, double finer);
 
 /* No values yet. */
 void map_row_clear(const map_job *job, size_t index);
