@@ -18,26 +18,25 @@ function frame(label, ...parts) {
 
 /** Points [re, im], by logarithm of the size beyond radius 1 so that a large multiplier still has a place. */
 export function multiplierCircle(multipliers) {
+  const largest = Math.log(Math.max(...multipliers.map((multiplier) => Math.hypot(...multiplier)), 10));
   const compressed = ([re, im]) => {
     const size = Math.hypot(re, im);
-    const drawn = size <= 1 ? size : 1 + Math.min(0.5, 0.16 * Math.log10(size) + (size > 1.02 ? 0.06 : 0));
+    const drawn = size <= 1 ? size : 1 + (0.5 * Math.log(size)) / largest;
     return size > 0 ? [(re / size) * drawn, (im / size) * drawn] : [0, 0];
   };
-  let labels = 0;
   const dots = multipliers.map((multiplier) => {
     const size = Math.hypot(...multiplier);
     const [x, y] = compressed(multiplier);
-    const kind = size > 1 + 1e-6 ? "grows" : size < 1 - 1e-6 ? "decays" : "stays";
+    const kind = size > 1 + 1e-7 ? "grows" : size < 1 - 1e-7 ? "decays" : "stays";
     return drawing(
       "g", { class: `dot ${kind}` },
       drawing("title", {}, `${number(multiplier[0], 6)} ${multiplier[1] < 0 ? "−" : "+"} ${number(Math.abs(multiplier[1]), 6)}i, size ${number(size, 6)}`),
       kind === "grows"
         ? drawing("rect", { x: x - 0.05, y: -y - 0.05, width: 0.1, height: 0.1, transform: `rotate(45 ${x} ${-y})` })
         : drawing("circle", { cx: x, cy: -y, r: 0.055 }),
-      size > 1.5 && drawing("text", { class: "plane-value", x: x + (x < 0 ? -0.04 : 0.04), y: -y + (labels++ % 2 ? 0.2 : -0.12), "text-anchor": "middle" }, number(size, 3)),
     );
   });
-  const grows = multipliers.filter((multiplier) => Math.hypot(...multiplier) > 1 + 1e-6).length;
+  const grows = multipliers.filter((multiplier) => Math.hypot(...multiplier) > 1 + 1e-7).length;
   return frame(
     `Floquet multipliers in the complex plane: ${grows ? `${grows} of ${multipliers.length} outside the unit circle` : "all within or on the unit circle"}`,
     drawing("circle", { class: "unit-circle", r: 1 }), ...dots,

@@ -2,7 +2,7 @@
 // time (zoom) and the cursor.
 import uPlot from "uplot";
 import { element, themed } from "./dom.js";
-import { number, powers, ticks, unit } from "./format.js";
+import { number, powers, ticks, unit, unitAfter } from "./format.js";
 import { download, fileName, svgOf } from "./save.js";
 import { lowerBound, thin } from "./thin.js";
 
@@ -77,12 +77,23 @@ export class Curve {
       element(
         "figcaption", {},
         element("h3", {}, spec.title), unitWords && element("span", { class: "unit" }, unitWords),
-        element("span", { class: "acts" }, spec.logable && this.logButton, save("PNG", () => this.savePng()), save("SVG", () => this.saveSvg())),
+        element("span", { class: "acts" }, spec.logable && this.logButton, spec.limits?.length > 0 && this.limitsButton(), save("PNG", () => this.savePng()), save("SVG", () => this.saveSvg())),
       ),
       spec.note && element("p", { class: "note" }, spec.note),
       this.key, this.plotHost,
     );
     spec.lines.forEach((line) => this.mark(line));
+  }
+
+  limitsButton() {
+    const words = this.spec.limits.map(({ value }) => `${number(value)}${unitAfter(this.spec.unit)}`).join(" and ");
+    const button = element("button", { class: "mini", type: "button", "aria-pressed": "false", title: `the limits, ${words}, within the picture`, "data-testid": `limits-${this.spec.id}` }, "limits");
+    button.addEventListener("click", () => {
+      this.allLimits = !this.allLimits;
+      button.setAttribute("aria-pressed", String(this.allLimits));
+      this.refresh();
+    });
+    return button;
   }
 
   /** For a screen reader: what is drawn, between what. */
@@ -148,10 +159,10 @@ export class Curve {
     if (this.logarithmic) return [10 ** Math.floor(Math.log10(least) - 1e-9), 10 ** Math.ceil(Math.log10(greatest) + 1e-9)];
     let [low, high] = [least, greatest];
     const size = Math.max(Math.abs(low), Math.abs(high));
-    for (const { value } of this.spec.limits ?? []) {
-      low = Math.min(low, value);
-      high = Math.max(high, value);
-    }
+    // limits not far from the data are within the picture; those that would crush it come at the reader's wish
+    const limits = (this.spec.limits ?? []).map(({ value }) => value);
+    const [lowest, highest] = [Math.min(low, ...limits), Math.max(high, ...limits)];
+    if (this.allLimits || highest - lowest < 5 * (high - low)) [low, high] = [lowest, highest];
     // what varies by rounding alone is not blown up
     const span = Math.max(high - low, 1e-6 * size) || 1e-12;
     const middle = (low + high) / 2;

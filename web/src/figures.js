@@ -1,7 +1,7 @@
 // Which curves a study has, and which a comparison of studies has.
 import { AXES, LEGS, studyColor } from "./color.js";
 import { legWork, loadEnergy } from "./energy.js";
-import { number } from "./format.js";
+import { number, unitAfter } from "./format.js";
 
 const SIX = [1, 2, 3, 4, 5, 6];
 const DASH = [5, 4];
@@ -21,6 +21,12 @@ function legLines(study, column, planned = true) {
       label: `${leg} program`, name: `program-${column}${leg}`, leg, program: true, off: true, color: LEGS[leg - 1], dash: DASH, width: 1, t: plan.t, y: plan.column(`${column}${leg}`),
     })),
   ];
+}
+
+/** Where a leg's limits lie, in words: the drawing has room for the near ones only. */
+function limitsNote(study, column) {
+  const limits = limitsOf(study, column).map(({ value }) => `${number(value)}${unitAfter(study.unit(`${column}1`))}`);
+  return limits.length ? `Limits: ${limits.join(", ")}.` : "";
 }
 
 /** Says so where the six lines are one, lest five seem lost. */
@@ -98,9 +104,9 @@ export function figuresOf(study) {
   if (position[5]) position[5] = { ...position[5], label: "z − h program", y: study.plan.column("z").map((z) => z - machine.height) };
   return [
     ...paper,
-    { id: "forces", title: "Leg forces", note: joined("Push is positive.", equalNote(study, "f")), unit: force, lines: legLines(study, "f"), limits: limitsOf(study, "f") },
-    { id: "lengths", title: "Leg lengths", note: equalNote(study, "l"), unit: unit("l1"), lines: legLines(study, "l"), limits: limitsOf(study, "l") },
-    { id: "rates", title: "Leg rates", note: equalNote(study, "dl"), unit: unit("dl1"), lines: legLines(study, "dl"), limits: limitsOf(study, "dl") },
+    { id: "forces", title: "Leg forces", note: joined("Push is positive.", limitsNote(study, "f"), equalNote(study, "f")), unit: force, lines: legLines(study, "f"), limits: limitsOf(study, "f") },
+    { id: "lengths", title: "Leg lengths", note: joined(limitsNote(study, "l"), equalNote(study, "l")), unit: unit("l1"), lines: legLines(study, "l"), limits: limitsOf(study, "l") },
+    { id: "rates", title: "Leg rates", note: joined(limitsNote(study, "dl"), equalNote(study, "dl")), unit: unit("dl1"), lines: legLines(study, "dl"), limits: limitsOf(study, "dl") },
     { id: "power", title: "Leg power", note: equalNote(study, "p"), unit: unit("p1"), lines: legLines(study, "p") },
     { id: "position", title: "Position of the top", note: `From the home position, at height h = ${number(machine.height)} over the base.`, unit: unit("x"), lines: position },
     { id: "orientation", title: "Orientation of the top", unit: unit("roll"), lines: three(study, ["roll", "pitch", "yaw"], ["roll", "pitch", "yaw"], true) },

@@ -9,14 +9,17 @@ import { causeWords, fixed, number, ticks, unit, unitAfter } from "./format.js";
 import { placed, rotation } from "./pose.js";
 import { ForceBars } from "./recorded.js";
 import { Slider } from "./sliders.js";
+import { holdsFrom } from "./stability.js";
 import LiveWorker from "./worker.js?worker&inline";
 
 const DEGREE = 180 / Math.PI;
 /** The strips show so many of the machine's units of time, √(R_b/g), and so many points at most. */
 const WINDOW = 24;
-const POINTS = 1500;
+const POINTS = 800;
 /** A top that is farther than this from its program, in base radii, has left. */
 const REACH = 3;
+/** Height of a strip in pixels. */
+const STRIP = 175;
 /** Points of the trail behind the load. */
 const TRAIL = 900;
 
@@ -52,7 +55,7 @@ export class Live {
       this.worker = new LiveWorker();
       this.worker.addEventListener("message", ({ data }) => this.hear(data));
       this.worker.addEventListener("error", (event) => this.fail(event.message));
-      this.tell("begin", { module: bytesOf(core), flat: decode(this.study.live), settings: { step: this.step(), reach: REACH * this.study.machine.base_radius } });
+      this.tell("begin", { module: bytesOf(core), flat: decode(this.study.live), settings: { step: this.step(), reach: REACH * this.study.machine.base_radius, grain: (WINDOW * this.timeUnit) / POINTS } });
       this.tell("set", { settings: this.settings() });
     }
     this.page.scene?.machines[0].model.setPaths(null, null);
@@ -71,6 +74,13 @@ export class Live {
     this.over = null;
     this.clear();
     this.unbindHand?.();
+  }
+
+  /** A page that nobody sees does not run on. */
+  hide(hidden) {
+    if (!this.active || this.over) return;
+    if (hidden) this.resume = this.running;
+    if (hidden || this.resume) this.run(!hidden);
   }
 
   tell(kind, more = {}) {
@@ -130,13 +140,13 @@ export class Live {
     const si = study.units === "si";
     const gain = this.weight / study.machine.base_radius;
     const power = (value) => 10 ** Math.round(Math.log10(value));
-    const thresholds = (study.stability?.thresholds ?? []).filter(({ stiffness }) => stiffness > 0);
+    const thresholds = holdsFrom(study.stability);
     const slider = (spec) => new Slider(spec, () => this.change());
     this.sliders = {
       stiffness: slider({
         id: "stiffness", label: "Stiffness G", unit: si ? "N/m" : "", least: power(gain) / 100, greatest: power(gain) * 1000, logarithmic: true, value: Math.max(...study.control.stiffness),
         marks: thresholds.map(({ mode, stiffness }) => ({ value: stiffness, label: `${mode} holds from G = ${number(stiffness, 4)}` })),
-        help: thresholds.length ? `At rest ${thresholds.map(({ mode, stiffness }) => `${mode} holds from ${number(stiffness, 3)}`).join(", ")}.` : undefined,
+        help: thresholds.length ? `At rest, holds from: ${thresholds.map(({ mode, stiffness }) => `${mode} ${number(stiffness, 3)}`).join(", ")}.` : undefined,
       }),
       damping: slider({ id: "damping", label: "Damping D", unit: si ? "N s/m" : "", least: power(gain * this.timeUnit) / 100, greatest: power(gain * this.timeUnit) * 100, logarithmic: true, value: Math.max(...study.control.damping) }),
       disturbance: slider({ id: "disturbance", label: "Disturbance", unit: "× the study's", least: 0.1, greatest: 1000, logarithmic: true, value: 1 }),
@@ -181,7 +191,7 @@ export class Live {
       host.append(element("figure", { class: "curve strip", "data-testid": id }, element("figcaption", {}, element("h3", {}, title), unit(unitText) && element("span", { class: "unit" }, unit(unitText))), box));
       const axis = { stroke: themed("--muted"), grid: { stroke: themed("--rule"), width: 1 }, ticks: { show: false }, font: "11px system-ui, sans-serif" };
       const plot = new uPlot({
-        width: box.clientWidth || 400, height: 150, legend: { show: false }, cursor: { show: false }, padding: [8, 10, 0, 0],
+        width: box.clientWidth || 400, height: STRIP, legend: { show: false }, cursor: { show: false }, padding: [8, 10, 0, 0],
         scales: { x: { time: false, range: (_, least, greatest) => (least === null ? [0, 1] : [Math.max(0, greatest - WINDOW * this.timeUnit), Math.max(greatest, WINDOW * this.timeUnit)]) } },
         axes: [{ ...axis, size: 26, values: (_, values) => ticks(values) }, { ...axis, size: 58, values: (_, values) => ticks(values) }],
         series: [{}, ...series.map(({ color }) => ({ stroke: color, width: 1.5, points: { show: false } }))],
@@ -206,6 +216,7 @@ export class Live {
     if (data.kind === "ready") this.place = Object.fromEntries(data.columns.map((name, index) => [name, index]));
     else if (data.kind === "failed") this.fail(data.message);
     else if (data.kind === "row") {
+      data.samples.forEach((sample) => this.remember(sample));
       this.row = data.row;
       this.program = data.program;
       this.ratio = data.ratio;
@@ -225,7 +236,7 @@ export class Live {
     this.letGo();
     const time = `t = ${number(this.row[this.place.t], 4)}${unitAfter(this.study.unit("t"))}`;
     const { stiffness } = this.settings();
-    const weakest = (this.study.stability?.thresholds ?? []).filter((threshold) => threshold.stiffness > stiffness).map(({ mode }) => mode);
+    const weakest = holdsFrom(this.study.stability).filter((threshold) => threshold.stiffness > stiffness).map(({ mode }) => mode);
     const because = stiffness === 0 ? "Without feedback every small error grows." : weakest.length ? `G = ${number(stiffness, 4)} is below the threshold of ${weakest.join(", ")}.` : "";
     if (over.cause === "left") this.tellFallen(`The platform has left its program at ${time}.`, because || `It is more than ${REACH} base radii away.`, true);
     else this.tellFallen(`It ends at ${time}: ${causeWords(over.cause)}.`, [over.message && `${over.message[0].toUpperCase()}${over.message.slice(1)}.`, because].filter(Boolean).join(" "), true);
@@ -251,7 +262,7 @@ export class Live {
     const [x, y, z, roll, pitch, yaw] = this.program;
     const forces = [1, 2, 3, 4, 5, 6].map((leg) => at(`f${leg}`));
     this.centre = placed(pose, this.study.machine.center_of_mass);
-    this.remember(at("t"), Math.hypot(at("ex"), at("ey"), at("ez")), forces);
+    this.leaveTrail();
     const { scene } = this.page;
     if (scene) {
       scene.machines[0].model.showTrail(this.trail);
@@ -265,18 +276,23 @@ export class Live {
     this.drawStrips();
   }
 
-  remember(t, off, forces) {
+  /** Takes one of the thread's samples: t, distance from the program, six forces. */
+  remember([t, off, ...forces]) {
     const { samples } = this;
     if (samples.t.length && t <= samples.t[samples.t.length - 1]) return;
     samples.t.push(t);
     samples.off.push(off);
     forces.forEach((force, leg) => samples.forces[leg].push(force));
     const oldest = t - WINDOW * this.timeUnit;
-    while (samples.t.length > POINTS || samples.t[0] < oldest) {
+    while (samples.t.length > 2 * POINTS || samples.t[0] < oldest) {
       samples.t.shift();
       samples.off.shift();
       samples.forces.forEach((values) => values.shift());
     }
+  }
+
+  /** Goes on with the path behind the centre of mass. */
+  leaveTrail() {
     this.trail.push(...this.centre);
     if (this.trail.length > 3 * TRAIL) this.trail.splice(0, this.trail.length - 3 * TRAIL);
   }
@@ -286,7 +302,7 @@ export class Live {
     if (now - (this.drawn ?? 0) < 40) return;
     this.drawn = now;
     for (const { plot, box, series } of this.strips) {
-      if (box.clientWidth && plot.width !== box.clientWidth) plot.setSize({ width: box.clientWidth, height: 150 });
+      if (box.clientWidth && plot.width !== box.clientWidth) plot.setSize({ width: box.clientWidth, height: STRIP });
       plot.setData([this.samples.t, ...series.map(({ of }) => of())]);
     }
   }

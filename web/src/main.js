@@ -48,6 +48,7 @@ class Page {
     addEventListener("resize", () => this.curves.forEach((curve) => curve.resize()));
     this.choose(studies.length > 1 ? ALL : 0);
     this.bindKeys();
+    document.addEventListener("visibilitychange", () => this.live.hide(document.hidden));
     this.loop();
   }
 
@@ -56,6 +57,8 @@ class Page {
   openScene() {
     try {
       this.scene = new Scene(byId("view"));
+      byId("hint").textContent = "drag to turn · wheel to zoom";
+      this.scene.controls.addEventListener("start", () => (byId("hint").textContent = ""));
     } catch (error) {
       this.scene = null;
       byId("view").prepend(element("div", { class: "no-webgl", "data-testid": "no-webgl", role: "status" },
@@ -220,6 +223,8 @@ class Page {
     byId("mode-live").disabled = !this.live.possible;
     byId("mode-live").title = this.live.possible ? "the simulation runs here, under your hands" : this.live.reason;
     byId("stage").classList.toggle("live", live);
+    byId("stage").classList.toggle("many", this.chosen === ALL);
+    if (live && this.scene) byId("hint").textContent = "take the load and pull";
     byId("transport").hidden = live;
     byId("strips").hidden = !live;
     if (live) {

@@ -3,6 +3,7 @@ import { multiplierCircle } from "./circle.js";
 import { LEGS } from "./color.js";
 import { element } from "./dom.js";
 import { causeWords, number, unit, unitAfter } from "./format.js";
+import { modesAtRest, multipliersBySize, thresholdsOf } from "./stability.js";
 
 /** A table with headings; cells are text or nodes. */
 function table(caption, headings, rows, attributes = {}) {
@@ -21,13 +22,9 @@ const legName = (leg) => element("span", { class: "leg-name", style: { "--leg": 
 const withUnit = (words, unitText) => (unit(unitText) ? `${words} [${unit(unitText)}]` : words);
 const list = (values, digits = 5) => values.map((value) => number(value, digits)).join(", ");
 
-function facts(title, pairs, testid) {
-  return element(
-    "section", { class: "facts", "data-testid": testid },
-    element("h3", {}, title),
-    element("dl", {}, pairs.filter(Boolean).map(([term, ...values]) => [element("dt", {}, term), element("dd", {}, ...values)])),
-  );
-}
+const factList = (pairs) => element("dl", { class: "fact-list" }, pairs.filter(Boolean).map(([term, ...values]) => [element("dt", {}, term), element("dd", {}, ...values)]));
+
+const facts = (title, pairs, testid) => element("section", { class: "facts", "data-testid": testid }, element("h3", {}, title), factList(pairs));
 
 /** Peaks of the six legs, of a summary as the command prints it. */
 function legTable(study, summary, caption, testid) {
@@ -99,21 +96,30 @@ function stabilitySection(study) {
     section.append(element("p", { class: "note" }, study.stability_message || "Not computed for this study."));
     return section;
   }
-  const unitText = unitAfter(gainUnit(study, 0));
-  const verdict = stability.stable ? "No mode grows under this feedback." : "Some mode grows under this feedback.";
-  const pairs = [
-    ["verdict", element("strong", { class: stability.stable ? "good" : "bad" }, verdict)],
-    stability.period && ["period", number(stability.period, 8), unitAfter(study.unit("t"))],
-    stability.growth_per_period !== undefined && stability.growth_per_period !== null && ["growth each period", `× ${number(stability.growth_per_period, 5)}`],
-  ];
-  const words = element("div", {}, facts("", pairs, "stability-facts"));
-  if (stability.thresholds?.length)
-    words.append(table("Least stiffness G that holds the machine at rest", ["mode", `G${unitText ? ` [${unitText.trim()}]` : ""}`], stability.thresholds.map(({ mode, stiffness }) => [mode, number(stiffness, 6)]), { "data-testid": "thresholds" }));
-  section.append(element("div", { class: "beside" }, stability.multipliers?.length
-    ? element("figure", { class: "circle" }, multiplierCircle(stability.multipliers), element("figcaption", {}, "Floquet multipliers and the unit circle; beyond it, by logarithm. ◆ grows, ● does not."))
-    : null, words));
+  const unitText = unitAfter(gainUnit(study, 0)).trim();
+  const time = unitAfter(study.unit("t"));
+  const rate = time ? " [1/s]" : "";
+  const grows = stability.multipliers?.length ? stability.growth_per_period : stability.growth_rate;
+  const facts = factList([
+    ["verdict", element("strong", { class: stability.stable ? "good" : "bad" }, stability.stable ? "No mode grows under this feedback." : "Some mode grows under this feedback.")],
+    present(stability.growth_rate) && ["fastest growth at rest", `e^(${number(stability.growth_rate, 5)} t)`],
+    present(stability.period) && ["period of the program", number(stability.period, 8), time],
+    present(stability.growth_per_period) && ["growth each period", `× ${number(grows, 5)}`],
+    !stability.multipliers?.length && ["Floquet multipliers", "none: the program has no period"],
+  ]);
+  const thresholds = thresholdsOf(stability);
+  const multipliers = multipliersBySize(stability);
+  section.append(facts, element(
+    "div", { class: "beside" },
+    multipliers.length > 0 && element("figure", { class: "circle" }, multiplierCircle(stability.multipliers), element("figcaption", {}, "Floquet multipliers and the unit circle; what lies beyond it, by logarithm. ◆ grows, ● does not.")),
+    multipliers.length > 0 && table("Floquet multipliers, by size", ["mode", "|μ|"], multipliers.map(({ mode, size }) => [mode, number(size, 6)]), { "data-testid": "multipliers" }),
+    thresholds.length > 0 && table("Least stiffness that holds at rest", ["mode", `G${unitText ? ` [${unitText}]` : ""}`], thresholds.map(({ mode, stiffness }) => [mode, number(stiffness, 6)]), { "data-testid": "thresholds" }),
+    table("Modes at rest under this feedback", ["mode", `growth rate${rate}`, `angular frequency${rate}`], modesAtRest(stability).map(({ mode, rate: growth, frequency }) => [mode, number(growth, 5), number(frequency, 5)])),
+  ));
   return section;
 }
+
+const present = (value) => value !== null && value !== undefined;
 
 /** Where a line's comment begins: a # at the start or after a space, outside quotes; the line's length if there is none. */
 function commentStart(line) {

@@ -115,7 +115,8 @@ export class ComparisonPanel {
         element("dl", {},
           element("dt", {}, "off program"), element("dd", {}, deviation, unitAfter(study.unit("ex"))),
           element("dt", {}, "off in angle"), element("dd", {}, angle, " °"),
-          element("dt", {}, "leg forces"), element("dd", {}, forces, unitAfter(study.unit("f1")))),
+          element("dt", {}, "leg forces"), element("dd", {}, forces, unitAfter(study.unit("f1"))),
+          element("dt", {}, "in the whole run, off at most"), element("dd", {}, `${number(study.simulate?.deviation?.position, 3)}${unitAfter(study.unit("ex"))}`)),
       );
       return { study, deviation, angle, forces, state, node };
     });
@@ -129,7 +130,8 @@ export class ComparisonPanel {
       deviation.textContent = number(Math.hypot(...at(["ex", "ey", "ez"])), 3);
       angle.textContent = number(Math.hypot(...at(["eroll", "epitch", "eyaw"])), 3);
       const six = at(["f1", "f2", "f3", "f4", "f5", "f6"]);
-      forces.textContent = `${number(Math.min(...six), 3)} … ${number(Math.max(...six), 3)}`;
+      const ends = [number(Math.min(...six), 3), number(Math.max(...six), 3)];
+      forces.textContent = ends[0] === ends[1] ? `all ${ends[0]}` : ends.join(" … ");
       const over = !study.complete && time >= study.lastTime;
       state.textContent = over ? `ended: ${causeWords(study.end.status)}` : "";
     }

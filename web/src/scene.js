@@ -136,7 +136,7 @@ export class Scene {
       });
       if (!named) continue;
       const mark = element("span", { class: "study-mark", style: { "--study": entry.accent } }, entry.name);
-      this.marks.push({ mark, model, point: new Vector3(0, 0, (this.low - 0.32 * this.size) / scale) });
+      this.marks.push({ mark, model, point: new Vector3(0, 0, (this.low - 0.42 * this.size) / scale) });
       this.labels.append(mark);
     }
   }
@@ -250,6 +250,10 @@ export class Scene {
   placeLabels() {
     const { clientWidth: width, clientHeight: height } = this.host;
     const point = new Vector3();
+    const [first, second] = this.marks.filter(({ mark }) => mark.className === "study-mark");
+    const across = ({ model, point: place }) => point.copy(place).applyMatrix4(model.group.matrixWorld).project(this.camera).x;
+    // names share the width between two machines
+    if (second) this.labels.style.setProperty("--room", `${Math.max(18, 0.47 * width * Math.abs(across(second) - across(first))).toFixed(0)}px`);
     for (const { mark, model, point: place } of this.marks) {
       point.copy(place).applyMatrix4(model.group.matrixWorld).project(this.camera);
       mark.style.transform = `translate(-50%, -50%) translate(${(((point.x + 1) * width) / 2).toFixed(1)}px, ${(((1 - point.y) * height) / 2).toFixed(1)}px)`;

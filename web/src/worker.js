@@ -16,6 +16,10 @@ let reach = Infinity;
 let before = 0;
 let owed = 0;
 let over = null;
+/** Samples for the strips since the last picture, and the time between two of them. */
+let samples = [];
+let grain = Infinity;
+let sampled = -Infinity;
 /** Simulated and real time since the last word on the pace. */
 let pace = { simulated: 0, busy: 0 };
 
@@ -25,11 +29,21 @@ function deviation(row) {
   return Math.hypot(row[ex], row[ey], row[ez]);
 }
 
+/** Keeps a sample for the strips, if it is time for one. */
+function sample(row) {
+  const { t, f1 } = core.place;
+  if (row[t] < sampled + grain && row[t] >= sampled) return;
+  sampled = row[t];
+  samples.push([row[t], deviation(row), ...row.subarray(f1, f1 + 6)]);
+}
+
 function report() {
   const row = core.row();
+  sample(row);
   if (!over && deviation(row) > reach) over = { cause: "left", message: "", leg: 0 };
   const ratio = pace.busy > 0 ? pace.simulated / pace.busy : 0;
-  postMessage({ kind: "row", row, program: core.program(), over, ratio });
+  postMessage({ kind: "row", row, program: core.program(), over, ratio, samples });
+  samples = [];
 }
 
 function tick() {
@@ -52,6 +66,7 @@ function tick() {
       over = { cause, message: core.message, leg: core.leg };
       break;
     }
+    sample(core.row());
   }
   // what could not be done in time is not owed: the run is slower then, not late
   owed = 0;
@@ -71,7 +86,7 @@ const orders = {
   async begin({ module, flat, settings }) {
     core = await Core.load(module);
     core.begin(flat);
-    ({ step, reach } = settings);
+    ({ step, reach, grain } = settings);
     postMessage({ kind: "ready", columns: core.columns });
     report();
   },
@@ -89,6 +104,7 @@ const orders = {
     core.restart();
     over = null;
     owed = 0;
+    samples = [];
     report();
   },
   run({ on }) {
