@@ -40,80 +40,134 @@ enum formula_code {
  * at one t. */
 enum { FORMULA_FIRST_CONSTANT = 1, FORMULA_SECOND_CONSTANT = 2, FORMULA_BOTH_CONSTANT = 3 };
 
-static inline jet formula_unary(int code, jet a) {
+/* times that a formula is evaluated at together, at most: finding out what an operation is, is shared by them */
+enum { FORMULA_TIMES = 16 };
+#define FORMULA_EACH(result)                                                                       \
+    for (int k = 0; k < count; k++) a[k] = (result)
+
+/* a becomes the function of a */
+KERNEL_INLINE void formula_unaries(int code, int count, jet *a) {
     switch (code) {
     case FORMULA_NEGATE:
-        return jet_negate(a);
+        FORMULA_EACH(jet_negate(a[k]));
+        break;
     case FORMULA_SIN:
-        return jet_sin(a);
+        FORMULA_EACH(jet_sin(a[k]));
+        break;
     case FORMULA_COS:
-        return jet_cos(a);
+        FORMULA_EACH(jet_cos(a[k]));
+        break;
     case FORMULA_TAN:
-        return jet_tan(a);
+        FORMULA_EACH(jet_tan(a[k]));
+        break;
     case FORMULA_ASIN:
-        return jet_asin(a);
+        FORMULA_EACH(jet_asin(a[k]));
+        break;
     case FORMULA_ACOS:
-        return jet_acos(a);
+        FORMULA_EACH(jet_acos(a[k]));
+        break;
     case FORMULA_ATAN:
-        return jet_atan(a);
+        FORMULA_EACH(jet_atan(a[k]));
+        break;
     case FORMULA_EXP:
-        return jet_exp(a);
+        FORMULA_EACH(jet_exp(a[k]));
+        break;
     case FORMULA_LOG:
-        return jet_log(a);
+        FORMULA_EACH(jet_log(a[k]));
+        break;
     case FORMULA_ROOT:
-        return jet_root(a);
+        FORMULA_EACH(jet_root(a[k]));
+        break;
     default:
-        return jet_tanh(a);
+        FORMULA_EACH(jet_tanh(a[k]));
     }
+}
+
+/* a becomes a combined with b */
+KERNEL_INLINE void formula_binaries(int code, int constant, int count, jet *a, const jet *b) {
+    switch (code) {
+    case FORMULA_ADD:
+        FORMULA_EACH(jet_add(a[k], b[k]));
+        break;
+    case FORMULA_SUBTRACT:
+        FORMULA_EACH(jet_subtract(a[k], b[k]));
+        break;
+    case FORMULA_MULTIPLY:
+        if (constant & FORMULA_FIRST_CONSTANT) {
+            FORMULA_EACH(jet_scale(a[k].v, b[k]));
+        } else if (constant & FORMULA_SECOND_CONSTANT) {
+            FORMULA_EACH(jet_scale(b[k].v, a[k]));
+        } else {
+            FORMULA_EACH(jet_multiply(a[k], b[k]));
+        }
+        break;
+    case FORMULA_DIVIDE:
+        FORMULA_EACH(jet_divide(a[k], b[k]));
+        break;
+    case FORMULA_POWER:
+        if (constant & FORMULA_SECOND_CONSTANT) {
+            FORMULA_EACH(jet_power(a[k], b[k].v));
+        } else {
+            FORMULA_EACH(jet_general_power(a[k], b[k]));
+        }
+        break;
+    case FORMULA_ATAN2:
+        FORMULA_EACH(jet_atan2(a[k], b[k]));
+        break;
+    default:
+        FORMULA_EACH(jet_ramp(a[k], b[k]));
+    }
+}
+
+static inline jet formula_unary(int code, jet a) {
+    formula_unaries(code, 1, &a);
+    return a;
 }
 
 static inline jet formula_binary(int code, int constant, jet a, jet b) {
-    switch (code) {
-    case FORMULA_ADD:
-        return jet_add(a, b);
-    case FORMULA_SUBTRACT:
-        return jet_subtract(a, b);
-    case FORMULA_MULTIPLY:
-        if (constant & FORMULA_FIRST_CONSTANT) return jet_scale(a.v, b);
-        if (constant & FORMULA_SECOND_CONSTANT) return jet_scale(b.v, a);
-        return jet_multiply(a, b);
-    case FORMULA_DIVIDE:
-        return jet_divide(a, b);
-    case FORMULA_POWER:
-        return constant & FORMULA_SECOND_CONSTANT ? jet_power(a, b.v) : jet_general_power(a, b);
-    case FORMULA_ATAN2:
-        return jet_atan2(a, b);
-    default:
-        return jet_ramp(a, b);
-    }
+    formula_binaries(code, constant, 1, &a, &b);
+    return a;
 }
 
-/* A compiled formula of one operation or more with its derivatives at t. The compiler has bounded its stack. */
-static inline jet formula_evaluate(const gough_formula *f, real t) {
-    jet below[GOUGH_FORMULA_DEPTH + 1],
-        x = jet_constant(0); /* the stack but for its top, and its top */
-    int depth = 0;
+/* A compiled formula with its derivatives at `count` times; an empty one is 0. The compiler has bounded its stack, in which
+ * each value is a row of times. */
+KERNEL_INLINE void formula_evaluate(const gough_formula *f, int count, const real *t, jet *out) {
+    jet stack[GOUGH_FORMULA_DEPTH + 1][FORMULA_TIMES];
+    jet *a = stack[0];
+
+    FORMULA_EACH(jet_constant(0));
     for (int i = 0; i < f->count; i++) {
         const int code = f->operation[i].code, constant = f->operation[i].constant;
         if (code < FORMULA_NEGATE) {
-            below[depth++] = x;
-            x = code == FORMULA_NUMBER ? jet_constant((real)f->operation[i].value)
-                : code == FORMULA_TIME ? jet_time(t)
-                                       : jet_constant(REAL_PI);
+            const real given = code == FORMULA_PI ? REAL_PI : (real)f->operation[i].value;
+            if (i > 0) a += FORMULA_TIMES;
+            FORMULA_EACH(code == FORMULA_TIME ? jet_time(t[k]) : jet_constant(given));
         } else if (code < FORMULA_ADD) {
-            x = formula_unary(code, x);
-            if (constant) x = jet_constant(x.v);
+            formula_unaries(code, count, a);
+            if (constant) FORMULA_EACH(jet_constant(a[k].v));
         } else {
-            x = formula_binary(code, constant, below[--depth], x);
-            if (constant == FORMULA_BOTH_CONSTANT) x = jet_constant(x.v);
+            a -= FORMULA_TIMES;
+            formula_binaries(code, constant, count, a, a + FORMULA_TIMES);
+            if (constant == FORMULA_BOTH_CONSTANT) FORMULA_EACH(jet_constant(a[k].v));
         }
     }
+    for (int k = 0; k < count; k++) out[k] = a[k];
+}
+
+static inline jet formula_alone(const gough_formula *f, real t) {
+    jet x;
+    formula_evaluate(f, 1, &t, &x);
     return x;
 }
 
-/* an empty formula is 0 */
+/* at one time; an empty formula is 0 */
 KERNEL_INLINE jet formula_jet(const gough_formula *f, real t) {
-    return f->count == 0 ? jet_constant(0) : formula_evaluate(f, t);
+    return f->count == 0 ? jet_constant(0) : formula_alone(f, t);
+}
+
+/* at `count` times */
+static inline void formula_jets(const gough_formula *f, int count, const real *t, jet *out) {
+    formula_evaluate(f, count, t, out);
 }
 
 /* ---- moves ---- */
@@ -181,31 +235,49 @@ static inline real motion_angle_unit(const gough_motion *m) {
     return fabs(unit) > 0 ? (real)unit : 1;
 }
 
-/* Surge, sway, heave, roll, pitch, yaw with their derivatives at t, angles in radians, as given. */
-static inline void motion_unscaled(const gough_motion *m, real t, jet out[GOUGH_COMPONENTS]) {
-    if (m->kind == GOUGH_MOTION_SAMPLES) {
-        samples_jets(&m->samples, t, out);
-        return;
-    }
-    if (m->kind == GOUGH_MOTION_MOVES) {
-        for (int c = 0; c < GOUGH_COMPONENTS; c++) out[c] = moves_jet(m, c, t);
-        return;
-    }
-    for (int c = 0; c < GOUGH_COMPONENTS; c++) out[c] = formula_jet(&m->formula[c], t);
-    const real unit = motion_angle_unit(m);
-    for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++) out[c] = jet_scale(unit, out[c]);
+/* The same larger by the amplitude and faster by the frequency, (motion-6): a f(w t). */
+static inline jet motion_scaled(const gough_motion *m, jet f) {
+    const real a = (real)m->amplitude, w = (real)m->frequency;
+    return m->scaled ? (jet){a * f.v, a * w * f.d, a * w * w * f.dd} : f;
 }
 
-/* The same larger by the amplitude and faster by the frequency, (motion-6): a f(w t). */
+static inline real motion_time(const gough_motion *m, real t) {
+    return m->scaled ? (real)m->frequency * t : t;
+}
+
+/* Surge, sway, heave, roll, pitch, yaw with their derivatives at t, angles in radians. */
 static inline void motion_components(const gough_motion *m, real t, jet out[GOUGH_COMPONENTS]) {
-    const real a = (real)m->amplitude, w = (real)m->frequency;
-    if (!m->scaled) {
-        motion_unscaled(m, t, out);
+    const real inner = motion_time(m, t);
+    if (m->kind == GOUGH_MOTION_SAMPLES) {
+        samples_jets(&m->samples, inner, out);
+    } else if (m->kind == GOUGH_MOTION_MOVES) {
+        for (int c = 0; c < GOUGH_COMPONENTS; c++) out[c] = moves_jet(m, c, inner);
+    } else {
+        const real unit = motion_angle_unit(m);
+        for (int c = 0; c < GOUGH_COMPONENTS; c++) out[c] = formula_jet(&m->formula[c], inner);
+        for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++) out[c] = jet_scale(unit, out[c]);
+    }
+    for (int c = 0; c < GOUGH_COMPONENTS && m->scaled; c++) out[c] = motion_scaled(m, out[c]);
+}
+
+/* The same at `count` times. */
+static inline void motion_components_at(const gough_motion *m, int count, const real *t,
+                                        jet out[][GOUGH_COMPONENTS]) {
+    const real unit = motion_angle_unit(m);
+    real inner[FORMULA_TIMES];
+    jet component[FORMULA_TIMES];
+    if (m->kind != GOUGH_MOTION_FORMULAS) {
+        for (int k = 0; k < count; k++) motion_components(m, t[k], out[k]);
         return;
     }
-    motion_unscaled(m, w * t, out);
-    for (int c = 0; c < GOUGH_COMPONENTS; c++)
-        out[c] = (jet){a * out[c].v, a * w * out[c].d, a * w * w * out[c].dd};
+    for (int k = 0; k < count; k++) inner[k] = motion_time(m, t[k]);
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        formula_jets(&m->formula[c], count, inner, component);
+        for (int k = 0; k < count; k++) {
+            if (c >= GOUGH_ROLL) component[k] = jet_scale(unit, component[k]);
+            out[k][c] = motion_scaled(m, component[k]);
+        }
+    }
 }
 
 #endif

@@ -22,8 +22,8 @@ struct ahead_width {
     int lanes;
     void (*begin)(void *room, const gough_motion *motion, const gough_machine *machine,
                   const gough_control *control, const gough_disturbance *disturbance);
-    /* fills the block from time `first` on, as many as there are lanes or times left; 0 where they do not go side by side */
-    int (*fill)(void *room, ahead_block *block, int first);
+    /* fills the block at its times, or at the first of them only: those beyond have to be evaluated one by one */
+    void (*fill)(void *room, ahead_block *block);
 };
 
 extern const struct ahead_width ahead_width_2, ahead_width_4, ahead_width_8;

@@ -7,6 +7,8 @@
 #include "simulate/ahead.h"
 #include "simulate/stage.h"
 
+_Static_assert((int)AHEAD_TIMES <= (int)FORMULA_TIMES, "formulas take as many times together");
+_Static_assert(AHEAD_TIMES % NUMBER_WIDTH == 0, "whole packs");
 _Static_assert(sizeof(run) <= AHEAD_ROOM, "room for the lanes' own memory");
 
 static inline void ahead_begin(void *room, const gough_motion *motion, const gough_machine *machine,
@@ -42,45 +44,50 @@ static inline void ahead_put(displacement *d, int lane, const jet component[GOUG
     }
 }
 
-static inline void ahead_keep(double *where, number x, int count) {
-    memcpy(where, &x, (size_t)count * sizeof *where);
-}
+/* all lanes: a block has room for whole packs */
+static inline void ahead_keep(double *where, number x) { memcpy(where, &x, sizeof x); }
 
-static inline int ahead_fill(void *room, ahead_block *b, int first) {
+/* Times from `first` on, as many as there are lanes; lanes beyond repeat the last. 0 where the equations are not the same in all
+ * lanes, since only some of the times turn the load. */
+static inline int ahead_pack(run *r, ahead_block *b, int first,
+                             jet component[AHEAD_TIMES][GOUGH_COMPONENTS]) {
     const int left = b->count - first, count = left < NUMBER_WIDTH ? left : NUMBER_WIDTH;
-    jet component[GOUGH_COMPONENTS];
-    run *r = room;
-    displacement d;
     number vertical = number_of(0);
+    displacement d;
     int still = 0;
     stage s;
 
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         const int at = first + (i < count ? i : count - 1);
-        const real t = b->time[at];
-        if (i < count) {
-            r->fault.what = NULL;
-            run_components(r, t, component);
-            b->fault[at] = r->fault.what;
-        }
-        ahead_put(&d, i, component);
+        ahead_put(&d, i, component[at]);
         still += d.still;
         if (!r->share) continue;
-        number_put(&vertical, i, formula_jet(&r->lane[i].disturbance->vertical_force, t).v);
+        number_put(&vertical, i,
+                   formula_jet(&r->lane[i].disturbance->vertical_force, b->time[at]).v);
     }
-    /* where only some of the times turn the load the equations are not the same in all lanes */
     if (still != 0 && still != NUMBER_WIDTH) return 0;
 
     run_displacement(r, &d, &s);
     if (r->solves) run_program_forces(r, vertical, &s);
     for (int v = 0; v < LEGS; v++) {
-        ahead_keep(&b->force[v][first], s.force[v], count);
-        ahead_keep(&b->length[v][first], s.program.length[v], count);
-        ahead_keep(&b->rate[v][first], s.program.rate[v], count);
+        ahead_keep(&b->force[v][first], s.force[v]);
+        ahead_keep(&b->length[v][first], s.program.length[v]);
+        ahead_keep(&b->rate[v][first], s.program.rate[v]);
     }
-    ahead_keep(&b->determinant[first], s.singularity.determinant, count);
-    ahead_keep(&b->pivot_ratio[first], s.singularity.pivot_ratio, count);
+    ahead_keep(&b->determinant[first], s.singularity.determinant);
+    ahead_keep(&b->pivot_ratio[first], s.singularity.pivot_ratio);
     return 1;
+}
+
+static inline void ahead_fill(void *room, ahead_block *b) {
+    jet component[AHEAD_TIMES][GOUGH_COMPONENTS];
+    run *r = room;
+
+    motion_components_at(r->motion, b->count, b->time, component);
+    for (int k = 0; k < b->count; k++) b->fault[k] = run_flaw(component[k]);
+    for (int first = 0; first < b->count; first += NUMBER_WIDTH) {
+        if (!ahead_pack(r, b, first, component)) b->count = first;
+    }
 }
 
 #define AHEAD_WIDTH                                                                                \

@@ -64,13 +64,7 @@ static inline void lookahead_announce(lookahead *l, real t) {
 
 static inline void lookahead_clear(lookahead *l) { l->block.count = l->block.cursor = 0; }
 
-static inline void lookahead_ready(lookahead *l) {
-    ahead_block *b = &l->block;
-
-    for (int first = 0; first < b->count; first += l->width->lanes) {
-        if (!l->width->fill(l->room, b, first)) b->count = first;
-    }
-}
+static inline void lookahead_ready(lookahead *l) { l->width->fill(l->room, &l->block); }
 
 #else
 

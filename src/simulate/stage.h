@@ -145,17 +145,22 @@ static inline void run_blame(run *r, const char *what, real t) {
     if (r->fault.what == NULL || t < r->fault.time) r->fault = (stage_fault){what, t};
 }
 
-/* jets of the program at t, checked */
-static inline void run_components(run *r, real t, jet component[GOUGH_COMPONENTS]) {
+/* the component that is not finite, or NULL */
+static inline const char *run_flaw(const jet component[GOUGH_COMPONENTS]) {
     static const char *const name[GOUGH_COMPONENTS] = {
         "motion.surge", "motion.sway", "motion.heave", "motion.roll", "motion.pitch", "motion.yaw"};
 
-    motion_components(r->motion, t, component);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
-        if (!real_finite(component[c].v + component[c].d + component[c].dd)) {
-            run_blame(r, name[c], t);
-        }
+        if (!real_finite(component[c].v + component[c].d + component[c].dd)) return name[c];
     }
+    return NULL;
+}
+
+/* jets of the program at t, checked */
+static inline void run_components(run *r, real t, jet component[GOUGH_COMPONENTS]) {
+    motion_components(r->motion, t, component);
+    const char *flaw = run_flaw(component);
+    if (flaw) run_blame(r, flaw, t);
 }
 
 /* the formula of a disturbance, by its place in gough_disturbance, in every lane */
