@@ -39,6 +39,9 @@ double *builder_array(builder *b, size_t table);
 /* A table of a sweep (sweep.c). */
 void builder_fill_sweep(builder *b);
 
+/* A table of gough tune (tuning.c). */
+void builder_fill_tuning(builder *b);
+
 gough_status builder_fail(builder *b, gough_status status, const char *sentence);
 
 #endif

@@ -473,12 +473,14 @@ static const char *const kind_names[] = {
     "condition — condition of the leg Jacobian",
     "columns — any named columns",
     "gain — deviation against the stiffness G (columns G, position_deviation, ended)",
+    "tuning — what gough tune looked at: deviation and leg force against the stiffness",
     "sweep — a sweep: a line over one swept key, a map over two, shares of the runs over more",
     NULL};
 
 static void (*const fillers[])(builder *b) = {
-    fill_overview,  fill_motion, fill_forces,    fill_lengths, fill_rates, fill_power,
-    fill_deviation, fill_drift,  fill_condition, fill_columns, fill_gain,  builder_fill_sweep};
+    fill_overview, fill_motion,         fill_forces,       fill_lengths,   fill_rates,
+    fill_power,    fill_deviation,      fill_drift,        fill_condition, fill_columns,
+    fill_gain,     builder_fill_tuning, builder_fill_sweep};
 
 enum { KINDS = sizeof fillers / sizeof fillers[0] };
 
@@ -486,6 +488,7 @@ const char *const *gough_figure_kinds(void) { return kind_names; }
 
 const char *sheet_default_kind(const gough_table *table) {
     if (sheet_is_sweep(table)) return "sweep";
+    if (sheet_is_tuning(table)) return "tuning";
     if (gough_table_column(table, "G") != NULL &&
         gough_table_column(table, "position_deviation") != NULL)
         return "gain";

@@ -292,6 +292,10 @@ static void write_line_style(FILE *file, const series *line) {
         return;
     }
     const char *colour = palette[line->colour % PALETTE];
+    if (line->mark) {
+        fprintf(file, "with points pt 7 ps 1.1 lc rgb '%s'", colour);
+        return;
+    }
     /* beyond the palette, dashes tell lines apart */
     static const char *const dashes[] = {"1", "(9,5)", "(2,3)", "(9,4,2,4)"};
     fprintf(file, "with %s lw 1.6 dt %s lc rgb '%s'%s", line->points ? "linespoints" : "lines",
@@ -401,11 +405,16 @@ static void write_plot(const drawing *pen, int number, int first_data) {
         else
             fprintf(file, " notitle");
         if (line->ended == NULL) continue;
+        const char *called = line->ended_label ? line->ended_label : "ended early";
         fprintf(file,
                 ", \\\n     'data-%d' using 1:($3 > 0 ? $2 : NaN) with points pt 7 ps 0.75 lc rgb "
                 "'white' notitle, \\\n     'data-%d' using 1:($3 > 0 ? $2 : NaN) with points pt 6 "
-                "ps 0.75 lw 1.4 lc rgb '%s' title 'ended early' noenhanced",
+                "ps 0.75 lw 1.4 lc rgb '%s' ",
                 data, data, palette[line->colour % PALETTE]);
+        if (*called)
+            fprintf(file, "title '%s' noenhanced", called);
+        else
+            fprintf(file, "notitle");
     }
     fprintf(file, "\nunset label\n");
 }

@@ -19,7 +19,9 @@ typedef struct series {
     int colour;             /* index into the palette; -1: pale and wide, for the program */
     const double
         *ended; /* NULL, or 1 where a point is marked as ended early: points are drawn then */
+    const char *ended_label; /* what such points are called; NULL: "ended early" */
     bool points;
+    bool mark; /* no line, but large points */
 } series;
 
 /* Colours over a grid of two abscissas: cells[row · columns + column], NaN where a run ended early. */
@@ -65,6 +67,9 @@ void sheet_free_arrays(sheet *sheet);
 
 /* A table of a sweep: lines over one swept key, a map over two, shares of the runs over more (sweep.c). */
 bool sheet_is_sweep(const gough_table *table);
+
+/* A table of gough tune (tuning.c). */
+bool sheet_is_tuning(const gough_table *table);
 
 /* Whether and how the table chooses its kind: name of it. */
 const char *sheet_default_kind(const gough_table *table);
