@@ -65,7 +65,8 @@ static void print_cell(FILE *stream, double value) {
         fprintf(stream, "%13s", "-");
 }
 
-static void print_interval(FILE *stream, const gough_interval *i) {
+/* At rest there is no motion to be in resonance with. */
+static void print_interval(FILE *stream, const gough_interval *i, bool resting) {
     fprintf(stream, "  ");
     stability_pad(stream, i->mode.name, 14);
     print_cell(stream, i->from);
@@ -74,7 +75,7 @@ static void print_interval(FILE *stream, const gough_interval *i) {
     print_cell(stream, i->growth);
     print_cell(stream, i->rate);
     print_cell(stream, i->stiffness);
-    fprintf(stream, "   %s\n", kind_words(i->kind));
+    fprintf(stream, "   %s\n", kind_words(resting ? GOUGH_INTERVAL_STATIC : i->kind));
 }
 
 /* "At amplitude 0.5" */
@@ -108,7 +109,7 @@ static void print_row(FILE *stream, const map_report *report, size_t r) {
             row->period.resting ? "" : "per period", rate.text, "at G");
     for (size_t i = 0; i < row->intervals; i++) {
         const gough_interval *one = &report->map.interval[r * report->options.intervals + i];
-        print_interval(stream, one);
+        print_interval(stream, one, row->period.resting);
         cut = cut || one->cut;
     }
     if (cut) fprintf(stream, "  + goes on above the range of this map\n");

@@ -118,39 +118,72 @@ double field_level(const field *f, size_t row, double x) {
 
 static double centre_of(const gough_interval *one) { return 0.5 * (one->from + one->to); }
 
-/* The interval of another row that is nearest to this one, one of another mode or kind counting as farther off; -1: none within a
- * tenth of the range. */
-static int nearest(const field *f, const gough_interval *one, size_t row) {
+/* Where the interval is to be expected in the next row: as far on as it came from the row before; without one, where the
+ * resonances of a motion of another frequency lie, whose squares go with the stiffness. */
+static double expected(const field *f, size_t row, int number) {
+    const gough_map_row *here = row_of(f, row), *next = row_of(f, row + 1);
+    const double centre = centre_of(field_interval(f, row, number));
+    for (size_t p = f->pairs; p-- > 0 && f->pair[p].row + 2 > row;)
+        if (f->pair[p].row + 1 == row && f->pair[p].high == number && f->pair[p].low >= 0) {
+            const double before = row_of(f, row - 1)->value;
+            const double came = centre - centre_of(field_interval(f, row - 1, f->pair[p].low));
+            return centre + came * (next->value - here->value) / (here->value - before);
+        }
+    if (f->options->axis != GOUGH_MAP_FREQUENCY) return centre;
+    return centre * (next->value / here->value) * (next->value / here->value);
+}
+
+/* How far the edges of an interval are from where those of another are expected, one of another mode or kind counting as farther
+ * off; infinite beyond reach: a twentieth of the range, and half the width. */
+static double distance_of(const field *f, const gough_interval *one, double centre,
+                          const gough_interval *other) {
     const double range = f->options->stiffness.to - f->options->stiffness.from;
-    double least = 0.1 * range;
+    const double reach = 0.05 * range + 0.5 * (one->to - one->from);
+    const double shift = centre - centre_of(one);
+    double distance =
+        fmax(fabs(other->from - one->from - shift), fabs(other->to - one->to - shift));
+    if (other->kind != one->kind) distance += 0.02 * range;
+    if (strcmp(other->mode.name, one->mode.name) != 0) distance += 0.01 * range;
+    return distance < reach ? distance : INFINITY;
+}
+
+/* The number in the next row that is nearest to where this one is expected; -1: none within reach. */
+static int nearest_above(const field *f, size_t row, int number, double centre) {
+    double least = INFINITY;
     int best = -1;
-    for (int i = 0; i < (int)row_of(f, row)->intervals; i++) {
-        const gough_interval *other = field_interval(f, row, i);
-        double distance = fabs(centre_of(other) - centre_of(one));
-        if (other->kind != one->kind) distance += 0.04 * range;
-        if (strcmp(other->mode.name, one->mode.name) != 0) distance += 0.04 * range;
-        if (!(distance < least)) continue;
-        least = distance;
-        best = i;
+    for (int j = 0; j < (int)row_of(f, row + 1)->intervals; j++) {
+        const double distance =
+            distance_of(f, field_interval(f, row, number), centre, field_interval(f, row + 1, j));
+        if (distance < least) least = distance, best = j;
     }
     return best;
 }
 
-/* Those that are nearest to each other are one tongue. */
-static void pair_rows(field *f, size_t row) {
+static int nearest_below(const field *f, size_t row, int number, const double *centre) {
+    double least = INFINITY;
+    int best = -1;
+    for (int i = 0; i < (int)row_of(f, row)->intervals; i++) {
+        const double distance = distance_of(f, field_interval(f, row, i), centre[i],
+                                            field_interval(f, row + 1, number));
+        if (distance < least) least = distance, best = i;
+    }
+    return best;
+}
+
+/* Those that are nearest to each other are one tongue. @p centre: room for the intervals of a row. */
+static void pair_rows(field *f, size_t row, double *centre) {
     const bool next =
         row + 1 < f->rows && !row_of(f, row)->error.status && !row_of(f, row + 1)->error.status;
     if (!next) return;
+    for (int i = 0; i < (int)row_of(f, row)->intervals; i++) centre[i] = expected(f, row, i);
     for (int i = 0; i < (int)row_of(f, row)->intervals; i++) {
-        const gough_interval *one = field_interval(f, row, i);
-        int j = nearest(f, one, row + 1);
-        if (j >= 0 && nearest(f, field_interval(f, row + 1, j), row) != i) j = -1;
-        f->pair[f->pairs++] = (field_pair){row, i, j};
+        const int j = nearest_above(f, row, i, centre[i]);
+        const bool mutual = j >= 0 && nearest_below(f, row, j, centre) == i;
+        f->pair[f->pairs++] = (field_pair){row, i, mutual ? j : -1};
     }
     for (int j = 0; j < (int)row_of(f, row + 1)->intervals; j++) {
-        const gough_interval *one = field_interval(f, row + 1, j);
-        const int i = nearest(f, one, row);
-        if (i < 0 || nearest(f, field_interval(f, row, i), row + 1) != j)
+        const int i = nearest_below(f, row, j, centre);
+        if (i < 0 || nearest_above(f, row, i, centre[i]) != j)
             f->pair[f->pairs++] = (field_pair){row, -1, j};
     }
 }
@@ -166,12 +199,17 @@ bool field_make(field *f, const gough_map_options *options, const gough_map *map
     f->node = calloc(f->rows * f->nodes, sizeof *f->node);
     f->count = calloc(f->rows, sizeof *f->count);
     f->pair = calloc(2 * intervals + 1, sizeof *f->pair);
-    if (!f->node || !f->count || !f->pair) return false;
+    double *centre = calloc(most + 1, sizeof *centre);
+    if (!f->node || !f->count || !f->pair || !centre) {
+        free(centre);
+        return false;
+    }
     const double period = reference_period(f);
     f->resting = !(period > 0);
     for (size_t r = 0; r < f->rows; r++)
         if (!map->row[r].error.status) fill_row(f, r, period);
-    for (size_t r = 0; r < f->rows; r++) pair_rows(f, r);
+    for (size_t r = 0; r < f->rows; r++) pair_rows(f, r, centre);
+    free(centre);
     return true;
 }
 
@@ -183,9 +221,10 @@ void field_free(field *f) {
 
 /* ---- colours ----------------------------------------------------------------------------------------------------- */
 
-/* Weak growth is what a map is looked at for: its half of the scale is wide. */
+/* Weak growth per period is what a map is looked at for: its half of the scale is wide. */
 double field_shade(const field *f, double level) {
-    return f->greatest > 0 ? sqrt(fmin(level / f->greatest, 1)) : 0;
+    const double part = f->greatest > 0 ? fmin(level / f->greatest, 1) : 0;
+    return f->resting ? part : sqrt(part);
 }
 
 /* Light to dark, told apart by all readers, after magma of Smith and van der Walt. */

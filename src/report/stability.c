@@ -59,13 +59,23 @@ void stability_write_frame(const stability_pen *pen, const char *explanation) {
             stability_size(pen, STABILITY_SMALL), stability_ink);
 }
 
+/* A step of 1, 2 or 5 times a power of ten, so that at most eight go into the greatest. */
+static double rate_step(double greatest) {
+    const double decade = greatest > 0 ? pow(10, floor(log10(greatest / 8))) : 1;
+    double step = decade;
+    for (int i = 0; greatest > 8 * step; i++) step = decade * (i == 0 ? 2 : i == 1 ? 5 : 10);
+    return step;
+}
+
 int stability_list_tics(const field *f, double apart, stability_tic tic[STABILITY_TICS]) {
-    static const double growth[] = {1,   1.01, 1.1, 1.5, 2,   3,    5,    10,   30,   100,
-                                    1e3, 1e4,  1e5, 1e6, 1e8, 1e10, 1e15, 1e20, 1e30, 1e50};
+    static const double growth[STABILITY_TICS] = {1,   1.01, 1.1,  1.5,  2,    3,   5,
+                                                  10,  30,   100,  1e3,  1e4,  1e5, 1e6,
+                                                  1e8, 1e10, 1e15, 1e20, 1e30, 1e50};
+    const double step = rate_step(f->greatest);
     double last = -1;
     int count = 0;
     for (int i = 0; i < STABILITY_TICS; i++) {
-        const double level = f->resting ? f->greatest * i / 10 : log(growth[i]);
+        const double level = f->resting ? i * step : log(growth[i]);
         const double shade = field_shade(f, level);
         if (level > f->greatest * (1 + 1e-9) || shade - last < apart) continue;
         last = shade;

@@ -106,7 +106,7 @@ static void write_bars(const stability_pen *pen, const char *const *mode, int mo
         const double y = top + LANE * lane + 0.5 * (LANE - BAR);
         const double from = stability_place_x(pen, fmax(one->from, pen->view.low_x));
         const double to = stability_place_x(pen, fmin(one->to, pen->view.high_x));
-        const bool still = one->kind == GOUGH_INTERVAL_STATIC;
+        const bool still = f->resting || one->kind == GOUGH_INTERVAL_STATIC;
         /* a bar as thin as a line is drawn by its border */
         fprintf(
             pen->file,
@@ -143,8 +143,12 @@ bool stability_write_line(stability_pen *pen) {
     pen->panel_height = PANEL_HEIGHT;
     pen->height =
         pen->top + PANEL_HEIGHT + LANES_GAP + LANE * stability_lanes(pen->field) + STABILITY_BELOW;
-    stability_write_frame(pen, "bars: a mode grows, below its threshold (pale) or by resonance "
-                               "(full) · dashed: thresholds at rest");
+    stability_write_frame(
+        pen,
+        pen->field->resting
+            ? "at rest · bars: where a mode grows · dashed: thresholds"
+            : "bars: a mode grows, below its threshold (pale) or by resonance (full) · dashed: "
+              "thresholds at rest");
     const bool good = write_growth(pen);
     plot_growth(pen);
     plot_lanes(pen);

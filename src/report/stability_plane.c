@@ -98,11 +98,10 @@ static bool write_edges(const stability_pen *pen) {
                              gough_map_value(&f->options->second, pair->row + 1)};
         const double edge[2][2] = {{low->from, high->from}, {low->to, high->to}};
         for (int side = 0; side < 2; side++) {
-            const bool cut = side == 1 && (low->cut || high->cut);
             const double *x = edge[side];
-            if (cut || !(fmin(x[0], x[1]) > pen->view.low_x) ||
-                !(fmax(x[0], x[1]) < pen->view.high_x))
-                continue;
+            const bool outside =
+                fmax(x[0], x[1]) <= pen->view.low_x || fmin(x[0], x[1]) >= pen->view.high_x;
+            if (outside || (side == 1 && low->cut && high->cut)) continue;
             const bool inner = field_covered(f, pair->row, pair->low, x[0]) &&
                                field_covered(f, pair->row + 1, pair->high, x[1]);
             fprintf(file, "%.9g %.9g %d\n%.9g %.9g %d\n\n\n", x[0], y[0], inner, x[1], y[1], inner);
@@ -189,7 +188,20 @@ static int text_width(const char *text) {
     return 7 * characters + 4;
 }
 
-/* Tongues, each followed through its rows; resonances only, as thresholds have names above the panel. */
+/* Whether an interval lies in another tongue, where a name would be taken for that one's. */
+static bool lies_within(const field *f, size_t row, int number) {
+    const gough_interval *one = field_interval(f, row, number);
+    const double centre = 0.5 * (one->from + one->to);
+    for (int i = 0; i < (int)f->map->row[row].intervals; i++) {
+        const gough_interval *other = field_interval(f, row, i);
+        if (i != number && other->kind != GOUGH_INTERVAL_STATIC && other->from < centre &&
+            centre < other->to && other->to - other->from > one->to - one->from)
+            return true;
+    }
+    return false;
+}
+
+/* Where tongues may have names; resonances only, as thresholds have names above the panel. */
 static size_t list_tongues(const stability_pen *pen, tongue *list, size_t room) {
     const field *f = pen->field;
     size_t count = 0;
@@ -199,7 +211,7 @@ static size_t list_tongues(const stability_pen *pen, tongue *list, size_t room) 
             const double from = fmax(one->from, pen->view.low_x),
                          to = fmin(one->to, pen->view.high_x);
             if (one->kind == GOUGH_INTERVAL_STATIC && pen->figure->rest) continue;
-            if (!(to > from)) continue;
+            if (!(to > from) || lies_within(f, r, i)) continue;
             list[count++] =
                 (tongue){r, stability_place_x(pen, to) - stability_place_x(pen, from), one};
         }
@@ -212,16 +224,24 @@ static int by_width(const void *left, const void *right) {
     return (a->row > b->row) - (a->row < b->row);
 }
 
-/* Writes a name inside an interval, to its right or to its left, where there is room. */
+/* Writes a name inside an interval, beside it, or beside it above or below, where a slanting tongue leaves room. */
 static bool place_name(const stability_pen *pen, const unsigned char *pixel, const tongue *t,
                        box *placed, int count) {
     const double value = gough_map_value(&pen->field->options->second, t->row);
     const double y = stability_place_y(pen, value), width = text_width(t->widest->mode.name);
     const double from = stability_place_x(pen, fmax(t->widest->from, pen->view.low_x));
     const double to = stability_place_x(pen, fmin(t->widest->to, pen->view.high_x));
-    const double left[3] = {0.5 * (from + to - width), to + 4, from - 4 - width};
-    for (int i = 0; i < 3; i++) {
-        const box b = {left[i], y - 0.5 * NAME_HEIGHT, width, NAME_HEIGHT};
+    const double level = y - 0.5 * NAME_HEIGHT, above = y - 2 - NAME_HEIGHT, below = y + 2;
+    const double right = to + 4, left = from - 4 - width;
+    const double corner[][2] = {{0.5 * (from + to - width), level},
+                                {right, level},
+                                {left, level},
+                                {right, below},
+                                {left, above},
+                                {right, above},
+                                {left, below}};
+    for (size_t i = 0; i < sizeof corner / sizeof corner[0]; i++) {
+        const box b = {corner[i][0], corner[i][1], width, NAME_HEIGHT};
         const int ground = ground_of(pixel, pen, &b);
         if (ground == 0 || !is_free(&b, placed, count)) continue;
         placed[count] = b;
@@ -229,8 +249,8 @@ static bool place_name(const stability_pen *pen, const unsigned char *pixel, con
                 "set label '%s' at screen %.6f,screen %.6f center front noenhanced font ',%.4g' "
                 "textcolor rgb '%s'\n",
                 t->widest->mode.name, stability_screen_x(b.left + 0.5 * width),
-                stability_screen_y(pen, y), stability_size(pen, STABILITY_SMALL),
-                ground < 0 ? "white" : "black");
+                stability_screen_y(pen, b.top + 0.5 * NAME_HEIGHT),
+                stability_size(pen, STABILITY_SMALL), ground < 0 ? "white" : "black");
         return true;
     }
     return false;
