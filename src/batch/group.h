@@ -109,6 +109,8 @@ static inline void group_replay(run *r, real t) {
         for (int v = 0; v < LEGS; v++) {
             s->force[v] = number_of(record->force[v]);
             s->program.length[v] = number_of(record->length[v]);
+        }
+        for (int v = 0; r->damped && v < LEGS; v++) {
             s->program.rate[v] = number_of(record->rate[v]);
         }
         s->singularity =

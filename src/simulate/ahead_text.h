@@ -68,11 +68,12 @@ static inline int ahead_pack(run *r, ahead_block *b, int first,
     if (still != 0 && still != NUMBER_WIDTH) return 0;
 
     run_displacement(r, &d, &s);
+    if (r->damped) legs_rates(&r->h, &s.x[1], &s.program);
     if (r->solves) run_program_forces(r, vertical, &s);
     for (int v = 0; v < LEGS; v++) {
         ahead_keep(&b->force[v][first], s.force[v]);
         ahead_keep(&b->length[v][first], s.program.length[v]);
-        ahead_keep(&b->rate[v][first], s.program.rate[v]);
+        if (r->damped) ahead_keep(&b->rate[v][first], s.program.rate[v]);
     }
     ahead_keep(&b->determinant[first], s.singularity.determinant);
     ahead_keep(&b->pivot_ratio[first], s.singularity.pivot_ratio);

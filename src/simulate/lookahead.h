@@ -23,7 +23,7 @@ static inline void lookahead_take(run *r, real t, const ahead_block *b, int at) 
     for (int v = 0; v < LEGS; v++) {
         s->force[v] = b->force[v][at];
         s->program.length[v] = b->length[v][at];
-        s->program.rate[v] = b->rate[v][at];
+        if (r->damped) s->program.rate[v] = b->rate[v][at];
     }
     s->singularity = (elimination){b->determinant[at], b->pivot_ratio[at]};
     run_disturbances(r, t, s);

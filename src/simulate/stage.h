@@ -266,13 +266,12 @@ static inline void run_add_noise(run *r, real t, stage *s) {
     s->turn = add(s->turn, (vector){value[LEGS + 3], value[LEGS + 4], value[LEGS + 5]});
 }
 
-/* the program's motion in a stage, no forces yet */
+/* the program's motion in a stage, no rates of legs and no forces yet */
 static inline void run_displacement(run *r, const displacement *d, stage *s) {
     for (int v = 0; v < LEGS; v++) s->force[v] = number_of(0);
     s->singularity = (elimination){number_of(1), number_of(1)};
     coordinates_of_displacement(&r->h, r->height, r->motion->about, d, s->x);
     legs_at(&r->h, &s->x[0], &s->program);
-    legs_rates(&r->h, &s->x[1], &s->program);
 }
 
 static inline void run_program(run *r, const jet component[GOUGH_COMPONENTS], stage *s) {
@@ -280,6 +279,7 @@ static inline void run_program(run *r, const jet component[GOUGH_COMPONENTS], st
 
     displacement_of(component, &d);
     run_displacement(r, &d, s);
+    legs_rates(&r->h, &s->x[1], &s->program);
 }
 
 static inline number run_vertical(run *r, real t) {
