@@ -11,7 +11,10 @@ function core() {
   return {
     name: "core",
     resolveId: (id) => (id === name ? `\0${name}` : null),
-    load: (id) => (id === `\0${name}` ? `export default ${JSON.stringify(path ? readFileSync(path, "base64") : "")};` : null),
+    load: (id) =>
+      id === `\0${name}`
+        ? `export default ${JSON.stringify(path ? readFileSync(path, "base64") : "")};`
+        : null,
   };
 }
 

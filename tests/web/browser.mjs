@@ -15,7 +15,10 @@ export const example = (name) => join(SOURCE, "examples", `${name}.yaml`);
 
 /** The example whose motion is recorded, with its record. */
 export function flightSimulator() {
-  const samples = spawnSync("awk", ["-f", join(SOURCE, "examples/ship-deck.awk")], { encoding: "utf8", maxBuffer: 1 << 26 }).stdout;
+  const samples = spawnSync("awk", ["-f", join(SOURCE, "examples/ship-deck.awk")], {
+    encoding: "utf8",
+    maxBuffer: 1 << 26,
+  }).stdout;
   writeFileSync(join(SCRATCH, "ship-deck.csv"), samples);
   return study("flight-simulator.yaml", readFileSync(example("flight-simulator"), "utf8"));
 }
@@ -30,7 +33,8 @@ export function study(name, text) {
 /** Runs the command; a numerical end (1) is an answer. */
 export function gough(...words) {
   const done = spawnSync(GOUGH, words, { encoding: "utf8", maxBuffer: 1 << 30, cwd: SCRATCH });
-  if (done.status === null || done.status > 1) throw new Error(`gough ${words.join(" ")}: ${done.status} ${done.stderr}`);
+  if (done.status === null || done.status > 1)
+    throw new Error(`gough ${words.join(" ")}: ${done.status} ${done.stderr}`);
   return done.stdout;
 }
 
@@ -49,7 +53,9 @@ export function report(...words) {
 
 /** A table of the command as {names, rows: [[number]]}. */
 export function table(verb, file, ...options) {
-  const [head, ...lines] = gough(verb, file, ...options, "-q", "-o", "-").trim().split("\n");
+  const [head, ...lines] = gough(verb, file, ...options, "-q", "-o", "-")
+    .trim()
+    .split("\n");
   return { names: head.split(","), rows: lines.map((line) => line.split(",").map(Number)) };
 }
 
@@ -58,24 +64,51 @@ let browsers = {};
 async function browser(webgl) {
   browsers[webgl] ??= chromium.launch({
     executablePath: CHROMIUM,
-    args: ["--no-sandbox", ...(webgl ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-gpu", "--disable-3d-apis"])],
+    args: [
+      "--no-sandbox",
+      ...(webgl
+        ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+        : ["--disable-gpu", "--disable-3d-apis"]),
+    ],
   });
   return browsers[webgl];
 }
 
 /** Opens a page and waits until its curves are there. page.said collects errors of the console and of scripts. */
-export async function open(file, { width = 1360, height = 860, dark = false, motion = false, webgl = true, touch = false } = {}) {
-  const context = await (await browser(webgl)).newContext({
-    viewport: { width, height }, colorScheme: dark ? "dark" : "light", reducedMotion: motion ? "no-preference" : "reduce", acceptDownloads: true, hasTouch: touch,
+export async function open(
+  file,
+  { width = 1360, height = 860, dark = false, motion = false, webgl = true, touch = false } = {},
+) {
+  const context = await (
+    await browser(webgl)
+  ).newContext({
+    viewport: { width, height },
+    colorScheme: dark ? "dark" : "light",
+    reducedMotion: motion ? "no-preference" : "reduce",
+    acceptDownloads: true,
+    hasTouch: touch,
   });
   const page = await context.newPage();
   page.said = [];
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.said.push(message.text()));
+  page.on(
+    "console",
+    (message) => ["error", "warning"].includes(message.type()) && page.said.push(message.text()),
+  );
   page.on("pageerror", (error) => page.said.push(error.stack));
-  page.on("request", (request) => /^(https?|ws):/.test(request.url()) && page.said.push(`asks the network for ${request.url()}`));
+  page.on(
+    "request",
+    (request) =>
+      /^(https?|ws):/.test(request.url()) &&
+      page.said.push(`asks the network for ${request.url()}`),
+  );
   await page.goto(pathToFileURL(file).href);
-  await page.waitForFunction(() => document.documentElement.dataset.ready === "true", null, { timeout: 60000 });
-  if (webgl) await page.waitForFunction(() => document.documentElement.dataset.firstPicture, null, { timeout: 60000 });
+  await page.waitForFunction(() => document.documentElement.dataset.ready === "true", null, {
+    timeout: 60000,
+  });
+  if (webgl)
+    await page.waitForFunction(() => document.documentElement.dataset.firstPicture, null, {
+      timeout: 60000,
+    });
   return page;
 }
 
@@ -102,7 +135,9 @@ export async function saved(page, name) {
 
 /** The number that a text of the page stands for: "−1.5·10⁻⁷ m" gives −1.5e-7. */
 export function read(text) {
-  const plain = text.replace(/[\u2212]/g, "-").replace(/[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]/g, (mark) => "-0123456789"["⁻⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(mark)]);
+  const plain = text
+    .replace(/[\u2212]/g, "-")
+    .replace(/[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]/g, (mark) => "-0123456789"["⁻⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(mark)]);
   const [, mantissa, power] = /(-?[\d.]+)(?:·10(-?\d+))?/.exec(plain) ?? [null, "NaN"];
   return Number(power === undefined ? mantissa : `${mantissa}e${power}`);
 }
@@ -117,7 +152,10 @@ export async function scrubTo(page, row) {
 }
 
 /** Waits until the page has drawn twice. */
-export const pictureDrawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+export const pictureDrawn = (page) =>
+  page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+  );
 
 export const sizeOf = (file) => statSync(file).size;
 export const present = (file) => existsSync(file);

@@ -1,7 +1,17 @@
 // The live run in the page: the core in its thread, sliders, the reader's hand, and what is said when the platform goes.
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
-import { byName, closeAll, example, flightSimulator, open, picture, pictureDrawn, read, report } from "./browser.mjs";
+import {
+  byName,
+  closeAll,
+  example,
+  flightSimulator,
+  open,
+  picture,
+  pictureDrawn,
+  read,
+  report,
+} from "./browser.mjs";
 
 after(closeAll);
 
@@ -19,18 +29,25 @@ async function set(page, name, value) {
   await box.press("Enter");
 }
 
-const time = (page) => page.evaluate(() => {
-  const { live } = window.goughPage;
-  return live.row[live.place.t];
-});
-const off = (page) => page.evaluate(() => {
-  const { live } = window.goughPage;
-  return Math.hypot(...["ex", "ey", "ez"].map((name) => live.row[live.place[name]]));
-});
-const reach = (page, wanted) => page.waitForFunction((t) => {
-  const { live } = window.goughPage;
-  return live.over || live.row[live.place.t] > t;
-}, wanted, { timeout: 120000 });
+const time = (page) =>
+  page.evaluate(() => {
+    const { live } = window.goughPage;
+    return live.row[live.place.t];
+  });
+const off = (page) =>
+  page.evaluate(() => {
+    const { live } = window.goughPage;
+    return Math.hypot(...["ex", "ey", "ez"].map((name) => live.row[live.place[name]]));
+  });
+const reach = (page, wanted) =>
+  page.waitForFunction(
+    (t) => {
+      const { live } = window.goughPage;
+      return live.over || live.row[live.place.t] > t;
+    },
+    wanted,
+    { timeout: 120000 },
+  );
 
 test("below the threshold of G the platform leaves and the page says why; above it stays", async () => {
   const page = await live(example("paper-feedback"));
@@ -43,7 +60,9 @@ test("below the threshold of G the platform leaves and the page says why; above 
   await set(page, "stiffness", 50);
   await byName(page, "fallen-restart").click();
   assert.ok(await byName(page, "fallen").isHidden());
-  await page.waitForFunction(() => !window.goughPage.live.over && window.goughPage.live.row[0] < 30);
+  await page.waitForFunction(
+    () => !window.goughPage.live.over && window.goughPage.live.row[0] < 30,
+  );
   await reach(page, 60);
   assert.ok(await byName(page, "fallen").isHidden());
   assert.ok((await off(page)) < 1e-4, `${await off(page)} off`);
@@ -73,7 +92,9 @@ test("without program forces a stiff feedback still carries the platform", async
   await set(page, "speed", 10);
   await reach(page, 20);
   // legs must be shorter to carry the weight: the top hangs M g l²/(6 h² G) = 2.5e-3 low at rest, and moves about that
-  const deviation = await page.evaluate(() => Math.max(...window.goughPage.live.samples.off));
+  const deviation = await page.evaluate(() =>
+    Math.max(...window.goughPage.live.strips.samples.off),
+  );
   assert.ok(deviation > 1e-3 && deviation < 7e-3, `${deviation}`);
   await page.close();
 });
@@ -91,20 +112,28 @@ test("a hand on the load moves it, an arrow shows it, and feedback takes it back
   await page.mouse.move(box.x + grip[0], box.y + grip[1]);
   await page.mouse.down();
   await page.mouse.move(box.x + grip[0] + 150, box.y + grip[1] - 40, { steps: 5 });
-  await page.waitForFunction(() => {
-    const { live } = window.goughPage;
-    return Math.hypot(live.row[live.place.ex], live.row[live.place.ey]) > 0.01;
-  }, null, { timeout: 60000 });
+  await page.waitForFunction(
+    () => {
+      const { live } = window.goughPage;
+      return Math.hypot(live.row[live.place.ex], live.row[live.place.ey]) > 0.01;
+    },
+    null,
+    { timeout: 60000 },
+  );
   assert.ok(await page.locator("#push").isVisible());
   assert.match(await page.locator("#push-size").textContent(), /M g/);
   await picture(page, "live-push");
   await page.mouse.up();
   assert.ok(await page.locator("#push").isHidden());
   await set(page, "speed", 10);
-  await page.waitForFunction(() => {
-    const { live } = window.goughPage;
-    return live.over || Math.hypot(live.row[live.place.ex], live.row[live.place.ey]) < 1e-3;
-  }, null, { timeout: 60000 });
+  await page.waitForFunction(
+    () => {
+      const { live } = window.goughPage;
+      return live.over || Math.hypot(live.row[live.place.ex], live.row[live.place.ey]) < 1e-3;
+    },
+    null,
+    { timeout: 60000 },
+  );
   assert.ok(await byName(page, "fallen").isHidden());
   assert.deepEqual(page.said, []);
   await page.close();
@@ -113,7 +142,10 @@ test("a hand on the load moves it, an arrow shows it, and feedback takes it back
 test("runs faster than real time, and keys pause it and start it again", async () => {
   const page = await live(flightSimulator());
   await page.waitForFunction(() => window.goughPage.live.ratio > 0);
-  assert.ok((await page.evaluate(() => window.goughPage.live.ratio)) > 3, `${await page.evaluate(() => window.goughPage.live.ratio)}`);
+  assert.ok(
+    (await page.evaluate(() => window.goughPage.live.ratio)) > 3,
+    `${await page.evaluate(() => window.goughPage.live.ratio)}`,
+  );
   await reach(page, 1);
   await picture(page, "live-simulator");
   await page.locator("h1").click();

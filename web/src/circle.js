@@ -6,7 +6,12 @@ import { number } from "./format.js";
 const REACH = 1.62;
 
 function frame(label, ...parts) {
-  const svg = drawing("svg", { class: "plane", viewBox: `${-REACH} ${-REACH} ${2 * REACH} ${2 * REACH}`, role: "img", "aria-label": label });
+  const svg = drawing("svg", {
+    class: "plane",
+    viewBox: `${-REACH} ${-REACH} ${2 * REACH} ${2 * REACH}`,
+    role: "img",
+    "aria-label": label,
+  });
   svg.append(
     drawing("path", { class: "plane-axis", d: `M${-REACH} 0H${REACH}M0 ${-REACH}V${REACH}` }),
     ...parts,
@@ -18,7 +23,9 @@ function frame(label, ...parts) {
 
 /** Points [re, im], by logarithm of the size beyond radius 1 so that a large multiplier still has a place. */
 export function multiplierCircle(multipliers) {
-  const largest = Math.log(Math.max(...multipliers.map((multiplier) => Math.hypot(...multiplier)), 10));
+  const largest = Math.log(
+    Math.max(...multipliers.map((multiplier) => Math.hypot(...multiplier)), 10),
+  );
   const compressed = ([re, im]) => {
     const size = Math.hypot(re, im);
     const drawn = size <= 1 ? size : 1 + (0.5 * Math.log(size)) / largest;
@@ -29,16 +36,28 @@ export function multiplierCircle(multipliers) {
     const [x, y] = compressed(multiplier);
     const kind = size > 1 + 1e-7 ? "grows" : size < 1 - 1e-7 ? "decays" : "stays";
     return drawing(
-      "g", { class: `dot ${kind}` },
-      drawing("title", {}, `${number(multiplier[0], 6)} ${multiplier[1] < 0 ? "−" : "+"} ${number(Math.abs(multiplier[1]), 6)}i, size ${number(size, 6)}`),
+      "g",
+      { class: `dot ${kind}` },
+      drawing(
+        "title",
+        {},
+        `${number(multiplier[0], 6)} ${multiplier[1] < 0 ? "−" : "+"} ${number(Math.abs(multiplier[1]), 6)}i, size ${number(size, 6)}`,
+      ),
       kind === "grows"
-        ? drawing("rect", { x: x - 0.05, y: -y - 0.05, width: 0.1, height: 0.1, transform: `rotate(45 ${x} ${-y})` })
+        ? drawing("rect", {
+            x: x - 0.05,
+            y: -y - 0.05,
+            width: 0.1,
+            height: 0.1,
+            transform: `rotate(45 ${x} ${-y})`,
+          })
         : drawing("circle", { cx: x, cy: -y, r: 0.055 }),
     );
   });
   const grows = multipliers.filter((multiplier) => Math.hypot(...multiplier) > 1 + 1e-7).length;
   return frame(
     `Floquet multipliers in the complex plane: ${grows ? `${grows} of ${multipliers.length} outside the unit circle` : "all within or on the unit circle"}`,
-    drawing("circle", { class: "unit-circle", r: 1 }), ...dots,
+    drawing("circle", { class: "unit-circle", r: 1 }),
+    ...dots,
   );
 }

@@ -1,13 +1,28 @@
 // Colours that stay apart for readers who see fewer of them (Okabe and Ito's set), and the diverging scale of forces.
+// Each is a property of the theme (style.css): darker on paper, lighter at night.
+import { themed } from "./dom.js";
+
+const BLUE = "var(--blue)";
+const AMBER = "var(--amber)";
+const GREEN = "var(--green)";
+const RED = "var(--red)";
+const PINK = "var(--pink)";
+const SKY = "var(--sky)";
+
+/** What is none of these: the program beside an actual motion. */
+export const GREY = "var(--grey)";
 
 /** Legs 1 … 6. */
-export const LEGS = ["#0072b2", "#e69f00", "#009e73", "#d55e00", "#cc79a7", "#56b4e9"];
+export const LEGS = [BLUE, AMBER, GREEN, RED, PINK, SKY];
 
 /** Studies beside each other, by order. */
-export const STUDIES = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+export const STUDIES = [BLUE, RED, GREEN, PINK, AMBER, SKY];
 
 /** Components x, y, z (roll, pitch, yaw). */
-export const AXES = ["#d55e00", "#009e73", "#0072b2"];
+export const AXES = [RED, GREEN, BLUE];
+
+/** A colour of the theme in force as a canvas wants it: "var(--blue)" gives "#0072b2". */
+export const plain = (color) => (color.startsWith("var(") ? themed(color.slice(4, -1)) : color);
 
 export const studyColor = (index) => STUDIES[index % STUDIES.length];
 
@@ -15,11 +30,14 @@ export const studyColor = (index) => STUDIES[index % STUDIES.length];
 const PULL = ["#0b3c7d", "#2f74b5", "#7fb2d9", "#c3d7e4"];
 const NONE = "#dcdcd6";
 const PUSH = ["#f0d2a8", "#f0a653", "#dd7220", "#9c3c00"];
-const SCALE = [...PULL, NONE, ...PUSH].map((hex) => [1, 3, 5].map((start) => parseInt(hex.slice(start, start + 2), 16)));
+const SCALE = [...PULL, NONE, ...PUSH].map((hex) =>
+  [1, 3, 5].map((start) => parseInt(hex.slice(start, start + 2), 16)),
+);
 
 /** Colour of a force as [red, green, blue] of 255; `share` from −1 (greatest pull) to 1 (greatest push). */
 export function forceColor(share) {
-  const position = ((Math.min(Math.max(Number.isFinite(share) ? share : 0, -1), 1) + 1) / 2) * (SCALE.length - 1);
+  const position =
+    ((Math.min(Math.max(Number.isFinite(share) ? share : 0, -1), 1) + 1) / 2) * (SCALE.length - 1);
   const low = Math.min(Math.floor(position), SCALE.length - 2);
   const blend = position - low;
   return SCALE[low].map((part, index) => Math.round(part + blend * (SCALE[low + 1][index] - part)));

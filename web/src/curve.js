@@ -1,6 +1,7 @@
 // One figure of curves: a card with heading, key with the values of the moment, and uPlot below. All figures share the range of
 // time (zoom) and the cursor.
 import uPlot from "uplot";
+import { plain } from "./color.js";
 import { element, themed } from "./dom.js";
 import { number, powers, ticks, unit, unitAfter } from "./format.js";
 import { download, fileName, svgOf } from "./save.js";
@@ -57,37 +58,94 @@ export class Curve {
     this.plotHost = element("div", { class: "plot", role: "img", "aria-label": this.spoken() });
     this.key = element("div", { class: "key" });
     this.values = spec.lines.map((line) => {
-      const value = element("output", { class: "value", "data-testid": `value-${spec.id}-${line.name ?? line.label}` });
+      const value = element("output", {
+        class: "value",
+        "data-testid": `value-${spec.id}-${line.name ?? line.label}`,
+      });
       const chip = element(
         "button",
-        { class: line.program ? "chip plan" : "chip", type: "button", "aria-pressed": "true", title: `${line.long ?? line.label}: show or hide`, style: { "--mark": line.color } },
-        element("i", { class: line.dash ? "swatch dashed" : "swatch" }), element("span", {}, line.label), value,
+        {
+          class: line.program ? "chip plan" : "chip",
+          type: "button",
+          "aria-pressed": "true",
+          title: `${line.long ?? line.label}: show or hide`,
+          style: { "--mark": line.color },
+        },
+        element("i", { class: line.dash ? "swatch dashed" : "swatch" }),
+        element("span", {}, line.label),
+        value,
       );
       chip.addEventListener("click", () => this.show([line], this.hidden.has(line)));
       line.chip = chip;
       this.key.append(chip);
       return value;
     });
-    this.logButton = element("button", { class: "mini", type: "button", "aria-pressed": String(this.logarithmic), title: "magnitudes on a logarithmic axis" }, "log");
+    this.logButton = element(
+      "button",
+      {
+        class: "mini",
+        type: "button",
+        "aria-pressed": String(this.logarithmic),
+        title: "magnitudes on a logarithmic axis",
+      },
+      "log",
+    );
     this.logButton.addEventListener("click", () => this.setLogarithmic(!this.logarithmic));
-    const save = (kind, action) => element("button", { class: "mini", type: "button", title: `save this figure as ${kind}`, "data-testid": `save-${kind.toLowerCase()}-${spec.id}`, onclick: action }, kind);
+    const save = (kind, action) =>
+      element(
+        "button",
+        {
+          class: "mini",
+          type: "button",
+          title: `save this figure as ${kind}`,
+          "data-testid": `save-${kind.toLowerCase()}-${spec.id}`,
+          onclick: action,
+        },
+        kind,
+      );
     this.card = element(
       "figure",
-      { class: `curve${spec.wide ? " wide" : ""}`, id: `curve-${spec.id}`, "data-testid": `curve-${spec.id}` },
+      {
+        class: `curve${spec.wide ? " wide" : ""}`,
+        id: `curve-${spec.id}`,
+        "data-testid": `curve-${spec.id}`,
+      },
       element(
-        "figcaption", {},
-        element("h3", {}, spec.title), unitWords && element("span", { class: "unit" }, unitWords),
-        element("span", { class: "acts" }, spec.logable && this.logButton, spec.limits?.length > 0 && this.limitsButton(), save("PNG", () => this.savePng()), save("SVG", () => this.saveSvg())),
+        "figcaption",
+        {},
+        element("h3", {}, spec.title),
+        unitWords && element("span", { class: "unit" }, unitWords),
+        element(
+          "span",
+          { class: "acts" },
+          spec.logable && this.logButton,
+          spec.limits?.length > 0 && this.limitsButton(),
+          save("PNG", () => this.savePng()),
+          save("SVG", () => this.saveSvg()),
+        ),
       ),
       spec.note && element("p", { class: "note" }, spec.note),
-      this.key, this.plotHost,
+      this.key,
+      this.plotHost,
     );
     spec.lines.forEach((line) => this.mark(line));
   }
 
   limitsButton() {
-    const words = this.spec.limits.map(({ value }) => `${number(value)}${unitAfter(this.spec.unit)}`).join(" and ");
-    const button = element("button", { class: "mini", type: "button", "aria-pressed": "false", title: `the limits, ${words}, within the picture`, "data-testid": `limits-${this.spec.id}` }, "limits");
+    const words = this.spec.limits
+      .map(({ value }) => `${number(value)}${unitAfter(this.spec.unit)}`)
+      .join(" and ");
+    const button = element(
+      "button",
+      {
+        class: "mini",
+        type: "button",
+        "aria-pressed": "false",
+        title: `the limits, ${words}, within the picture`,
+        "data-testid": `limits-${this.spec.id}`,
+      },
+      "limits",
+    );
     button.addEventListener("click", () => {
       this.allLimits = !this.allLimits;
       button.setAttribute("aria-pressed", String(this.allLimits));
@@ -144,8 +202,17 @@ export class Curve {
     const order = [];
     for (const t of new Set(lines.map((line) => line.t))) {
       const group = lines.filter((line) => line.t === t);
-      const thinned = thin(t, group.map((line) => line.y), from, to, buckets);
-      if (this.logarithmic) thinned.lines = thinned.lines.map((y) => y.map((value) => (value === null || value === 0 ? null : Math.abs(value))));
+      const thinned = thin(
+        t,
+        group.map((line) => line.y),
+        from,
+        to,
+        buckets,
+      );
+      if (this.logarithmic)
+        thinned.lines = thinned.lines.map((y) =>
+          y.map((value) => (value === null || value === 0 ? null : Math.abs(value))),
+        );
       tables.push([thinned.x, ...thinned.lines]);
       order.push(...group);
     }
@@ -156,7 +223,11 @@ export class Curve {
   /** Range of the ordinate: of the data, with the limits where they are not far off. */
   ordinate(least, greatest) {
     if (least === null || greatest === null) return this.logarithmic ? [0.1, 1] : [0, 1];
-    if (this.logarithmic) return [10 ** Math.floor(Math.log10(least) - 1e-9), 10 ** Math.ceil(Math.log10(greatest) + 1e-9)];
+    if (this.logarithmic)
+      return [
+        10 ** Math.floor(Math.log10(least) - 1e-9),
+        10 ** Math.ceil(Math.log10(greatest) + 1e-9),
+      ];
     let [low, high] = [least, greatest];
     const size = Math.max(Math.abs(low), Math.abs(high));
     // limits not far from the data are within the picture; those that would crush it come at the reader's wish
@@ -171,7 +242,10 @@ export class Curve {
 
   options(order) {
     const axis = {
-      stroke: themed("--muted"), grid: { stroke: themed("--rule"), width: 1 }, ticks: { show: false }, font: "11px system-ui, sans-serif",
+      stroke: themed("--muted"),
+      grid: { stroke: themed("--rule"), width: 1 },
+      ticks: { show: false },
+      font: "11px system-ui, sans-serif",
     };
     return {
       width: this.plotHost.clientWidth || 400,
@@ -179,22 +253,46 @@ export class Curve {
       legend: { show: false },
       padding: [8, 12, 0, 0],
       cursor: {
-        x: false, y: false, points: { show: false },
+        x: false,
+        y: false,
+        points: { show: false },
         drag: { x: true, y: false, setScale: false },
-        bind: { dblclick: () => () => { this.range.reset(); return null; } },
+        bind: {
+          dblclick: () => () => {
+            this.range.reset();
+            return null;
+          },
+        },
       },
       scales: {
         x: { time: false, range: () => this.range.shown },
-        y: { distr: this.logarithmic ? 3 : 1, range: (_, least, greatest) => this.ordinate(least, greatest) },
+        y: {
+          distr: this.logarithmic ? 3 : 1,
+          range: (_, least, greatest) => this.ordinate(least, greatest),
+        },
       },
       axes: [
         { ...axis, size: 30, values: (_, values) => ticks(values) },
-        { ...axis, size: 58, values: (_, values) => (this.logarithmic ? powers(values) : ticks(values)) },
+        {
+          ...axis,
+          size: 58,
+          values: (_, values) => (this.logarithmic ? powers(values) : ticks(values)),
+        },
       ],
-      series: [{}, ...order.map((line) => ({
-        stroke: line.color, width: line.width ?? 1.5, dash: line.dash, spanGaps: false, points: { show: false },
-      }))],
-      hooks: { setSelect: [(plot) => this.select(plot)], drawAxes: [(plot) => this.drawLimits(plot)] },
+      series: [
+        {},
+        ...order.map((line) => ({
+          stroke: plain(line.color),
+          width: line.width ?? 1.5,
+          dash: line.dash,
+          spanGaps: false,
+          points: { show: false },
+        })),
+      ],
+      hooks: {
+        setSelect: [(plot) => this.select(plot)],
+        drawAxes: [(plot) => this.drawLimits(plot)],
+      },
     };
   }
 
@@ -261,7 +359,8 @@ export class Curve {
 
   /** Pointing moves the common cursor; a click always does. */
   listen(over) {
-    const at = (event) => this.plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x");
+    const at = (event) =>
+      this.plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x");
     let pressed = null;
     over.addEventListener("pointerdown", (event) => (pressed = event.clientX));
     over.addEventListener("pointermove", (event) => {
@@ -275,7 +374,8 @@ export class Curve {
   }
 
   resize() {
-    if (!this.plot || !this.plotHost.clientWidth || this.plot.width === this.plotHost.clientWidth) return;
+    if (!this.plot || !this.plotHost.clientWidth || this.plot.width === this.plotHost.clientWidth)
+      return;
     this.plot.setSize({ width: this.plotHost.clientWidth, height: HEIGHT });
     this.refresh();
   }
@@ -289,7 +389,10 @@ export class Curve {
     this.cursor.style.visibility = time >= from && time <= to ? "visible" : "hidden";
     this.spec.lines.forEach((line, index) => {
       const row = lowerBound(line.t, time + 1e-9 * Math.max(1, time)) - 1;
-      const text = row >= 0 && time <= line.t[line.t.length - 1] * (1 + 1e-9) + 1e-9 ? number(line.y[row], 5) : "–";
+      const text =
+        row >= 0 && time <= line.t[line.t.length - 1] * (1 + 1e-9) + 1e-9
+          ? number(line.y[row], 5)
+          : "–";
       if (this.values[index].textContent !== text) this.values[index].textContent = text;
     });
   }
@@ -311,8 +414,16 @@ export class Curve {
       title: `${spec.title} · ${this.study}`,
       ordinate: unit(spec.unit) ? `${spec.title} [${unit(spec.unit)}]` : spec.title,
       abscissa: unit(timeUnit) ? `t [${unit(timeUnit)}]` : "t",
-      x: data[0], xRange: this.range.shown, yRange: [min, max], logarithmic: this.logarithmic, limits: spec.limits,
-      lines: order.map((line, index) => ({ ...line, y: data[index + 1] })),
+      x: data[0],
+      xRange: this.range.shown,
+      yRange: [min, max],
+      logarithmic: this.logarithmic,
+      limits: spec.limits,
+      lines: order.map((line, index) => ({
+        ...line,
+        color: plain(line.color),
+        y: data[index + 1],
+      })),
     };
   }
 

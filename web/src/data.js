@@ -1,17 +1,23 @@
 // What `gough report` wrote into the page: studies with their tables. A column is decoded when it is first asked for, so that a
 // recording of many rows opens at once.
-import { blendAngle, poseOf } from "./pose.js";
+import { blendAngle, placed, poseOf } from "./pose.js";
 
 const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
+
+/** Points of a path that is drawn: a longer run is thinned evenly. */
+const PATH_POINTS = 4000;
 
 /** Little-endian doubles from base64. */
 export function decode(text) {
   const characters = atob(text);
   const bytes = new Uint8Array(characters.length);
   for (let index = 0; index < bytes.length; index++) bytes[index] = characters.charCodeAt(index);
-  if (new Uint8Array(new Uint16Array([1]).buffer)[0] === 1) return new Float64Array(bytes.buffer, 0, bytes.length >> 3);
+  if (new Uint8Array(new Uint16Array([1]).buffer)[0] === 1)
+    return new Float64Array(bytes.buffer, 0, bytes.length >> 3);
   const view = new DataView(bytes.buffer);
-  return Float64Array.from({ length: bytes.length >> 3 }, (_, index) => view.getFloat64(8 * index, true));
+  return Float64Array.from({ length: bytes.length >> 3 }, (_, index) =>
+    view.getFloat64(8 * index, true),
+  );
 }
 
 /** A table of columns, rows at equal steps of time. */
@@ -66,8 +72,18 @@ export class Table {
     if (!values || !this.rows) return NaN;
     const { row, share } = this.at(time);
     if (share === 0) return values[row];
-    if (name === "roll" || name === "pitch" || name === "yaw") return blendAngle(values[row], values[row + 1], share);
+    if (name === "roll" || name === "pitch" || name === "yaw")
+      return blendAngle(values[row], values[row + 1], share);
     return values[row] + share * (values[row + 1] - values[row]);
+  }
+
+  /** The path of a point of the top frame, as x, y, z, …, and how many rows lie between its points. */
+  path(point) {
+    const stride = Math.max(1, Math.ceil(this.rows / PATH_POINTS));
+    const points = [];
+    for (let row = 0; row < this.rows; row += stride)
+      points.push(...placed(this.pose(this.t[row]), point));
+    return { points, stride };
   }
 
   /** Pose at a time. */
@@ -90,7 +106,10 @@ export class Study {
 
   /** Time up to which there is anything to see. */
   get duration() {
-    return Math.max(this.run.rows ? this.lastTime : 0, this.plan.rows ? this.plan.t[this.plan.rows - 1] : 0);
+    return Math.max(
+      this.run.rows ? this.lastTime : 0,
+      this.plan.rows ? this.plan.t[this.plan.rows - 1] : 0,
+    );
   }
 
   /** Unit of a dimension: of a column that has it. */
@@ -102,7 +121,8 @@ export class Study {
   get peakForce() {
     let peak = 0;
     for (const summary of [this.simulate, this.forces])
-      for (const leg of summary?.legs ?? []) peak = Math.max(peak, Math.abs(leg.force[0] ?? 0), Math.abs(leg.force[1] ?? 0));
+      for (const leg of summary?.legs ?? [])
+        peak = Math.max(peak, Math.abs(leg.force[0] ?? 0), Math.abs(leg.force[1] ?? 0));
     return peak || 1;
   }
 
@@ -111,8 +131,14 @@ export class Study {
     if (this.units !== "dimensionless" || this.plan.rows < 2) return false;
     const { t } = this.plan;
     const z = this.plan.column("z");
-    for (const name of ["x", "y", "roll", "pitch", "yaw"]) if (this.plan.column(name).some((value) => Math.abs(value) > 1e-9)) return false;
-    return t.every((time, row) => Math.abs(z[row] - this.machine.height - 0.2 * Math.sin(time) * (1 - Math.exp(-time / 2)) ** 2) < 1e-9);
+    for (const name of ["x", "y", "roll", "pitch", "yaw"])
+      if (this.plan.column(name).some((value) => Math.abs(value) > 1e-9)) return false;
+    return t.every(
+      (time, row) =>
+        Math.abs(
+          z[row] - this.machine.height - 0.2 * Math.sin(time) * (1 - Math.exp(-time / 2)) ** 2,
+        ) < 1e-9,
+    );
   }
 
   /** Whether the legs' forces do not depend on where the top is. */
@@ -125,5 +151,8 @@ export class Study {
 export function readStudies() {
   const page = JSON.parse(document.getElementById("gough-data").textContent);
   if (!page) return null;
-  return { version: page.version, studies: page.studies.map((raw, index) => new Study(raw, index)) };
+  return {
+    version: page.version,
+    studies: page.studies.map((raw, index) => new Study(raw, index)),
+  };
 }

@@ -6,7 +6,8 @@ function fill(node, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) {
     if (value === undefined || value === null || value === false) continue;
     if (name.startsWith("on")) node.addEventListener(name.slice(2), value);
-    else if (name === "style") Object.entries(value).forEach(([key, setting]) => node.style.setProperty(key, setting));
+    else if (name === "style")
+      Object.entries(value).forEach(([key, setting]) => node.style.setProperty(key, setting));
     else node.setAttribute(name, value === true ? "" : String(value));
   }
   for (const child of children.flat(Infinity)) {
@@ -17,16 +18,19 @@ function fill(node, attributes, children) {
 }
 
 /** An HTML element: attributes by name, listeners as onclick and so on, children as nodes or text. */
-export const element = (tag, attributes = {}, ...children) => fill(document.createElement(tag), attributes, children);
+export const element = (tag, attributes = {}, ...children) =>
+  fill(document.createElement(tag), attributes, children);
 
 /** An SVG element. */
-export const drawing = (tag, attributes = {}, ...children) => fill(document.createElementNS(SVG, tag), attributes, children);
+export const drawing = (tag, attributes = {}, ...children) =>
+  fill(document.createElementNS(SVG, tag), attributes, children);
 
 /** The element of index.html with this id. */
 export const byId = (id) => document.getElementById(id);
 
 /** A custom property of the theme in force, such as "--ink". */
-export const themed = (property) => getComputedStyle(document.documentElement).getPropertyValue(property).trim();
+export const themed = (property) =>
+  getComputedStyle(document.documentElement).getPropertyValue(property).trim();
 
 /** Whether the reader asked the system for less motion. */
 export const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;

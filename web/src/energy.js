@@ -8,7 +8,9 @@ export function legWork(table) {
   return [1, 2, 3, 4, 5, 6].map((leg) => {
     const power = table.column(`p${leg}`);
     const work = new Float64Array(table.rows);
-    for (let row = 1; row < table.rows; row++) work[row] = work[row - 1] + 0.5 * (table.t[row] - table.t[row - 1]) * (power[row] + power[row - 1]);
+    for (let row = 1; row < table.rows; row++)
+      work[row] =
+        work[row - 1] + 0.5 * (table.t[row] - table.t[row - 1]) * (power[row] + power[row - 1]);
     return work;
   });
 }
@@ -25,13 +27,22 @@ export function loadEnergy(table, machine) {
     const arm = turned(r, machine.center_of_mass);
     const [wx, wy, wz] = spin.map((rate) => rate * DEGREE);
     // velocity of the centre of mass: v + ω × R c
-    const velocity = [vx + wy * arm[2] - wz * arm[1], vy + wz * arm[0] - wx * arm[2], vz + wx * arm[1] - wy * arm[0]];
+    const velocity = [
+      vx + wy * arm[2] - wz * arm[1],
+      vy + wz * arm[0] - wx * arm[2],
+      vz + wx * arm[1] - wy * arm[0],
+    ];
     // ω in the top's axes: Rᵀω
     const own = [0, 1, 2].map((axis) => r[axis] * wx + r[3 + axis] * wy + r[6 + axis] * wz);
-    const spun = machine.inertia.map((line) => line[0] * own[0] + line[1] * own[1] + line[2] * own[2]);
-    kinetic[row] = 0.5 * machine.mass * velocity.reduce((sum, v) => sum + v * v, 0) + 0.5 * own.reduce((sum, w, axis) => sum + w * spun[axis], 0);
+    const spun = machine.inertia.map(
+      (line) => line[0] * own[0] + line[1] * own[1] + line[2] * own[2],
+    );
+    kinetic[row] =
+      0.5 * machine.mass * velocity.reduce((sum, v) => sum + v * v, 0) +
+      0.5 * own.reduce((sum, w, axis) => sum + w * spun[axis], 0);
     const centre = [x + arm[0], y + arm[1], z + arm[2]];
-    potential[row] = -machine.mass * machine.gravity.reduce((sum, g, axis) => sum + g * centre[axis], 0);
+    potential[row] =
+      -machine.mass * machine.gravity.reduce((sum, g, axis) => sum + g * centre[axis], 0);
   }
   const zero = potential[0] ?? 0;
   return { kinetic, potential: potential.map((value) => value - zero) };

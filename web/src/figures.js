@@ -1,31 +1,49 @@
 // Which curves a study has, and which a comparison of studies has.
-import { AXES, LEGS, studyColor } from "./color.js";
+import { AXES, GREY, LEGS, studyColor } from "./color.js";
 import { legWork, loadEnergy } from "./energy.js";
 import { number, unitAfter } from "./format.js";
 
 const SIX = [1, 2, 3, 4, 5, 6];
 const DASH = [5, 4];
 
-const magnitude = (...arrays) => arrays[0].map((_, row) => Math.hypot(...arrays.map((array) => array[row])));
+const magnitude = (...arrays) =>
+  arrays[0].map((_, row) => Math.hypot(...arrays.map((array) => array[row])));
 
 /** A line of each leg for a column such as "f", and the program's beside it. */
 function legLines(study, column, planned = true) {
   const { run, plan } = study;
   const lines = SIX.map((leg) => ({
-    label: String(leg), name: `${column}${leg}`, long: run.longName(`${column}${leg}`), leg, color: LEGS[leg - 1], t: run.t, y: run.column(`${column}${leg}`),
+    label: String(leg),
+    name: `${column}${leg}`,
+    long: run.longName(`${column}${leg}`),
+    leg,
+    color: LEGS[leg - 1],
+    t: run.t,
+    y: run.column(`${column}${leg}`),
   }));
   if (!planned || !plan.rows) return lines;
   return [
     ...lines,
     ...SIX.map((leg) => ({
-      label: `${leg} program`, name: `program-${column}${leg}`, leg, program: true, off: true, color: LEGS[leg - 1], dash: DASH, width: 1, t: plan.t, y: plan.column(`${column}${leg}`),
+      label: `${leg} program`,
+      name: `program-${column}${leg}`,
+      leg,
+      program: true,
+      off: true,
+      color: LEGS[leg - 1],
+      dash: DASH,
+      width: 1,
+      t: plan.t,
+      y: plan.column(`${column}${leg}`),
     })),
   ];
 }
 
 /** Where a leg's limits lie, in words: the drawing has room for the near ones only. */
 function limitsNote(study, column) {
-  const limits = limitsOf(study, column).map(({ value }) => `${number(value)}${unitAfter(study.unit(`${column}1`))}`);
+  const limits = limitsOf(study, column).map(
+    ({ value }) => `${number(value)}${unitAfter(study.unit(`${column}1`))}`,
+  );
   return limits.length ? `Limits: ${limits.join(", ")}.` : "";
 }
 
@@ -33,7 +51,9 @@ function limitsNote(study, column) {
 function equalNote(study, column) {
   const [first, ...others] = SIX.map((leg) => study.run.column(`${column}${leg}`));
   const scale = first.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-  const equal = others.every((values) => values.every((value, row) => Math.abs(value - first[row]) <= 2e-3 * scale));
+  const equal = others.every((values) =>
+    values.every((value, row) => Math.abs(value - first[row]) <= 2e-3 * scale),
+  );
   return equal ? "The six legs are equal to the eye: one line covers the others." : "";
 }
 
@@ -41,8 +61,18 @@ const joined = (...notes) => notes.filter(Boolean).join(" ");
 
 function limitsOf(study, kind) {
   const { length, speed, force } = study.machine.limits ?? {};
-  const both = (value) => (value ? [{ value, beyond: 1 }, { value: -value, beyond: -1 }] : []);
-  if (kind === "l") return [length?.[0] ? { value: length[0], beyond: -1 } : null, length?.[1] ? { value: length[1], beyond: 1 } : null].filter(Boolean);
+  const both = (value) =>
+    value
+      ? [
+          { value, beyond: 1 },
+          { value: -value, beyond: -1 },
+        ]
+      : [];
+  if (kind === "l")
+    return [
+      length?.[0] ? { value: length[0], beyond: -1 } : null,
+      length?.[1] ? { value: length[1], beyond: 1 } : null,
+    ].filter(Boolean);
   return both(kind === "dl" ? speed : kind === "f" ? force : null);
 }
 
@@ -50,14 +80,33 @@ function limitsOf(study, kind) {
 function figure3(study) {
   const { plan } = study;
   const force = plan.column("f1");
-  const spread = SIX.reduce((most, leg) => Math.max(most, plan.column(`f${leg}`).reduce((worst, value, row) => Math.max(worst, Math.abs(value - force[row])), 0)), 0);
+  const spread = SIX.reduce(
+    (most, leg) =>
+      Math.max(
+        most,
+        plan
+          .column(`f${leg}`)
+          .reduce((worst, value, row) => Math.max(worst, Math.abs(value - force[row])), 0),
+      ),
+    0,
+  );
   const equal = spread < 1e-9;
   return {
     id: "figure-3",
     title: "Figure 3 · the force in the rod",
     unit: plan.unit("f1"),
-    note: equal ? "The program's force F(t), the same in each of the six legs: equation (3.1) through the six equations of motion." : "The program's forces for equation (3.1). In this machine the six legs differ.",
-    lines: (equal ? [1] : SIX).map((leg) => ({ label: equal ? "F" : String(leg), name: `f${leg}`, leg: equal ? undefined : leg, color: LEGS[leg - 1], width: 2, t: plan.t, y: plan.column(`f${leg}`) })),
+    note: equal
+      ? "The program's force F(t), the same in each of the six legs: equation (3.1) through the six equations of motion."
+      : "The program's forces for equation (3.1). In this machine the six legs differ.",
+    lines: (equal ? [1] : SIX).map((leg) => ({
+      label: equal ? "F" : String(leg),
+      name: `f${leg}`,
+      leg: equal ? undefined : leg,
+      color: LEGS[leg - 1],
+      width: 2,
+      t: plan.t,
+      y: plan.column(`f${leg}`),
+    })),
   };
 }
 
@@ -71,18 +120,54 @@ function figure4(studies) {
     id: "figure-4",
     title: "Figure 4 · the platform's motion",
     unit: first.run.unit("z"),
-    note: fed ? "Height over the mean, as in the paper's Figure 4, but with feedback: G holds it." : alone ? "Height over the mean under the given forces, η*, beside the program η of equation (3.1)." : "Height over the mean, η*, beside the program η of equation (3.1).",
+    note: fed
+      ? "Height over the mean, as in the paper's Figure 4, but with feedback: G holds it."
+      : alone
+        ? "Height over the mean under the given forces, η*, beside the program η of equation (3.1)."
+        : "Height over the mean, η*, beside the program η of equation (3.1).",
     lines: [
-      ...studies.map((study) => ({ label: alone ? "η*" : study.label, name: `${study.index}`, color: alone ? AXES[0] : studyColor(study.index), width: 2, t: study.run.t, y: over(study.run, study) })),
-      { label: "η program", name: "program", color: "#8a8f98", dash: DASH, width: 1.5, t: first.plan.t, y: over(first.plan, first) },
+      ...studies.map((study) => ({
+        label: alone ? "η*" : study.label,
+        name: `${study.index}`,
+        color: alone ? AXES[0] : studyColor(study.index),
+        width: 2,
+        t: study.run.t,
+        y: over(study.run, study),
+      })),
+      {
+        label: "η program",
+        name: "program",
+        color: GREY,
+        dash: DASH,
+        width: 1.5,
+        t: first.plan.t,
+        y: over(first.plan, first),
+      },
     ],
   };
 }
 
 const three = (study, names, labels, planned) => [
-  ...names.map((name, axis) => ({ label: labels[axis], name, long: study.run.longName(name), color: AXES[axis], t: study.run.t, y: study.run.column(name) })),
+  ...names.map((name, axis) => ({
+    label: labels[axis],
+    name,
+    long: study.run.longName(name),
+    color: AXES[axis],
+    t: study.run.t,
+    y: study.run.column(name),
+  })),
   ...(planned && study.plan.rows
-    ? names.map((name, axis) => ({ label: `${labels[axis]} program`, name: `program-${name}`, program: true, off: true, color: AXES[axis], dash: DASH, width: 1, t: study.plan.t, y: study.plan.column(name) }))
+    ? names.map((name, axis) => ({
+        label: `${labels[axis]} program`,
+        name: `program-${name}`,
+        program: true,
+        off: true,
+        color: AXES[axis],
+        dash: DASH,
+        width: 1,
+        t: study.plan.t,
+        y: study.plan.column(name),
+      }))
     : []),
 ];
 
@@ -101,27 +186,113 @@ export function figuresOf(study) {
   const height = run.column("z").map((z) => z - machine.height);
   const position = three(study, ["x", "y", "z"], ["x", "y", "z"], true);
   position[2] = { ...position[2], label: "z − h", y: height };
-  if (position[5]) position[5] = { ...position[5], label: "z − h program", y: study.plan.column("z").map((z) => z - machine.height) };
+  if (position[5])
+    position[5] = {
+      ...position[5],
+      label: "z − h program",
+      y: study.plan.column("z").map((z) => z - machine.height),
+    };
   return [
     ...paper,
-    { id: "forces", title: "Leg forces", note: joined("Push is positive.", limitsNote(study, "f"), equalNote(study, "f")), unit: force, lines: legLines(study, "f"), limits: limitsOf(study, "f") },
-    { id: "lengths", title: "Leg lengths", note: joined(limitsNote(study, "l"), equalNote(study, "l")), unit: unit("l1"), lines: legLines(study, "l"), limits: limitsOf(study, "l") },
-    { id: "rates", title: "Leg rates", note: joined(limitsNote(study, "dl"), equalNote(study, "dl")), unit: unit("dl1"), lines: legLines(study, "dl"), limits: limitsOf(study, "dl") },
-    { id: "power", title: "Leg power", note: equalNote(study, "p"), unit: unit("p1"), lines: legLines(study, "p") },
-    { id: "position", title: "Position of the top", note: `From the home position, at height h = ${number(machine.height)} over the base.`, unit: unit("x"), lines: position },
-    { id: "orientation", title: "Orientation of the top", unit: unit("roll"), lines: three(study, ["roll", "pitch", "yaw"], ["roll", "pitch", "yaw"], true) },
-    { id: "deviation", title: "Deviation from the program", logable: true, unit: unit("ex"), lines: three(study, ["ex", "ey", "ez"], ["x", "y", "z"]) },
-    { id: "deviation-angle", title: "Deviation of the angles", logable: true, unit: unit("eroll"), lines: three(study, ["eroll", "epitch", "eyaw"], ["roll", "pitch", "yaw"]) },
     {
-      id: "energy", title: "Energy of the load", note: "Potential energy from that at t = 0. The legs' work is the sum over six of the integral of force times rate.", unit: energyUnit,
+      id: "forces",
+      title: "Leg forces",
+      note: joined("Push is positive.", limitsNote(study, "f"), equalNote(study, "f")),
+      unit: force,
+      lines: legLines(study, "f"),
+      limits: limitsOf(study, "f"),
+    },
+    {
+      id: "lengths",
+      title: "Leg lengths",
+      note: joined(limitsNote(study, "l"), equalNote(study, "l")),
+      unit: unit("l1"),
+      lines: legLines(study, "l"),
+      limits: limitsOf(study, "l"),
+    },
+    {
+      id: "rates",
+      title: "Leg rates",
+      note: joined(limitsNote(study, "dl"), equalNote(study, "dl")),
+      unit: unit("dl1"),
+      lines: legLines(study, "dl"),
+      limits: limitsOf(study, "dl"),
+    },
+    {
+      id: "power",
+      title: "Leg power",
+      note: equalNote(study, "p"),
+      unit: unit("p1"),
+      lines: legLines(study, "p"),
+    },
+    {
+      id: "position",
+      title: "Position of the top",
+      note: `From the home position, at height h = ${number(machine.height)} over the base.`,
+      unit: unit("x"),
+      lines: position,
+    },
+    {
+      id: "orientation",
+      title: "Orientation of the top",
+      unit: unit("roll"),
+      lines: three(study, ["roll", "pitch", "yaw"], ["roll", "pitch", "yaw"], true),
+    },
+    {
+      id: "deviation",
+      title: "Deviation from the program",
+      logable: true,
+      unit: unit("ex"),
+      lines: three(study, ["ex", "ey", "ez"], ["x", "y", "z"]),
+    },
+    {
+      id: "deviation-angle",
+      title: "Deviation of the angles",
+      logable: true,
+      unit: unit("eroll"),
+      lines: three(study, ["eroll", "epitch", "eyaw"], ["roll", "pitch", "yaw"]),
+    },
+    {
+      id: "energy",
+      title: "Energy of the load",
+      note: "Potential energy from that at t = 0. The legs' work is the sum over six of the integral of force times rate.",
+      unit: energyUnit,
       lines: [
-        { label: "kinetic", color: AXES[0], t: run.t, y: kinetic }, { label: "potential", color: AXES[1], t: run.t, y: potential },
-        { label: "sum", color: AXES[2], t: run.t, y: total, width: 2 }, { label: "work of the legs", color: "#8a8f98", dash: DASH, t: run.t, y: done },
+        { label: "kinetic", color: AXES[0], t: run.t, y: kinetic },
+        { label: "potential", color: AXES[1], t: run.t, y: potential },
+        { label: "sum", color: AXES[2], t: run.t, y: total, width: 2 },
+        { label: "work of the legs", color: GREY, dash: DASH, t: run.t, y: done },
       ],
     },
-    { id: "work", title: "Work of each leg", unit: energyUnit, lines: SIX.map((leg) => ({ label: String(leg), name: `w${leg}`, leg, color: LEGS[leg - 1], t: run.t, y: work[leg - 1] })) },
-    { id: "drift", title: "Drift of the constraints", logable: true, note: "Largest violation of the six orthonormality conditions (1.2) before each projection.", unit: "1", lines: [{ label: "drift", color: AXES[2], t: run.t, y: run.column("drift") }] },
-    { id: "condition", title: "Condition of the leg Jacobian", logable: true, note: "1 is best; 10⁸ counts as singular.", unit: "1", lines: [{ label: "condition", color: AXES[2], t: run.t, y: run.column("condition") }] },
+    {
+      id: "work",
+      title: "Work of each leg",
+      unit: energyUnit,
+      lines: SIX.map((leg) => ({
+        label: String(leg),
+        name: `w${leg}`,
+        leg,
+        color: LEGS[leg - 1],
+        t: run.t,
+        y: work[leg - 1],
+      })),
+    },
+    {
+      id: "drift",
+      title: "Drift of the constraints",
+      logable: true,
+      note: "Largest violation of the six orthonormality conditions (1.2) before each projection.",
+      unit: "1",
+      lines: [{ label: "drift", color: AXES[2], t: run.t, y: run.column("drift") }],
+    },
+    {
+      id: "condition",
+      title: "Condition of the leg Jacobian",
+      logable: true,
+      note: "1 is best; 10⁸ counts as singular.",
+      unit: "1",
+      lines: [{ label: "condition", color: AXES[2], t: run.t, y: run.column("condition") }],
+    },
   ];
 }
 
@@ -131,7 +302,15 @@ export function figuresOfAll(studies) {
   if (!shown.length) return [];
   const mixed = shown.some((study) => study.units !== shown[0].units);
   const [first] = shown;
-  const lines = (make) => shown.map((study) => ({ label: study.label, name: `study-${study.index}`, color: studyColor(study.index), width: 1.75, t: study.run.t, y: make(study) }));
+  const lines = (make) =>
+    shown.map((study) => ({
+      label: study.label,
+      name: `study-${study.index}`,
+      color: studyColor(study.index),
+      width: 1.75,
+      t: study.run.t,
+      y: make(study),
+    }));
   const extreme = (study, pick) => {
     const columns = SIX.map((leg) => study.run.column(`f${leg}`));
     return columns[0].map((_, row) => pick(...columns.map((column) => column[row])));
@@ -139,13 +318,58 @@ export function figuresOfAll(studies) {
   const paper = shown.filter((study) => study.isPaper);
   const figures = [
     ...(paper.length > 1 ? [{ ...figure4(paper), wide: true }] : []),
-    { id: "all-deviation", title: "Deviation of the position", note: "Distance of the top frame's origin from the program.", logable: true, unit: first.run.unit("ex"), lines: lines(({ run }) => magnitude(run.column("ex"), run.column("ey"), run.column("ez"))) },
-    { id: "all-angle", title: "Deviation of the angles", note: "Root of the sum of squares of roll, pitch and yaw.", logable: true, unit: first.run.unit("eroll"), lines: lines(({ run }) => magnitude(run.column("eroll"), run.column("epitch"), run.column("eyaw"))) },
-    { id: "all-height", title: "Height of the top", unit: first.run.unit("z"), lines: lines(({ run }) => run.column("z")) },
-    { id: "all-force", title: "Greatest leg force", note: "The greatest of the six, push positive.", unit: first.run.unit("f1"), lines: lines((study) => extreme(study, Math.max)) },
-    { id: "all-pull", title: "Least leg force", note: "The least of the six; below zero a leg pulls.", unit: first.run.unit("f1"), lines: lines((study) => extreme(study, Math.min)) },
-    { id: "all-condition", title: "Condition of the leg Jacobian", logable: true, unit: "1", lines: lines(({ run }) => run.column("condition")) },
+    {
+      id: "all-deviation",
+      title: "Deviation of the position",
+      note: "Distance of the top frame's origin from the program.",
+      logable: true,
+      unit: first.run.unit("ex"),
+      lines: lines(({ run }) => magnitude(run.column("ex"), run.column("ey"), run.column("ez"))),
+    },
+    {
+      id: "all-angle",
+      title: "Deviation of the angles",
+      note: "Root of the sum of squares of roll, pitch and yaw.",
+      logable: true,
+      unit: first.run.unit("eroll"),
+      lines: lines(({ run }) =>
+        magnitude(run.column("eroll"), run.column("epitch"), run.column("eyaw")),
+      ),
+    },
+    {
+      id: "all-height",
+      title: "Height of the top",
+      unit: first.run.unit("z"),
+      lines: lines(({ run }) => run.column("z")),
+    },
+    {
+      id: "all-force",
+      title: "Greatest leg force",
+      note: "The greatest of the six, push positive.",
+      unit: first.run.unit("f1"),
+      lines: lines((study) => extreme(study, Math.max)),
+    },
+    {
+      id: "all-pull",
+      title: "Least leg force",
+      note: "The least of the six; below zero a leg pulls.",
+      unit: first.run.unit("f1"),
+      lines: lines((study) => extreme(study, Math.min)),
+    },
+    {
+      id: "all-condition",
+      title: "Condition of the leg Jacobian",
+      logable: true,
+      unit: "1",
+      lines: lines(({ run }) => run.column("condition")),
+    },
   ];
   // where units differ, only the shapes can be compared, and the figure says so
-  return mixed ? figures.map((figure) => (figure.unit === "1" || figure.unit === "degree" ? figure : { ...figure, unit: "", note: joined(figure.note, "Each study in its own units.") })) : figures;
+  return mixed
+    ? figures.map((figure) =>
+        figure.unit === "1" || figure.unit === "degree"
+          ? figure
+          : { ...figure, unit: "", note: joined(figure.note, "Each study in its own units.") },
+      )
+    : figures;
 }

@@ -1,7 +1,19 @@
 // Numbers and units as people read them. What is saved does not pass through here.
 
 const MINUS = "\u2212";
-const SUPERSCRIPT = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
+const SUPERSCRIPT = {
+  "-": "⁻",
+  0: "⁰",
+  1: "¹",
+  2: "²",
+  3: "³",
+  4: "⁴",
+  5: "⁵",
+  6: "⁶",
+  7: "⁷",
+  8: "⁸",
+  9: "⁹",
+};
 const raised = (power) => [...String(power)].map((digit) => SUPERSCRIPT[digit]).join("");
 
 /** A number in a few significant digits: 0.2034, −12.5, 3.1·10⁻⁷; a dash where there is none. */
@@ -28,7 +40,10 @@ export function fixed(value, decimals) {
 /** A unit of the tables as it is printed: "m/s2" gives "m/s²", "degree" gives "°"; "" for the bare number. */
 export function unit(text) {
   if (!text || text === "1") return "";
-  return text.replace("degree", "°").replace(/([a-z])([2-9])/g, (_, letter, power) => letter + raised(power)).replace(" ", " ");
+  return text
+    .replace("degree", "°")
+    .replace(/([a-z])([2-9])/g, (_, letter, power) => letter + raised(power))
+    .replace(" ", " ");
 }
 
 /** " N" after a number, "" for the bare number; with a space, lest a degree sign look like a power. */
@@ -44,16 +59,22 @@ export function ticks(values) {
   const largest = Math.max(...present.map(Math.abs), 0);
   const step = present.length > 1 ? Math.abs(present[1] - present[0]) : largest;
   if (largest === 0) return values.map((value) => (value === null ? "" : "0"));
-  if (largest < 1e-3 || largest >= 1e6) return values.map((value) => (value === null ? "" : number(value, 3)));
+  if (largest < 1e-3 || largest >= 1e6)
+    return values.map((value) => (value === null ? "" : number(value, 3)));
   let decimals = Math.max(0, Math.min(6, -Math.floor(Math.log10(step || largest) + 1e-9)));
   // a step of 0.025 needs one more than one of 0.02
-  while (decimals < 6 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals++;
+  while (decimals < 6 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6)
+    decimals++;
   return values.map((value) => (value === null ? "" : fixed(value, decimals)));
 }
 
 /** Ticks of a logarithmic axis: powers of ten. */
 export const powers = (values) =>
-  values.map((value) => (value === null || Math.abs(Math.log10(value) % 1) > 1e-9 ? "" : `10${raised(Math.round(Math.log10(value)))}`));
+  values.map((value) =>
+    value === null || Math.abs(Math.log10(value) % 1) > 1e-9
+      ? ""
+      : `10${raised(Math.round(Math.log10(value)))}`,
+  );
 
 /** Words for how a run ended, by gough_cause_name(). */
 export function causeWords(status) {

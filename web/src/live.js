@@ -1,25 +1,21 @@
-// The live run: sliders and the reader's hand on the left of the thread in worker.js, pictures on its right.
+// The live run: what the reader sets and pulls goes to the thread in worker.js, and its rows come back as pictures.
 import core from "virtual:core";
-import uPlot from "uplot";
-import { AXES, LEGS } from "./color.js";
 import { bytesOf } from "./core.js";
 import { decode } from "./data.js";
-import { byId, element, themed } from "./dom.js";
-import { causeWords, fixed, number, ticks, unit, unitAfter } from "./format.js";
+import { byId, element } from "./dom.js";
+import { causeWords, fixed, number, unitAfter } from "./format.js";
+import { Hand } from "./hand.js";
 import { placed, rotation } from "./pose.js";
-import { ForceBars } from "./recorded.js";
 import { Slider } from "./sliders.js";
 import { holdsFrom } from "./stability.js";
+import { Strips } from "./strips.js";
 import LiveWorker from "./worker.js?worker&inline";
 
 const DEGREE = 180 / Math.PI;
-/** The strips show so many of the machine's units of time, √(R_b/g), and so many points at most. */
+/** The strips show so many of the machine's units of time, √(R_b/g). */
 const WINDOW = 24;
-const POINTS = 800;
 /** A top that is farther than this from its program, in base radii, has left. */
 const REACH = 3;
-/** Height of a strip in pixels. */
-const STRIP = 175;
 /** Points of the trail behind the load. */
 const TRAIL = 900;
 
@@ -33,16 +29,14 @@ export class Live {
     this.gravity = Math.hypot(...machine.gravity) || 1;
     this.weight = machine.mass * this.gravity;
     this.timeUnit = Math.sqrt(machine.base_radius / this.gravity);
-    this.possible = Boolean(core && study.live && typeof Worker === "function" && typeof WebAssembly === "object");
-    this.reason = study.live === null ? "not for this study: its recorded motion is too long to travel with the page" : "this browser or this page has no core to run";
+    this.possible = Boolean(
+      core && study.live && typeof Worker === "function" && typeof WebAssembly === "object",
+    );
+    this.reason =
+      study.live === null
+        ? "not for this study: its recorded motion is too long to travel with the page"
+        : "this browser or this page has no core to run";
     this.running = false;
-    this.push = [0, 0, 0];
-    this.strength = 1;
-    this.clear();
-  }
-
-  clear() {
-    this.samples = { t: [], off: [], angle: [], forces: LEGS.map(() => []) };
     this.trail = [];
   }
 
@@ -55,11 +49,25 @@ export class Live {
       this.worker = new LiveWorker();
       this.worker.addEventListener("message", ({ data }) => this.hear(data));
       this.worker.addEventListener("error", (event) => this.fail(event.message));
-      this.tell("begin", { module: bytesOf(core), flat: decode(this.study.live), settings: { step: this.step(), reach: REACH * this.study.machine.base_radius, grain: (WINDOW * this.timeUnit) / POINTS } });
+      this.tell("begin", {
+        module: bytesOf(core),
+        flat: decode(this.study.live),
+        settings: {
+          step: this.step(),
+          reach: REACH * this.study.machine.base_radius,
+          grain: this.strips.grain,
+        },
+      });
       this.tell("set", { settings: this.settings() });
     }
     this.page.scene?.machines[0].model.setPaths(null, null);
-    this.bindHand();
+    if (this.page.scene)
+      this.hand = new Hand(
+        this.page.scene,
+        this.study,
+        (force) => this.pushBy(force),
+        () => !this.over && this.centre,
+      );
     this.run(true);
   }
 
@@ -67,13 +75,14 @@ export class Live {
     if (!this.active) return;
     this.active = false;
     this.run(false);
-    this.letGo();
+    this.hand?.dispose();
+    this.hand = null;
     this.worker.terminate();
     this.worker = null;
     this.row = null;
     this.over = null;
-    this.clear();
-    this.unbindHand?.();
+    this.trail = [];
+    this.strips.clear();
   }
 
   /** A page that nobody sees does not run on. */
@@ -103,7 +112,8 @@ export class Live {
 
   restart() {
     this.over = null;
-    this.clear();
+    this.trail = [];
+    this.strips.clear();
     byId("fallen").hidden = true;
     this.tell("restart");
     this.run(true);
@@ -113,17 +123,30 @@ export class Live {
    *  with ω² ≤ 6 G (1/m + r²/J) and λ ≤ 6 D (1/m + r²/J). */
   step() {
     const { machine } = this.study;
-    const arm = Math.max(...machine.top.map((joint) => Math.hypot(...joint.map((value, axis) => value - machine.center_of_mass[axis]))));
+    const arm = Math.max(
+      ...machine.top.map((joint) =>
+        Math.hypot(...joint.map((value, axis) => value - machine.center_of_mass[axis])),
+      ),
+    );
     const least = Math.min(...[0, 1, 2].map((axis) => machine.inertia[axis][axis]));
     const mobility = 6 * (1 / machine.mass + (arm * arm) / least);
     const { stiffness, damping } = this.settings();
-    return Math.min(0.01 * this.timeUnit, 1 / Math.sqrt(stiffness * mobility || 1e-300), 1 / (damping * mobility || 1e-300));
+    return Math.min(
+      0.01 * this.timeUnit,
+      1 / Math.sqrt(stiffness * mobility || 1e-300),
+      1 / (damping * mobility || 1e-300),
+    );
   }
 
   settings() {
     const { stiffness, damping, disturbance, amplitude, frequency } = this.sliders;
     return {
-      stiffness: stiffness.value, damping: damping.value, disturbance: disturbance.value, amplitude: amplitude.value, frequency: frequency.value, feedforward: this.feedforward.checked,
+      stiffness: stiffness.value,
+      damping: damping.value,
+      disturbance: disturbance.value,
+      amplitude: amplitude.value,
+      frequency: frequency.value,
+      feedforward: this.feedforward.checked,
     };
   }
 
@@ -135,7 +158,7 @@ export class Live {
   // ---- the panel ----
 
   build() {
-    if (this.built) return byId("live").replaceChildren(this.built);
+    if (this.built) return;
     const { study } = this;
     const si = study.units === "si";
     const gain = this.weight / study.machine.base_radius;
@@ -144,79 +167,177 @@ export class Live {
     const slider = (spec) => new Slider(spec, () => this.change());
     this.sliders = {
       stiffness: slider({
-        id: "stiffness", label: "Stiffness G", unit: si ? "N/m" : "", least: power(gain) / 100, greatest: power(gain) * 1000, logarithmic: true, value: Math.max(...study.control.stiffness),
-        marks: thresholds.map(({ mode, stiffness }) => ({ value: stiffness, label: `${mode} holds from G = ${number(stiffness, 4)}` })),
-        help: thresholds.length ? `At rest, holds from: ${thresholds.map(({ mode, stiffness }) => `${mode} ${number(stiffness, 3)}`).join(", ")}.` : undefined,
+        id: "stiffness",
+        label: "Stiffness G",
+        unit: si ? "N/m" : "",
+        least: power(gain) / 100,
+        greatest: power(gain) * 1000,
+        logarithmic: true,
+        value: Math.max(...study.control.stiffness),
+        marks: thresholds.map(({ mode, stiffness }) => ({
+          value: stiffness,
+          label: `${mode} holds from G = ${number(stiffness, 4)}`,
+        })),
+        help: thresholds.length
+          ? `At rest, holds from: ${thresholds.map(({ mode, stiffness }) => `${mode} ${number(stiffness, 3)}`).join(", ")}.`
+          : undefined,
       }),
-      damping: slider({ id: "damping", label: "Damping D", unit: si ? "N s/m" : "", least: power(gain * this.timeUnit) / 100, greatest: power(gain * this.timeUnit) * 100, logarithmic: true, value: Math.max(...study.control.damping) }),
-      disturbance: slider({ id: "disturbance", label: "Disturbance", unit: "× the study's", least: 0.1, greatest: 1000, logarithmic: true, value: 1 }),
-      amplitude: slider({ id: "amplitude", label: "Amplitude", unit: "× the program", least: 0, greatest: 2, value: 1 }),
-      frequency: slider({ id: "frequency", label: "Frequency", unit: "× the program", least: 0, greatest: 3, value: 1 }),
+      damping: slider({
+        id: "damping",
+        label: "Damping D",
+        unit: si ? "N s/m" : "",
+        least: power(gain * this.timeUnit) / 100,
+        greatest: power(gain * this.timeUnit) * 100,
+        logarithmic: true,
+        value: Math.max(...study.control.damping),
+      }),
+      disturbance: slider({
+        id: "disturbance",
+        label: "Disturbance",
+        unit: "× the study's",
+        least: 0.1,
+        greatest: 1000,
+        logarithmic: true,
+        value: 1,
+      }),
+      amplitude: slider({
+        id: "amplitude",
+        label: "Amplitude",
+        unit: "× the program",
+        least: 0,
+        greatest: 2,
+        value: 1,
+      }),
+      frequency: slider({
+        id: "frequency",
+        label: "Frequency",
+        unit: "× the program",
+        least: 0,
+        greatest: 3,
+        value: 1,
+      }),
     };
-    this.feedforward = element("input", { type: "checkbox", id: "live-feedforward", "data-testid": "live-feedforward", checked: study.control.feedforward, onchange: () => this.change() });
-    this.speed = new Slider({ id: "speed", label: "Speed", unit: "× real time", ...SPEEDS, logarithmic: true, value: 1 }, (value) => this.tell("pace", { speed: value }));
-    this.playButton = element("button", { class: "play", type: "button", "data-testid": "live-play", title: "play or pause (space)", onclick: () => this.toggle() });
-    this.clock = element("output", { class: "span", "data-testid": "live-time", "aria-label": "time of the live run" });
+    this.feedforward = element("input", {
+      type: "checkbox",
+      id: "live-feedforward",
+      "data-testid": "live-feedforward",
+      checked: study.control.feedforward,
+      onchange: () => this.change(),
+    });
+    this.speed = new Slider(
+      { id: "speed", label: "Speed", unit: "× real time", ...SPEEDS, logarithmic: true, value: 1 },
+      (value) => this.tell("pace", { speed: value }),
+    );
+    this.playButton = element("button", {
+      class: "play",
+      type: "button",
+      "data-testid": "live-play",
+      title: "play or pause (space)",
+      onclick: () => this.toggle(),
+    });
+    this.clock = element("output", {
+      class: "span",
+      "data-testid": "live-time",
+      "aria-label": "time of the live run",
+    });
     this.off = element("output", { "data-testid": "live-deviation" });
-    this.pace = element("output", { "data-testid": "live-pace", title: "how much faster than real time the core runs on this computer" });
-    this.bars = new ForceBars(study.unit("f1"), study.peakForce, study.machine.limits?.force);
-    const pad = [["+x", 1, 0, 0], ["−x", -1, 0, 0], ["+y", 0, 1, 0], ["−y", 0, -1, 0], ["up", 0, 0, 1], ["down", 0, 0, -1]].map(([word, ...direction]) => {
-      const set = (on) => () => this.pushBy(on ? direction.map((part) => part * 0.2 * this.weight) : [0, 0, 0]);
-      return element("button", {
-        class: "mini", type: "button", "aria-label": `push ${word}`, title: "push while held: a fifth of the weight", onpointerdown: set(true), onpointerup: set(false), onpointerleave: set(false), onblur: set(false),
-        onkeydown: (event) => (event.key === " " || event.key === "Enter") && (event.preventDefault(), set(true)()), onkeyup: set(false),
-      }, word);
+    this.pace = element("output", {
+      "data-testid": "live-pace",
+      title: "how much faster than real time the core runs on this computer",
+    });
+    const pad = [
+      ["+x", 1, 0, 0],
+      ["−x", -1, 0, 0],
+      ["+y", 0, 1, 0],
+      ["−y", 0, -1, 0],
+      ["up", 0, 0, 1],
+      ["down", 0, 0, -1],
+    ].map(([word, ...direction]) => {
+      const set = (on) => () =>
+        this.pushBy(on ? direction.map((part) => part * 0.2 * this.weight) : [0, 0, 0]);
+      return element(
+        "button",
+        {
+          class: "mini",
+          type: "button",
+          "aria-label": `push ${word}`,
+          title: "push while held: a fifth of the weight",
+          onpointerdown: set(true),
+          onpointerup: set(false),
+          onpointerleave: set(false),
+          onblur: set(false),
+          onkeydown: (event) =>
+            (event.key === " " || event.key === "Enter") && (event.preventDefault(), set(true)()),
+          onkeyup: set(false),
+        },
+        word,
+      );
     });
     this.built = element(
-      "div", { class: "live-panel" },
-      element("div", { class: "live-head" }, this.playButton, element("button", { class: "mini", type: "button", "data-testid": "live-restart", title: "from t = 0 again (home)", onclick: () => this.restart() }, "restart"), this.clock),
-      element("h3", {}, "Feedback"), this.sliders.stiffness.node, this.sliders.damping.node,
+      "div",
+      { class: "live-panel" },
+      element(
+        "div",
+        { class: "live-head" },
+        this.playButton,
+        element(
+          "button",
+          {
+            class: "mini",
+            type: "button",
+            "data-testid": "live-restart",
+            title: "from t = 0 again (home)",
+            onclick: () => this.restart(),
+          },
+          "restart",
+        ),
+        this.clock,
+      ),
+      element("h3", {}, "Feedback"),
+      this.sliders.stiffness.node,
+      this.sliders.damping.node,
       element("label", { class: "check" }, this.feedforward, "feed the program's forces forward"),
-      element("h3", {}, "Program and disturbance"), this.sliders.amplitude.node, this.sliders.frequency.node, this.sliders.disturbance.node,
-      element("h3", {}, "Your hand"), element("p", { class: "help" }, this.page.scene ? "Take the platform or the load and pull; or hold a button:" : "Hold a button to push the load:"), element("div", { class: "pad" }, pad),
-      element("h3", {}, "Pace"), this.speed.node,
-      element("dl", { class: "live-facts" }, element("dt", {}, "off program"), element("dd", {}, this.off), element("dt", {}, "the core's pace"), element("dd", {}, this.pace)),
+      element("h3", {}, "Program and disturbance"),
+      this.sliders.amplitude.node,
+      this.sliders.frequency.node,
+      this.sliders.disturbance.node,
+      element("h3", {}, "Your hand"),
+      element(
+        "p",
+        { class: "help" },
+        this.page.scene
+          ? "Take the platform or the load and pull; or hold a button:"
+          : "Hold a button to push the load:",
+      ),
+      element("div", { class: "pad" }, pad),
+      element("h3", {}, "Pace"),
+      this.speed.node,
+      element(
+        "dl",
+        { class: "live-facts" },
+        element("dt", {}, "off program"),
+        element("dd", {}, this.off),
+        element("dt", {}, "the core's pace"),
+        element("dd", {}, this.pace),
+      ),
     );
     byId("live").replaceChildren(this.built);
-    this.buildStrips();
-    return undefined;
-  }
-
-  buildStrips() {
-    const { study } = this;
-    const host = byId("strips");
-    this.strips?.forEach(({ plot }) => plot.destroy());
-    const strip = (title, unitText, series, id) => {
-      const box = element("div", { class: "plot" });
-      host.append(element("figure", { class: "curve strip", "data-testid": id }, element("figcaption", {}, element("h3", {}, title), unit(unitText) && element("span", { class: "unit" }, unit(unitText))), box));
-      const axis = { stroke: themed("--muted"), grid: { stroke: themed("--rule"), width: 1 }, ticks: { show: false }, font: "11px system-ui, sans-serif" };
-      const plot = new uPlot({
-        width: box.clientWidth || 400, height: STRIP, legend: { show: false }, cursor: { show: false }, padding: [8, 10, 0, 0],
-        scales: { x: { time: false, range: (_, least, greatest) => (least === null ? [0, 1] : [Math.max(0, greatest - WINDOW * this.timeUnit), Math.max(greatest, WINDOW * this.timeUnit)]) } },
-        axes: [{ ...axis, size: 26, values: (_, values) => ticks(values) }, { ...axis, size: 58, values: (_, values) => ticks(values) }],
-        series: [{}, ...series.map(({ color }) => ({ stroke: color, width: 1.5, points: { show: false } }))],
-      }, [[], ...series.map(() => [])], box);
-      return { plot, box, series };
-    };
-    host.replaceChildren();
-    this.strips = [
-      strip("Off the program", study.unit("ex"), [{ color: AXES[0], of: () => this.samples.off }], "strip-deviation"),
-      strip("Leg forces", study.unit("f1"), LEGS.map((color, leg) => ({ color, of: () => this.samples.forces[leg] })), "strip-forces"),
-    ];
+    this.strips = new Strips(byId("strips"), study, WINDOW * this.timeUnit);
   }
 
   repaint() {
-    if (this.built && this.active) this.buildStrips();
+    if (this.active) this.strips.build();
   }
 
   // ---- what the thread says ----
 
   hear(data) {
     if (!this.active) return;
-    if (data.kind === "ready") this.place = Object.fromEntries(data.columns.map((name, index) => [name, index]));
+    if (data.kind === "ready")
+      this.place = Object.fromEntries(data.columns.map((name, index) => [name, index]));
     else if (data.kind === "failed") this.fail(data.message);
     else if (data.kind === "row") {
-      data.samples.forEach((sample) => this.remember(sample));
+      data.samples.forEach((sample) => this.strips.take(sample));
       this.row = data.row;
       this.program = data.program;
       this.ratio = data.ratio;
@@ -233,19 +354,50 @@ export class Live {
   fall(over) {
     this.over = over;
     this.run(false);
-    this.letGo();
+    this.hand?.letGo();
     const time = `t = ${number(this.row[this.place.t], 4)}${unitAfter(this.study.unit("t"))}`;
     const { stiffness } = this.settings();
-    const weakest = holdsFrom(this.study.stability).filter((threshold) => threshold.stiffness > stiffness).map(({ mode }) => mode);
-    const because = stiffness === 0 ? "Without feedback every small error grows." : weakest.length ? `G = ${number(stiffness, 4)} is below the threshold of ${weakest.join(", ")}.` : "";
-    if (over.cause === "left") this.tellFallen(`The platform has left its program at ${time}.`, because || `It is more than ${REACH} base radii away.`, true);
-    else this.tellFallen(`It ends at ${time}: ${causeWords(over.cause)}.`, [over.message && `${over.message[0].toUpperCase()}${over.message.slice(1)}.`, because].filter(Boolean).join(" "), true);
+    const weakest = holdsFrom(this.study.stability)
+      .filter((threshold) => threshold.stiffness > stiffness)
+      .map(({ mode }) => mode);
+    const because =
+      stiffness === 0
+        ? "Without feedback every small error grows."
+        : weakest.length
+          ? `G = ${number(stiffness, 4)} is below the threshold of ${weakest.join(", ")}.`
+          : "";
+    if (over.cause === "left")
+      this.tellFallen(
+        `The platform has left its program at ${time}.`,
+        because || `It is more than ${REACH} base radii away.`,
+        true,
+      );
+    else
+      this.tellFallen(
+        `It ends at ${time}: ${causeWords(over.cause)}.`,
+        [over.message && `${over.message[0].toUpperCase()}${over.message.slice(1)}.`, because]
+          .filter(Boolean)
+          .join(" "),
+        true,
+      );
   }
 
   tellFallen(headline, reason, again) {
     byId("fallen").replaceChildren(
-      element("strong", {}, headline), element("span", {}, reason),
-      again && element("button", { class: "mini strong", type: "button", "data-testid": "fallen-restart", onclick: () => this.restart() }, "start again"));
+      element("strong", {}, headline),
+      element("span", {}, reason),
+      again &&
+        element(
+          "button",
+          {
+            class: "mini strong",
+            type: "button",
+            "data-testid": "fallen-restart",
+            onclick: () => this.restart(),
+          },
+          "start again",
+        ),
+    );
     byId("fallen").hidden = false;
   }
 
@@ -254,11 +406,14 @@ export class Live {
   /** Called for each picture. */
   frame() {
     if (!this.active || !this.row || !this.place) return;
-    if (this.grip) this.pull();
+    this.hand?.pull(this.centre ?? [0, 0, 0]);
     if (!this.fresh) return;
     this.fresh = false;
     const at = (name) => this.row[this.place[name]];
-    const pose = { position: [at("x"), at("y"), at("z")], rotation: rotation(at("roll"), at("pitch"), at("yaw")) };
+    const pose = {
+      position: [at("x"), at("y"), at("z")],
+      rotation: rotation(at("roll"), at("pitch"), at("yaw")),
+    };
     const [x, y, z, roll, pitch, yaw] = this.program;
     const forces = [1, 2, 3, 4, 5, 6].map((leg) => at(`f${leg}`));
     this.centre = placed(pose, this.study.machine.center_of_mass);
@@ -266,29 +421,16 @@ export class Live {
     const { scene } = this.page;
     if (scene) {
       scene.machines[0].model.showTrail(this.trail);
-      scene.move([{ pose, forces, plan: { position: [x, y, z], rotation: rotation(roll, pitch, yaw) } }]);
+      scene.move([
+        { pose, forces, plan: { position: [x, y, z], rotation: rotation(roll, pitch, yaw) } },
+      ]);
     }
     const time = `t = ${fixed(at("t"), 2)}${unitAfter(this.study.unit("t"))}`;
     byId("clock").textContent = time;
     this.clock.textContent = time;
     this.off.textContent = `${number(Math.hypot(at("ex"), at("ey"), at("ez")), 3)}${unitAfter(this.study.unit("ex"))}, ${number(DEGREE * Math.hypot(at("eroll"), at("epitch"), at("eyaw")), 3)} °`;
     this.pace.textContent = this.ratio > 0 ? `${number(this.ratio, 2)}× real time` : "–";
-    this.drawStrips();
-  }
-
-  /** Takes one of the thread's samples: t, distance from the program, six forces. */
-  remember([t, off, ...forces]) {
-    const { samples } = this;
-    if (samples.t.length && t <= samples.t[samples.t.length - 1]) return;
-    samples.t.push(t);
-    samples.off.push(off);
-    forces.forEach((force, leg) => samples.forces[leg].push(force));
-    const oldest = t - WINDOW * this.timeUnit;
-    while (samples.t.length > 2 * POINTS || samples.t[0] < oldest) {
-      samples.t.shift();
-      samples.off.shift();
-      samples.forces.forEach((values) => values.shift());
-    }
+    this.strips.draw();
   }
 
   /** Goes on with the path behind the centre of mass. */
@@ -297,77 +439,8 @@ export class Live {
     if (this.trail.length > 3 * TRAIL) this.trail.splice(0, this.trail.length - 3 * TRAIL);
   }
 
-  drawStrips() {
-    const now = performance.now();
-    if (now - (this.drawn ?? 0) < 40) return;
-    this.drawn = now;
-    for (const { plot, box, series } of this.strips) {
-      if (box.clientWidth && plot.width !== box.clientWidth) plot.setSize({ width: box.clientWidth, height: STRIP });
-      plot.setData([this.samples.t, ...series.map(({ of }) => of())]);
-    }
-  }
-
-  // ---- the reader's hand ----
-
+  /** Pushes the load at its centre of mass, base axes, until the next push. */
   pushBy(force) {
-    this.push = force;
     this.tell("push", { force });
-  }
-
-  bindHand() {
-    const { scene } = this.page;
-    if (!scene || this.unbindHand) return;
-    const { canvas, controls } = scene;
-    const down = (event) => {
-      if (event.button !== 0 || this.over || !scene.pick(event)) return;
-      controls.enabled = false;
-      canvas.setPointerCapture(event.pointerId);
-      this.grip = event;
-      event.stopImmediatePropagation();
-    };
-    const move = (event) => {
-      if (this.grip) this.grip = event;
-      else canvas.style.cursor = event.buttons === 0 && scene.pick(event) ? "grab" : "";
-    };
-    const up = () => this.letGo();
-    canvas.addEventListener("pointerdown", down, true);
-    canvas.addEventListener("pointermove", move);
-    canvas.addEventListener("pointerup", up);
-    canvas.addEventListener("pointercancel", up);
-    this.unbindHand = () => {
-      canvas.removeEventListener("pointerdown", down, true);
-      canvas.removeEventListener("pointermove", move);
-      canvas.removeEventListener("pointerup", up);
-      canvas.removeEventListener("pointercancel", up);
-      canvas.style.cursor = "";
-      this.unbindHand = null;
-    };
-  }
-
-  letGo() {
-    if (this.grip || this.push.some((part) => part !== 0)) this.pushBy([0, 0, 0]);
-    this.grip = null;
-    byId("push").toggleAttribute("hidden", true);
-    if (this.page.scene) this.page.scene.controls.enabled = true;
-  }
-
-  /** The hand's force: from the centre of mass towards the pointer, in the plane that faces the reader; a base radius is half the
-   *  weight. */
-  pull() {
-    const { scene } = this.page;
-    const { point, screen } = scene.handAt(this.grip, this.centre);
-    const scale = (0.5 * this.weight) / this.study.machine.base_radius;
-    this.pushBy(point.map((value, axis) => scale * (value - this.centre[axis])));
-    const size = Math.hypot(...this.push);
-    const [from, to] = screen;
-    byId("push").toggleAttribute("hidden", false);
-    const line = byId("push-line");
-    [["x1", from[0]], ["y1", from[1]], ["x2", to[0]], ["y2", to[1]]].forEach(([name, value]) => line.setAttribute(name, value));
-    const angle = (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;
-    byId("push-head").setAttribute("transform", `translate(${to[0]} ${to[1]}) rotate(${angle})`);
-    const words = byId("push-size");
-    words.setAttribute("x", to[0] + 12);
-    words.setAttribute("y", to[1] - 10);
-    words.textContent = this.study.units === "si" ? `${number(size, 3)} N` : `${number(size, 3)} M g`;
   }
 }

@@ -1,10 +1,26 @@
 // One machine as meshes: base and top through their joints, legs of cylinder and piston, the load, the program's ghost and the
 // paths. Frame of the software, z up; the caller scales and places the group.
 import {
-  BufferAttribute, BufferGeometry, Color, CylinderGeometry, DoubleSide, EdgesGeometry, Group, Line, LineBasicMaterial, LineDashedMaterial,
-  LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, Quaternion, SphereGeometry, Vector3,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  CylinderGeometry,
+  DoubleSide,
+  EdgesGeometry,
+  Group,
+  Line,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  LineSegments,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
 } from "three";
-import { forceColor, LEGS } from "./color.js";
+import { forceColor, LEGS, plain } from "./color.js";
 import { equalEllipsoid } from "./inertia.js";
 import { legsOf } from "./pose.js";
 
@@ -12,7 +28,9 @@ const UP = new Vector3(0, 0, 1);
 
 /** Joints in order around their centre, pushed outwards by `margin`: the outline of a plate. */
 function outline(joints, margin) {
-  const centre = [0, 1, 2].map((axis) => joints.reduce((sum, joint) => sum + joint[axis], 0) / joints.length);
+  const centre = [0, 1, 2].map(
+    (axis) => joints.reduce((sum, joint) => sum + joint[axis], 0) / joints.length,
+  );
   return joints
     .map((joint) => ({ joint, angle: Math.atan2(joint[1] - centre[1], joint[0] - centre[0]) }))
     .sort((a, b) => a.angle - b.angle)
@@ -27,7 +45,9 @@ function outline(joints, margin) {
 function plate(points, low, high) {
   const positions = [];
   const triangle = (...corners) => corners.forEach((corner) => positions.push(...corner));
-  const centre = [0, 1, 2].map((axis) => points.reduce((sum, point) => sum + point[axis], 0) / points.length);
+  const centre = [0, 1, 2].map(
+    (axis) => points.reduce((sum, point) => sum + point[axis], 0) / points.length,
+  );
   const at = (point, z) => [point[0], point[1], point[2] + z];
   points.forEach((point, index) => {
     const next = points[(index + 1) % points.length];
@@ -44,7 +64,9 @@ function plate(points, low, high) {
 
 /** A cylinder from the origin along z to (0, 0, 1). */
 function rod(radius, segments = 28) {
-  return new CylinderGeometry(radius, radius, 1, segments, 1).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+  return new CylinderGeometry(radius, radius, 1, segments, 1)
+    .rotateX(Math.PI / 2)
+    .translate(0, 0, 0.5);
 }
 
 /** The mark of a centre of mass: a ball whose octants are dark and light in turn. */
@@ -54,17 +76,40 @@ function centreMark(radius) {
   const colors = new Float32Array(position.count * 3);
   for (let corner = 0; corner < position.count; corner += 3) {
     const sign = [0, 1, 2].map((axis) => {
-      const sum = [0, 1, 2].reduce((total, k) => total + position.array[3 * (corner + k) + axis], 0);
+      const sum = [0, 1, 2].reduce(
+        (total, k) => total + position.array[3 * (corner + k) + axis],
+        0,
+      );
       return sum >= 0 ? 1 : -1;
     });
     colors.fill(sign[0] * sign[1] * sign[2] > 0 ? 0.02 : 0.95, 3 * corner, 3 * corner + 9);
   }
   geometry.setAttribute("color", new BufferAttribute(colors, 3));
-  return new Mesh(geometry, new MeshBasicMaterial({ vertexColors: true, depthTest: false, transparent: true }));
+  return new Mesh(
+    geometry,
+    new MeshBasicMaterial({ vertexColors: true, depthTest: false, transparent: true }),
+  );
 }
 
 const matrixOf = ({ position: p, rotation: r }) =>
-  new Matrix4().set(r[0], r[1], r[2], p[0], r[3], r[4], r[5], p[1], r[6], r[7], r[8], p[2], 0, 0, 0, 1);
+  new Matrix4().set(
+    r[0],
+    r[1],
+    r[2],
+    p[0],
+    r[3],
+    r[4],
+    r[5],
+    p[1],
+    r[6],
+    r[7],
+    r[8],
+    p[2],
+    0,
+    0,
+    0,
+    1,
+  );
 
 /** Part that is moved by its matrix alone. */
 function posed(group) {
@@ -88,12 +133,30 @@ export class Machine {
       base: new MeshStandardMaterial({ roughness: 0.75, metalness: 0.1 }),
       top: new MeshStandardMaterial({ roughness: 0.5, metalness: 0.15 }),
       piston: new MeshStandardMaterial({ roughness: 0.28, metalness: 0.55 }),
-      load: new MeshStandardMaterial({ roughness: 0.6, metalness: 0, transparent: true, opacity: 0.42, depthWrite: false }),
+      load: new MeshStandardMaterial({
+        roughness: 0.6,
+        metalness: 0,
+        transparent: true,
+        opacity: 0.42,
+        depthWrite: false,
+      }),
+      joints: LEGS.map(() => new MeshStandardMaterial({ roughness: 0.5 })),
       edge: new LineBasicMaterial({ transparent: true, opacity: 0.5 }),
-      ghost: new MeshBasicMaterial({ color: accent ?? "white", transparent: true, opacity: 0.16, side: DoubleSide, depthWrite: false }),
-      ghostEdge: new LineBasicMaterial({ color: accent ?? "white", transparent: true, opacity: 0.8 }),
-      path: new LineBasicMaterial({ color: accent ?? "white", depthTest: false, transparent: true }),
-      plan: new LineDashedMaterial({ depthTest: false, transparent: true, opacity: 0.55, dashSize: 0.03 * size, gapSize: 0.03 * size }),
+      ghost: new MeshBasicMaterial({
+        transparent: true,
+        opacity: 0.16,
+        side: DoubleSide,
+        depthWrite: false,
+      }),
+      ghostEdge: new LineBasicMaterial({ transparent: true, opacity: 0.8 }),
+      path: new LineBasicMaterial({ depthTest: false, transparent: true }),
+      plan: new LineDashedMaterial({
+        depthTest: false,
+        transparent: true,
+        opacity: 0.55,
+        dashSize: 0.03 * size,
+        gapSize: 0.03 * size,
+      }),
     };
     this.buildBase();
     this.buildTop();
@@ -111,11 +174,19 @@ export class Machine {
 
   buildBase() {
     const s = this.size;
-    this.solid.add(this.withEdges(plate(outline(this.machine.base, 0.13 * s), -0.11 * s, -0.05 * s), this.material.base));
+    this.solid.add(
+      this.withEdges(
+        plate(outline(this.machine.base, 0.13 * s), -0.11 * s, -0.05 * s),
+        this.material.base,
+      ),
+    );
     this.machine.base.forEach((joint, leg) => {
-      const foot = new Mesh(new CylinderGeometry(0.032 * s, 0.06 * s, 0.055 * s, 24).rotateX(Math.PI / 2), this.material.base);
+      const foot = new Mesh(
+        new CylinderGeometry(0.032 * s, 0.06 * s, 0.055 * s, 24).rotateX(Math.PI / 2),
+        this.material.base,
+      );
       foot.position.set(joint[0], joint[1], joint[2] - 0.03 * s);
-      const ball = new Mesh(new SphereGeometry(0.042 * s, 24, 16), new MeshStandardMaterial({ color: LEGS[leg], roughness: 0.5 }));
+      const ball = new Mesh(new SphereGeometry(0.042 * s, 24, 16), this.material.joints[leg]);
       ball.position.set(...joint);
       ball.castShadow = foot.castShadow = true;
       this.solid.add(foot, ball);
@@ -125,26 +196,51 @@ export class Machine {
   buildTop() {
     const s = this.size;
     this.top = posed(new Group());
-    this.platform = this.withEdges(plate(outline(this.machine.top, 0.075 * s), 0.02 * s, 0.07 * s), this.material.top);
+    this.platform = this.withEdges(
+      plate(outline(this.machine.top, 0.075 * s), 0.02 * s, 0.07 * s),
+      this.material.top,
+    );
     this.top.add(this.platform);
     this.machine.top.forEach((joint, leg) => {
-      const ball = new Mesh(new SphereGeometry(0.034 * s, 24, 16), new MeshStandardMaterial({ color: LEGS[leg], roughness: 0.5 }));
+      const ball = new Mesh(new SphereGeometry(0.034 * s, 24, 16), this.material.joints[leg]);
       ball.position.set(...joint);
       ball.castShadow = true;
       this.top.add(ball);
     });
     const { axes, vectors } = equalEllipsoid(this.machine.mass, this.machine.inertia);
     const [u, v, w] = [0, 1, 2].map((k) => vectors.map((line) => line[k]));
-    const right = u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]) > 0 ? 1 : -1;
+    const right =
+      u[0] * (v[1] * w[2] - v[2] * w[1]) -
+        u[1] * (v[0] * w[2] - v[2] * w[0]) +
+        u[2] * (v[0] * w[1] - v[1] * w[0]) >
+      0
+        ? 1
+        : -1;
     const c = this.machine.center_of_mass;
     this.load = posed(new Mesh(new SphereGeometry(1, 48, 32), this.material.load));
     this.load.matrix.set(
-      u[0] * axes[0], v[0] * axes[1], right * w[0] * axes[2], c[0],
-      u[1] * axes[0], v[1] * axes[1], right * w[1] * axes[2], c[1],
-      u[2] * axes[0], v[2] * axes[1], right * w[2] * axes[2], c[2], 0, 0, 0, 1,
+      u[0] * axes[0],
+      v[0] * axes[1],
+      right * w[0] * axes[2],
+      c[0],
+      u[1] * axes[0],
+      v[1] * axes[1],
+      right * w[1] * axes[2],
+      c[1],
+      u[2] * axes[0],
+      v[2] * axes[1],
+      right * w[2] * axes[2],
+      c[2],
+      0,
+      0,
+      0,
+      1,
     );
     // how far the load rises over the top frame's origin: the ellipsoid's height along z
-    this.rise = Math.max(0.15 * s, c[2] + Math.hypot(u[2] * axes[0], v[2] * axes[1], w[2] * axes[2]));
+    this.rise = Math.max(
+      0.15 * s,
+      c[2] + Math.hypot(u[2] * axes[0], v[2] * axes[1], w[2] * axes[2]),
+    );
     this.load.renderOrder = 2;
     this.centre = centreMark(0.05 * s);
     this.centre.position.set(...c);
@@ -180,7 +276,10 @@ export class Machine {
     this.ghost = new Group();
     this.ghostTop = posed(new Group());
     const geometry = plate(outline(this.machine.top, 0.085 * s), 0.015 * s, 0.075 * s);
-    this.ghostTop.add(new Mesh(geometry, this.material.ghost), new LineSegments(new EdgesGeometry(geometry, 20), this.material.ghostEdge));
+    this.ghostTop.add(
+      new Mesh(geometry, this.material.ghost),
+      new LineSegments(new EdgesGeometry(geometry, 20), this.material.ghostEdge),
+    );
     const lines = new BufferGeometry();
     lines.setAttribute("position", new BufferAttribute(new Float32Array(36), 3));
     this.ghostLegs = new LineSegments(lines, this.material.ghostEdge);
@@ -206,7 +305,10 @@ export class Machine {
 
   /** The whole path of the run (drawn up to the present row) and of the program: arrays of x, y, z. */
   setPaths(run, plan) {
-    for (const [path, points] of [[this.path, run], [this.plan, plan]]) {
+    for (const [path, points] of [
+      [this.path, run],
+      [this.plan, plan],
+    ]) {
       path.geometry.dispose();
       path.geometry = new BufferGeometry();
       path.visible = Boolean(points?.length);
@@ -249,7 +351,9 @@ export class Machine {
       const inside = Math.min(0.1 * this.size, cylinder);
       leg.group.visible = length > 0;
       leg.group.position.set(...base);
-      leg.group.quaternion.copy(new Quaternion().setFromUnitVectors(UP, direction.set(...along).normalize()));
+      leg.group.quaternion.copy(
+        new Quaternion().setFromUnitVectors(UP, direction.set(...along).normalize()),
+      );
       leg.cylinder.scale.z = cylinder;
       leg.collar.position.z = cylinder - leg.collar.scale.z;
       leg.piston.position.z = cylinder - inside;
@@ -275,7 +379,10 @@ export class Machine {
 
   /** Colours of the theme. */
   paint(theme) {
-    if (!this.accent) for (const part of ["ghost", "ghostEdge", "path"]) this.material[part].color = new Color(theme.ghost);
+    const accent = this.accent ? plain(this.accent) : theme.ghost;
+    for (const part of ["ghost", "ghostEdge", "path"])
+      this.material[part].color = new Color(accent);
+    this.material.joints.forEach((material, leg) => (material.color = new Color(plain(LEGS[leg]))));
     this.material.base.color = new Color(theme.base);
     this.material.top.color = new Color(theme.top);
     this.material.piston.color = new Color(theme.piston);

@@ -8,36 +8,100 @@ import { modesAtRest, multipliersBySize, thresholdsOf } from "./stability.js";
 /** A table with headings; cells are text or nodes. */
 function table(caption, headings, rows, attributes = {}) {
   return element(
-    "div", { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
+    "div",
+    { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
     element(
-      "table", attributes,
+      "table",
+      attributes,
       element("caption", {}, caption),
-      element("thead", {}, element("tr", {}, headings.map((heading) => element("th", { scope: "col" }, heading)))),
-      element("tbody", {}, rows.map((row) => element("tr", {}, row.map((cell, column) => (column ? element("td", {}, cell) : element("th", { scope: "row" }, cell)))))),
+      element(
+        "thead",
+        {},
+        element(
+          "tr",
+          {},
+          headings.map((heading) => element("th", { scope: "col" }, heading)),
+        ),
+      ),
+      element(
+        "tbody",
+        {},
+        rows.map((row) =>
+          element(
+            "tr",
+            {},
+            row.map((cell, column) =>
+              column ? element("td", {}, cell) : element("th", { scope: "row" }, cell),
+            ),
+          ),
+        ),
+      ),
     ),
   );
 }
 
-const legName = (leg) => element("span", { class: "leg-name", style: { "--leg": LEGS[leg] } }, String(leg + 1));
+const legName = (leg) =>
+  element("span", { class: "leg-name", style: { "--leg": LEGS[leg] } }, String(leg + 1));
 const withUnit = (words, unitText) => (unit(unitText) ? `${words} [${unit(unitText)}]` : words);
 const list = (values, digits = 5) => values.map((value) => number(value, digits)).join(", ");
 
-const factList = (pairs) => element("dl", { class: "fact-list" }, pairs.filter(Boolean).map(([term, ...values]) => [element("dt", {}, term), element("dd", {}, ...values)]));
+const factList = (pairs) =>
+  element(
+    "dl",
+    { class: "fact-list" },
+    pairs
+      .filter(Boolean)
+      .map(([term, ...values]) => [element("dt", {}, term), element("dd", {}, ...values)]),
+  );
 
-const facts = (title, pairs, testid) => element("section", { class: "facts", "data-testid": testid }, element("h3", {}, title), factList(pairs));
+const facts = (title, pairs, testid) =>
+  element(
+    "section",
+    { class: "facts", "data-testid": testid },
+    element("h3", {}, title),
+    factList(pairs),
+  );
 
 /** Peaks of the six legs, of a summary as the command prints it. */
 function legTable(study, summary, caption, testid) {
   const units = (name) => study.unit(name);
   const energy = units("f1") === "1" ? "1" : "J";
   const peak = ([least, greatest]) => Math.max(Math.abs(least), Math.abs(greatest));
-  const limited = summary.legs.some((leg) => leg.stroke_used !== null && leg.stroke_used !== undefined);
+  const limited = summary.legs.some(
+    (leg) => leg.stroke_used !== null && leg.stroke_used !== undefined,
+  );
   const headings = [
-    "leg", withUnit("length, least", units("l1")), "greatest", withUnit("peak rate", units("dl1")), withUnit("force, least", units("f1")), "greatest", "peak", "RMS",
-    withUnit("power, least", units("p1")), "greatest", withUnit("energy", energy), "swing, base [°]", "top", limited && "stroke used [%]",
+    "leg",
+    withUnit("length, least", units("l1")),
+    "greatest",
+    withUnit("peak rate", units("dl1")),
+    withUnit("force, least", units("f1")),
+    "greatest",
+    "peak",
+    "RMS",
+    withUnit("power, least", units("p1")),
+    "greatest",
+    withUnit("energy", energy),
+    "swing, base [°]",
+    "top",
+    limited && "stroke used [%]",
   ].filter(Boolean);
   const rows = summary.legs.map((leg, index) => [
-    legName(index), ...[leg.length[0], leg.length[1], leg.speed, leg.force[0], leg.force[1], peak(leg.force), leg.rms_force, leg.power[0], leg.power[1], leg.energy, leg.swing?.base, leg.swing?.top].map((value) => number(value, 5)),
+    legName(index),
+    ...[
+      leg.length[0],
+      leg.length[1],
+      leg.speed,
+      leg.force[0],
+      leg.force[1],
+      peak(leg.force),
+      leg.rms_force,
+      leg.power[0],
+      leg.power[1],
+      leg.energy,
+      leg.swing?.base,
+      leg.swing?.top,
+    ].map((value) => number(value, 5)),
     ...(limited ? [number(leg.stroke_used, 3)] : []),
   ]);
   return table(caption, headings, rows, { class: "legs", "data-testid": testid });
@@ -46,18 +110,30 @@ function legTable(study, summary, caption, testid) {
 function endFacts(study) {
   const { end, simulate, simulation } = study;
   const time = unitAfter(study.unit("t"));
-  return facts("The run", [
-    ["end", study.complete ? `the whole duration, t = ${number(end.time, 6)}${time}` : `${causeWords(end.status)} at t = ${number(end.time, 9)}${time}`],
-    !study.complete && ["why", end.message],
-    simulate?.deviation && ["greatest deviation", `${number(simulate.deviation.position, 5)}${unitAfter(study.unit("ex"))} and ${number(simulate.deviation.angle, 5)} ° from the program`],
-    simulate && ["drift of the constraints", `at most ${number(simulate.drift, 3)}`],
-    simulate && ["condition", `at most ${number(simulate.condition, 5)}`],
-    ["rows", `${study.run.rows}, one each ${number(simulation.output_step, 6)}${time}`],
-    ["method", simulation.method],
-    ["feed-forward", study.control.feedforward ? "the program's forces" : "none"],
-    ["stiffness G", same(study.control.stiffness), unitAfter(gainUnit(study, 0))],
-    ["damping D", same(study.control.damping), unitAfter(gainUnit(study, 1))],
-  ], "end-facts");
+  return facts(
+    "The run",
+    [
+      [
+        "end",
+        study.complete
+          ? `the whole duration, t = ${number(end.time, 6)}${time}`
+          : `${causeWords(end.status)} at t = ${number(end.time, 9)}${time}`,
+      ],
+      !study.complete && ["why", end.message],
+      simulate?.deviation && [
+        "greatest deviation",
+        `${number(simulate.deviation.position, 5)}${unitAfter(study.unit("ex"))} and ${number(simulate.deviation.angle, 5)} ° from the program`,
+      ],
+      simulate && ["drift of the constraints", `at most ${number(simulate.drift, 3)}`],
+      simulate && ["condition", `at most ${number(simulate.condition, 5)}`],
+      ["rows", `${study.run.rows}, one each ${number(simulation.output_step, 6)}${time}`],
+      ["method", simulation.method],
+      ["feed-forward", study.control.feedforward ? "the program's forces" : "none"],
+      ["stiffness G", same(study.control.stiffness), unitAfter(gainUnit(study, 0))],
+      ["damping D", same(study.control.damping), unitAfter(gainUnit(study, 1))],
+    ],
+    "end-facts",
+  );
 }
 
 const same = (six) => (six.every((value) => value === six[0]) ? number(six[0], 6) : list(six));
@@ -67,33 +143,60 @@ function machineFacts(study) {
   const { machine } = study;
   const metre = unitAfter(study.unit("l1"));
   const { length, speed, force } = machine.limits ?? {};
-  return facts("The machine", [
-    ["height at home", `${number(machine.height, 6)}${metre}`],
-    ["base radius", `${number(machine.base_radius, 6)}${metre}`],
-    ["leg length at home", same(machine.home_length), metre],
-    ["condition at home", number(machine.home_condition, 6)],
-    ["load", `mass ${number(machine.mass, 6)}${study.units === "si" ? " kg" : ""}, centre of mass ${list(machine.center_of_mass)}${metre}`],
-    ["inertia about it", element("span", { class: "matrix" }, machine.inertia.map((row) => list(row)).join("\n"))],
-    ["gravity", list(machine.gravity)],
-    length && (length[0] || length[1]) && ["length limits", `${number(length[0], 6)} to ${number(length[1], 6)}${metre}`],
-    speed && ["greatest speed", `${number(speed, 6)}${unitAfter(study.unit("dl1"))}`],
-    force && ["greatest force", `${number(force, 6)}${unitAfter(study.unit("f1"))}`],
-    ["legs", "massless here: their own weight and inertia come on top"],
-  ], "machine-facts");
+  return facts(
+    "The machine",
+    [
+      ["height at home", `${number(machine.height, 6)}${metre}`],
+      ["base radius", `${number(machine.base_radius, 6)}${metre}`],
+      ["leg length at home", same(machine.home_length), metre],
+      ["condition at home", number(machine.home_condition, 6)],
+      [
+        "load",
+        `mass ${number(machine.mass, 6)}${study.units === "si" ? " kg" : ""}, centre of mass ${list(machine.center_of_mass)}${metre}`,
+      ],
+      [
+        "inertia about it",
+        element("span", { class: "matrix" }, machine.inertia.map((row) => list(row)).join("\n")),
+      ],
+      ["gravity", list(machine.gravity)],
+      length &&
+        (length[0] || length[1]) && [
+          "length limits",
+          `${number(length[0], 6)} to ${number(length[1], 6)}${metre}`,
+        ],
+      speed && ["greatest speed", `${number(speed, 6)}${unitAfter(study.unit("dl1"))}`],
+      force && ["greatest force", `${number(force, 6)}${unitAfter(study.unit("f1"))}`],
+      ["legs", "massless here: their own weight and inertia come on top"],
+    ],
+    "machine-facts",
+  );
 }
 
 function jointTable(study) {
   const { machine } = study;
   const metre = study.unit("l1");
-  return table("Joints", ["leg", withUnit("base x", metre), "y", "z", withUnit("top x, top frame", metre), "y", "z"],
-    machine.base.map((base, leg) => [legName(leg), ...[...base, ...machine.top[leg]].map((value) => number(value, 6))]), { class: "joints" });
+  return table(
+    "Joints",
+    ["leg", withUnit("base x", metre), "y", "z", withUnit("top x, top frame", metre), "y", "z"],
+    machine.base.map((base, leg) => [
+      legName(leg),
+      ...[...base, ...machine.top[leg]].map((value) => number(value, 6)),
+    ]),
+    { class: "joints" },
+  );
 }
 
 function stabilitySection(study) {
   const { stability } = study;
-  const section = element("section", { class: "stability", "data-testid": "stability" }, element("h3", {}, "Stability"));
+  const section = element(
+    "section",
+    { class: "stability", "data-testid": "stability" },
+    element("h3", {}, "Stability"),
+  );
   if (!stability) {
-    section.append(element("p", { class: "note" }, study.stability_message || "Not computed for this study."));
+    section.append(
+      element("p", { class: "note" }, study.stability_message || "Not computed for this study."),
+    );
     return section;
   }
   const unitText = unitAfter(gainUnit(study, 0)).trim();
@@ -101,21 +204,67 @@ function stabilitySection(study) {
   const rate = time ? " [1/s]" : "";
   const grows = stability.multipliers?.length ? stability.growth_per_period : stability.growth_rate;
   const facts = factList([
-    ["verdict", element("strong", { class: stability.stable ? "good" : "bad" }, stability.stable ? "No mode grows under this feedback." : "Some mode grows under this feedback.")],
-    present(stability.growth_rate) && ["fastest growth at rest", `e^(${number(stability.growth_rate, 5)} t)`],
+    [
+      "verdict",
+      element(
+        "strong",
+        { class: stability.stable ? "good" : "bad" },
+        stability.stable
+          ? "No mode grows under this feedback."
+          : "Some mode grows under this feedback.",
+      ),
+    ],
+    present(stability.growth_rate) && [
+      "fastest growth at rest",
+      `e^(${number(stability.growth_rate, 5)} t)`,
+    ],
     present(stability.period) && ["period of the program", number(stability.period, 8), time],
     present(stability.growth_per_period) && ["growth each period", `× ${number(grows, 5)}`],
     !stability.multipliers?.length && ["Floquet multipliers", "none: the program has no period"],
   ]);
   const thresholds = thresholdsOf(stability);
   const multipliers = multipliersBySize(stability);
-  section.append(facts, element(
-    "div", { class: "beside" },
-    multipliers.length > 0 && element("figure", { class: "circle" }, multiplierCircle(stability.multipliers), element("figcaption", {}, "Floquet multipliers and the unit circle; what lies beyond it, by logarithm. ◆ grows, ● does not.")),
-    multipliers.length > 0 && table("Floquet multipliers, by size", ["mode", "|μ|"], multipliers.map(({ mode, size }) => [mode, number(size, 6)]), { "data-testid": "multipliers" }),
-    thresholds.length > 0 && table("Least stiffness that holds at rest", ["mode", `G${unitText ? ` [${unitText}]` : ""}`], thresholds.map(({ mode, stiffness }) => [mode, number(stiffness, 6)]), { "data-testid": "thresholds" }),
-    table("Modes at rest under this feedback", ["mode", `growth rate${rate}`, `angular frequency${rate}`], modesAtRest(stability).map(({ mode, rate: growth, frequency }) => [mode, number(growth, 5), number(frequency, 5)])),
-  ));
+  section.append(
+    facts,
+    element(
+      "div",
+      { class: "beside" },
+      multipliers.length > 0 &&
+        element(
+          "figure",
+          { class: "circle" },
+          multiplierCircle(stability.multipliers),
+          element(
+            "figcaption",
+            {},
+            "Floquet multipliers and the unit circle; what lies beyond it, by logarithm. ◆ grows, ● does not.",
+          ),
+        ),
+      multipliers.length > 0 &&
+        table(
+          "Floquet multipliers, by size",
+          ["mode", "|μ|"],
+          multipliers.map(({ mode, size }) => [mode, number(size, 6)]),
+          { "data-testid": "multipliers" },
+        ),
+      thresholds.length > 0 &&
+        table(
+          "Least stiffness that holds at rest",
+          ["mode", `G${unitText ? ` [${unitText}]` : ""}`],
+          thresholds.map(({ mode, stiffness }) => [mode, number(stiffness, 6)]),
+          { "data-testid": "thresholds" },
+        ),
+      table(
+        "Modes at rest under this feedback",
+        ["mode", `growth rate${rate}`, `angular frequency${rate}`],
+        modesAtRest(stability).map(({ mode, rate: growth, frequency }) => [
+          mode,
+          number(growth, 5),
+          number(frequency, 5),
+        ]),
+      ),
+    ),
+  );
   return section;
 }
 
@@ -139,11 +288,17 @@ function studyText(study) {
   const lines = study.text.split("\n");
   for (const line of lines) {
     const start = commentStart(line);
-    code.append(line.slice(0, start), element("span", { class: "comment" }, line.slice(start)), "\n");
+    code.append(
+      line.slice(0, start),
+      element("span", { class: "comment" }, line.slice(start)),
+      "\n",
+    );
   }
   return element(
-    "details", { class: "study-text", open: lines.length < 60 },
-    element("summary", {}, `The study file: ${study.name}`), element("pre", { "data-testid": "study-text", tabindex: "0" }, code),
+    "details",
+    { class: "study-text", open: lines.length < 60 },
+    element("summary", {}, `The study file: ${study.name}`),
+    element("pre", { "data-testid": "study-text", tabindex: "0" }, code),
   );
 }
 
@@ -152,8 +307,12 @@ export function showNumbers(host, study) {
   host.replaceChildren(
     element("div", { class: "columns" }, endFacts(study), machineFacts(study)),
     stabilitySection(study),
-    study.simulate?.legs && study.run.rows ? legTable(study, study.simulate, "The legs in the run", "legs-run") : "",
-    study.forces?.legs && study.plan.rows ? legTable(study, study.forces, "The legs along the program", "legs-program") : "",
+    study.simulate?.legs && study.run.rows
+      ? legTable(study, study.simulate, "The legs in the run", "legs-run")
+      : "",
+    study.forces?.legs && study.plan.rows
+      ? legTable(study, study.forces, "The legs along the program", "legs-program")
+      : "",
     jointTable(study),
     studyText(study),
   );
@@ -163,9 +322,34 @@ export function showNumbers(host, study) {
 export function compareNumbers(host, studies) {
   const [first] = studies;
   const rows = studies.map((study) => [
-    study.label, study.complete ? "complete" : `${causeWords(study.end.status)}, t = ${number(study.end.time, 6)}`, study.control.feedforward ? "yes" : "no", same(study.control.stiffness), same(study.control.damping),
-    number(study.simulate?.deviation?.position, 4), number(study.simulate?.deviation?.angle, 4), number(Math.max(...(study.simulate?.legs ?? []).map((leg) => leg.force[1])), 4), number(study.simulate?.condition, 4),
+    study.label,
+    study.complete
+      ? "complete"
+      : `${causeWords(study.end.status)}, t = ${number(study.end.time, 6)}`,
+    study.control.feedforward ? "yes" : "no",
+    same(study.control.stiffness),
+    same(study.control.damping),
+    number(study.simulate?.deviation?.position, 4),
+    number(study.simulate?.deviation?.angle, 4),
+    number(Math.max(...(study.simulate?.legs ?? []).map((leg) => leg.force[1])), 4),
+    number(study.simulate?.condition, 4),
   ]);
-  host.replaceChildren(table("The studies beside each other",
-    ["study", "end", "feed-forward", "G", "D", withUnit("greatest deviation", first.unit("ex")), "of angle [°]", withUnit("greatest force", first.unit("f1")), "condition"], rows, { "data-testid": "comparison" }));
+  host.replaceChildren(
+    table(
+      "The studies beside each other",
+      [
+        "study",
+        "end",
+        "feed-forward",
+        "G",
+        "D",
+        withUnit("greatest deviation", first.unit("ex")),
+        "of angle [°]",
+        withUnit("greatest force", first.unit("f1")),
+        "condition",
+      ],
+      rows,
+      { "data-testid": "comparison" },
+    ),
+  );
 }

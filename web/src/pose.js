@@ -8,9 +8,15 @@ export function rotation(roll, pitch, yaw) {
   const [cp, sp] = [Math.cos(pitch), Math.sin(pitch)];
   const [cy, sy] = [Math.cos(yaw), Math.sin(yaw)];
   return [
-    cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr,
-    sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr,
-    -sp, cp * sr, cp * cr,
+    cy * cp,
+    cy * sp * sr - sy * cr,
+    cy * sp * cr + sy * sr,
+    sy * cp,
+    sy * sp * sr + cy * cr,
+    sy * sp * cr - cy * sr,
+    -sp,
+    cp * sr,
+    cp * cr,
   ];
 }
 

@@ -6,7 +6,8 @@ import { causeWords, fixed, number, unit, unitAfter } from "./format.js";
 const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
 
 /** Decimals that show about five digits of a quantity of this size. */
-const decimalsFor = (size) => Math.max(0, Math.min(9, 4 - Math.floor(Math.log10(Math.max(size, 1e-6)))));
+const decimalsFor = (size) =>
+  Math.max(0, Math.min(9, 4 - Math.floor(Math.log10(Math.max(size, 1e-6)))));
 
 /** Bars of the six leg forces about zero, with the limit and the program's force marked. */
 export class ForceBars {
@@ -18,12 +19,33 @@ export class ForceBars {
       const bar = element("i", { class: "bar" });
       const plan = element("i", { class: "plan" });
       const value = element("output", { class: "value", "data-testid": `force-${index + 1}` });
-      return { bar, plan, value, node: element("li", {}, element("span", { class: "leg-name", style: { "--leg": color } }, String(index + 1)), element("span", { class: "track" }, bar, plan), value) };
+      return {
+        bar,
+        plan,
+        value,
+        node: element(
+          "li",
+          {},
+          element("span", { class: "leg-name", style: { "--leg": color } }, String(index + 1)),
+          element("span", { class: "track" }, bar, plan),
+          value,
+        ),
+      };
     });
     this.node = element(
-      "section", { class: "bars", "aria-label": "Leg forces" },
-      element("h3", {}, "Leg forces", unit(unitText) && element("span", { class: "unit" }, unit(unitText))),
-      element("ol", {}, this.rows.map((row) => row.node)),
+      "section",
+      { class: "bars", "aria-label": "Leg forces" },
+      element(
+        "h3",
+        {},
+        "Leg forces",
+        unit(unitText) && element("span", { class: "unit" }, unit(unitText)),
+      ),
+      element(
+        "ol",
+        {},
+        this.rows.map((row) => row.node),
+      ),
     );
   }
 
@@ -36,7 +58,8 @@ export class ForceBars {
       bar.style.background = forceCss(force / this.colorPeak);
       const wanted = plan?.[index];
       needle.style.display = Number.isFinite(wanted) ? "" : "none";
-      if (Number.isFinite(wanted)) needle.style.left = `${50 + 50 * Math.max(-1, Math.min(1, wanted / this.peak))}%`;
+      if (Number.isFinite(wanted))
+        needle.style.left = `${50 + 50 * Math.max(-1, Math.min(1, wanted / this.peak))}%`;
       value.textContent = fixed(force, this.decimals);
     });
   }
@@ -45,15 +68,45 @@ export class ForceBars {
 /** The pose and how far it is from the program. */
 export class PoseTable {
   constructor(lengthUnit, angleUnit) {
-    this.cells = POSE.map((name) => ({ name, actual: element("td", { "data-testid": `pose-${name}` }), off: element("td", { "data-testid": `off-${name}` }) }));
+    this.cells = POSE.map((name) => ({
+      name,
+      actual: element("td", { "data-testid": `pose-${name}` }),
+      off: element("td", { "data-testid": `off-${name}` }),
+    }));
     this.node = element(
-      "table", { class: "pose" },
+      "table",
+      { class: "pose" },
       element("caption", {}, "Pose of the top"),
-      element("thead", {}, element("tr", {}, element("th", { scope: "col" }), element("th", { scope: "col" }, "actual"), element("th", { scope: "col" }, "off program"))),
-      element("tbody", {}, this.cells.map(({ name, actual, off }, index) => {
-        const words = unit(index < 3 ? lengthUnit : angleUnit);
-        return element("tr", {}, element("th", { scope: "row" }, name, words && element("span", { class: "unit" }, words)), actual, off);
-      })),
+      element(
+        "thead",
+        {},
+        element(
+          "tr",
+          {},
+          element("th", { scope: "col" }),
+          element("th", { scope: "col" }, "actual"),
+          element("th", { scope: "col" }, "off program"),
+        ),
+      ),
+      element(
+        "tbody",
+        {},
+        this.cells.map(({ name, actual, off }, index) => {
+          const words = unit(index < 3 ? lengthUnit : angleUnit);
+          return element(
+            "tr",
+            {},
+            element(
+              "th",
+              { scope: "row" },
+              name,
+              words && element("span", { class: "unit" }, words),
+            ),
+            actual,
+            off,
+          );
+        }),
+      ),
     );
   }
 
@@ -72,15 +125,34 @@ function glance(study) {
   const forces = simulate.legs.flatMap((leg) => leg.force);
   const lengths = simulate.legs.flatMap((leg) => leg.length);
   const pairs = [
-    ["off program, at most", `${number(simulate.deviation?.position, 3)}${unitAfter(study.unit("ex"))}`],
+    [
+      "off program, at most",
+      `${number(simulate.deviation?.position, 3)}${unitAfter(study.unit("ex"))}`,
+    ],
     ["off in angle, at most", `${number(simulate.deviation?.angle, 3)} °`],
-    ["leg forces", `${number(Math.min(...forces), 4)} … ${number(Math.max(...forces), 4)}${unitAfter(study.unit("f1"))}`],
-    ["leg lengths", `${number(Math.min(...lengths), 4)} … ${number(Math.max(...lengths), 4)}${unitAfter(study.unit("l1"))}`],
+    [
+      "leg forces",
+      `${number(Math.min(...forces), 4)} … ${number(Math.max(...forces), 4)}${unitAfter(study.unit("f1"))}`,
+    ],
+    [
+      "leg lengths",
+      `${number(Math.min(...lengths), 4)} … ${number(Math.max(...lengths), 4)}${unitAfter(study.unit("l1"))}`,
+    ],
     ["condition, at most", number(simulate.condition, 4)],
     stability && ["under this feedback", stability.stable ? "no mode grows" : "a mode grows"],
   ];
-  return element("section", { class: "glance" }, element("h3", {}, "Over the whole run"),
-    element("dl", { class: "live-facts" }, pairs.filter(Boolean).map(([term, value]) => [element("dt", {}, term), element("dd", {}, value)])));
+  return element(
+    "section",
+    { class: "glance" },
+    element("h3", {}, "Over the whole run"),
+    element(
+      "dl",
+      { class: "live-facts" },
+      pairs
+        .filter(Boolean)
+        .map(([term, value]) => [element("dt", {}, term), element("dd", {}, value)]),
+    ),
+  );
 }
 
 /** Panel of one study. */
@@ -95,9 +167,16 @@ export class StudyPanel {
   show(time) {
     const { run, plan } = this.study;
     const row = run.rows ? run.t[run.at(Math.min(time, this.study.lastTime)).row] : 0;
-    const shown = Math.abs(time - row) < 1e-6 * Math.max(1, time) ? row : Math.min(time, this.study.lastTime);
-    this.pose.show(POSE.map((name) => run.value(name, shown)), ["ex", "ey", "ez", "eroll", "epitch", "eyaw"].map((name) => run.value(name, shown)));
-    this.bars.show([1, 2, 3, 4, 5, 6].map((leg) => run.value(`f${leg}`, shown)), [1, 2, 3, 4, 5, 6].map((leg) => plan.value(`f${leg}`, time)));
+    const shown =
+      Math.abs(time - row) < 1e-6 * Math.max(1, time) ? row : Math.min(time, this.study.lastTime);
+    this.pose.show(
+      POSE.map((name) => run.value(name, shown)),
+      ["ex", "ey", "ez", "eroll", "epitch", "eyaw"].map((name) => run.value(name, shown)),
+    );
+    this.bars.show(
+      [1, 2, 3, 4, 5, 6].map((leg) => run.value(`f${leg}`, shown)),
+      [1, 2, 3, 4, 5, 6].map((leg) => plan.value(`f${leg}`, time)),
+    );
   }
 }
 
@@ -110,17 +189,42 @@ export class ComparisonPanel {
       const forces = element("output", {});
       const state = element("span", { class: "state" });
       const node = element(
-        "section", { class: "contender", style: { "--study": studyColor(study.index) } },
-        element("h3", {}, element("button", { type: "button", class: "link", onclick: () => choose(study.index) }, study.label)), state,
-        element("dl", {},
-          element("dt", {}, "off program"), element("dd", {}, deviation, unitAfter(study.unit("ex"))),
-          element("dt", {}, "off in angle"), element("dd", {}, angle, " °"),
-          element("dt", {}, "leg forces"), element("dd", {}, forces, unitAfter(study.unit("f1"))),
-          element("dt", {}, "in the whole run, off at most"), element("dd", {}, `${number(study.simulate?.deviation?.position, 3)}${unitAfter(study.unit("ex"))}`)),
+        "section",
+        { class: "contender", style: { "--study": studyColor(study.index) } },
+        element(
+          "h3",
+          {},
+          element(
+            "button",
+            { type: "button", class: "link", onclick: () => choose(study.index) },
+            study.label,
+          ),
+        ),
+        state,
+        element(
+          "dl",
+          {},
+          element("dt", {}, "off program"),
+          element("dd", {}, deviation, unitAfter(study.unit("ex"))),
+          element("dt", {}, "off in angle"),
+          element("dd", {}, angle, " °"),
+          element("dt", {}, "leg forces"),
+          element("dd", {}, forces, unitAfter(study.unit("f1"))),
+          element("dt", {}, "in the whole run, off at most"),
+          element(
+            "dd",
+            {},
+            `${number(study.simulate?.deviation?.position, 3)}${unitAfter(study.unit("ex"))}`,
+          ),
+        ),
       );
       return { study, deviation, angle, forces, state, node };
     });
-    this.node = element("div", { class: "contenders" }, this.rows.map((row) => row.node));
+    this.node = element(
+      "div",
+      { class: "contenders" },
+      this.rows.map((row) => row.node),
+    );
   }
 
   show(time) {

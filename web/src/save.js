@@ -12,7 +12,12 @@ export function download(content, name, type = "text/plain") {
 
 /** A file name from a title: letters, digits and dashes. */
 export const fileName = (text) =>
-  text.normalize("NFKD").replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-+|-+$/g, "").slice(0, 60).toLowerCase() || "study";
+  text
+    .normalize("NFKD")
+    .replace(/[^\p{L}\p{N}]+/gu, "-")
+    .replace(/^-+|-+$/g, "")
+    .slice(0, 60)
+    .toLowerCase() || "study";
 
 const escaped = (text) => text.replace(/[&<>"']/g, (character) => `&#${character.codePointAt(0)};`);
 
@@ -20,9 +25,12 @@ const escaped = (text) => text.replace(/[&<>"']/g, (character) => `&#${character
 export function roundSteps(least, greatest, count) {
   const raw = (greatest - least) / count;
   const power = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 5, 10].map((digit) => digit * power).find((candidate) => candidate >= raw * 0.999);
+  const step = [1, 2, 5, 10]
+    .map((digit) => digit * power)
+    .find((candidate) => candidate >= raw * 0.999);
   const steps = [];
-  for (let k = Math.ceil(least / step - 1e-9); k * step <= greatest + 1e-9 * step; k++) steps.push(k * step);
+  for (let k = Math.ceil(least / step - 1e-9); k * step <= greatest + 1e-9 * step; k++)
+    steps.push(k * step);
   return steps;
 }
 
@@ -38,9 +46,14 @@ export function svgOf(figure) {
   const ink = themed("--ink");
   const faint = themed("--rule");
   const xs = roundSteps(x0, x1, 10);
-  const ys = figure.logarithmic ? roundSteps(y0, y1, 6).filter((power) => Math.abs(power % 1) < 1e-9).map((power) => 10 ** power) : roundSteps(y0, y1, 6);
+  const ys = figure.logarithmic
+    ? roundSteps(y0, y1, 6)
+        .filter((power) => Math.abs(power % 1) < 1e-9)
+        .map((power) => 10 ** power)
+    : roundSteps(y0, y1, 6);
   const parts = [];
-  const text = (x, y, words, more = "") => parts.push(`<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" ${more}>${escaped(words)}</text>`);
+  const text = (x, y, words, more = "") =>
+    parts.push(`<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" ${more}>${escaped(words)}</text>`);
   parts.push(`<rect width="${width}" height="${height}" fill="${themed("--card")}"/>`);
   const xWords = tickLabels(xs);
   xs.forEach((x, index) => {
@@ -52,9 +65,13 @@ export function svgOf(figure) {
     parts.push(`<path d="M${left} ${py(y).toFixed(1)}H${width - right}" stroke="${faint}"/>`);
     text(left - 8, py(y) + 4, yWords[index], 'text-anchor="end"');
   });
-  parts.push(`<clipPath id="plot"><rect x="${left}" y="${top}" width="${width - left - right}" height="${height - top - bottom}"/></clipPath><g clip-path="url(#plot)" fill="none">`);
+  parts.push(
+    `<clipPath id="plot"><rect x="${left}" y="${top}" width="${width - left - right}" height="${height - top - bottom}"/></clipPath><g clip-path="url(#plot)" fill="none">`,
+  );
   for (const { value } of figure.limits ?? [])
-    parts.push(`<path d="M${left} ${py(value).toFixed(1)}H${width - right}" stroke="${themed("--limit")}" stroke-dasharray="3 4"/>`);
+    parts.push(
+      `<path d="M${left} ${py(value).toFixed(1)}H${width - right}" stroke="${themed("--limit")}" stroke-dasharray="3 4"/>`,
+    );
   for (const line of figure.lines) {
     let path = "";
     let pen = "M";
@@ -67,17 +84,23 @@ export function svgOf(figure) {
         pen = "L";
       }
     });
-    parts.push(`<path d="${path}" stroke="${line.color}" stroke-width="${line.width ?? 1.5}" stroke-linejoin="round"${line.dash ? ` stroke-dasharray="${line.dash.join(" ")}"` : ""}/>`);
+    parts.push(
+      `<path d="${path}" stroke="${line.color}" stroke-width="${line.width ?? 1.5}" stroke-linejoin="round"${line.dash ? ` stroke-dasharray="${line.dash.join(" ")}"` : ""}/>`,
+    );
   }
   parts.push("</g>");
   text(left, 24, figure.title, 'font-size="16" font-weight="600"');
   let x = left;
   for (const line of figure.lines) {
-    parts.push(`<path d="M${x} 45h18" stroke="${line.color}" stroke-width="2.5"${line.dash ? ` stroke-dasharray="${line.dash.join(" ")}"` : ""}/>`);
+    parts.push(
+      `<path d="M${x} 45h18" stroke="${line.color}" stroke-width="2.5"${line.dash ? ` stroke-dasharray="${line.dash.join(" ")}"` : ""}/>`,
+    );
     text(x + 23, 49, line.label);
     x += 23 + 7.2 * line.label.length + 18;
   }
   text((left + width - right) / 2, height - 10, figure.abscissa, 'text-anchor="middle"');
-  parts.push(`<text transform="translate(18 ${(top + height - bottom) / 2}) rotate(-90)" text-anchor="middle">${escaped(figure.ordinate)}</text>`);
+  parts.push(
+    `<text transform="translate(18 ${(top + height - bottom) / 2}) rotate(-90)" text-anchor="middle">${escaped(figure.ordinate)}</text>`,
+  );
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}" font-family="system-ui, sans-serif" font-size="12" fill="${ink}">${parts.join("")}</svg>\n`;
 }

@@ -1,7 +1,24 @@
 // The 3D scene: machines on a ground, z up, with light and shadow. It is drawn only when something changed.
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, CircleGeometry, Color, DirectionalLight, Group, HemisphereLight, LineBasicMaterial, LineSegments, Mesh,
-  PCFShadowMap, PerspectiveCamera, Raycaster, Scene as Stage, ShadowMaterial, Vector2, Vector3, WebGLRenderer,
+  AmbientLight,
+  BufferAttribute,
+  BufferGeometry,
+  CircleGeometry,
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Raycaster,
+  Scene as Stage,
+  ShadowMaterial,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { element, themed } from "./dom.js";
@@ -36,7 +53,10 @@ function groundLines(size, reach) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
   geometry.setAttribute("color", new BufferAttribute(new Float32Array(colors), 4));
-  return new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
+  return new LineSegments(
+    geometry,
+    new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
+  );
 }
 
 export class Scene {
@@ -45,6 +65,8 @@ export class Scene {
     this.host = host;
     if (!document.createElement("canvas").getContext("webgl2")) throw new Error("no WebGL");
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    // asking a program whether it was linked waits until it is
+    this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.canvas = this.renderer.domElement;
@@ -76,7 +98,13 @@ export class Scene {
     this.sun.shadow.radius = 5;
     this.fill = new DirectionalLight(0xdfe9ff, 0.7);
     this.sky = new HemisphereLight(0xffffff, 0xb9b4a6, 1.35);
-    this.stage.add(this.sun, this.sun.target, this.fill, this.sky, new AmbientLight(0xffffff, 0.25));
+    this.stage.add(
+      this.sun,
+      this.sun.target,
+      this.fill,
+      this.sky,
+      new AmbientLight(0xffffff, 0.25),
+    );
   }
 
   /** Shows machines side by side: [{machine, peak, accent, name, run, plan}], run and plan being paths. `mixed` machines have no
@@ -106,9 +134,18 @@ export class Scene {
 
   buildGround() {
     if (this.ground) this.stage.remove(this.ground);
-    this.low = Math.min(...this.machines.map(({ entry: { machine }, scale }) => scale * (Math.min(...machine.base.map((joint) => joint[2])) - 0.112 * machine.base_radius)));
+    this.low = Math.min(
+      ...this.machines.map(
+        ({ entry: { machine }, scale }) =>
+          scale *
+          (Math.min(...machine.base.map((joint) => joint[2])) - 0.112 * machine.base_radius),
+      ),
+    );
     this.lines = groundLines(0.5 * this.size, 6 + 3 * this.machines.length);
-    this.shade = new Mesh(new CircleGeometry(20 * this.size, 48), new ShadowMaterial({ opacity: 0.22 }));
+    this.shade = new Mesh(
+      new CircleGeometry(20 * this.size, 48),
+      new ShadowMaterial({ opacity: 0.22 }),
+    );
     this.shade.receiveShadow = true;
     this.ground = new Group();
     this.ground.add(this.lines, this.shade);
@@ -119,7 +156,14 @@ export class Scene {
     this.sun.position.set(1.6 * s, -1.2 * s, 5.2 * s);
     this.fill.position.set(-3 * s, 2 * s, 2 * s);
     const { camera } = this.sun.shadow;
-    Object.assign(camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.5 * s, far: 14 * s });
+    Object.assign(camera, {
+      left: -reach,
+      right: reach,
+      top: reach,
+      bottom: -reach,
+      near: 0.5 * s,
+      far: 14 * s,
+    });
     camera.updateProjectionMatrix();
     this.sun.shadow.normalBias = 0.01 * s;
   }
@@ -128,22 +172,48 @@ export class Scene {
     this.labels.replaceChildren();
     this.marks = [];
     for (const { model, entry, scale } of this.machines) {
-      if (!named) entry.machine.base.forEach((joint, leg) => {
-        const mark = element("span", { class: "leg-mark", style: { "--leg": LEGS[leg] } }, String(leg + 1));
-        const outwards = 1 + (0.2 * this.size) / (Math.hypot(joint[0], joint[1]) || 1);
-        this.marks.push({ mark, model, point: new Vector3(joint[0] * outwards, joint[1] * outwards, joint[2] - 0.08 * this.size) });
-        this.labels.append(mark);
-      });
+      if (!named)
+        entry.machine.base.forEach((joint, leg) => {
+          const mark = element(
+            "span",
+            { class: "leg-mark", style: { "--leg": LEGS[leg] } },
+            String(leg + 1),
+          );
+          const outwards = 1 + (0.2 * this.size) / (Math.hypot(joint[0], joint[1]) || 1);
+          this.marks.push({
+            mark,
+            model,
+            point: new Vector3(
+              joint[0] * outwards,
+              joint[1] * outwards,
+              joint[2] - 0.08 * this.size,
+            ),
+          });
+          this.labels.append(mark);
+        });
       if (!named) continue;
-      const mark = element("span", { class: "study-mark", style: { "--study": entry.accent } }, entry.name);
-      this.marks.push({ mark, model, point: new Vector3(0, 0, (this.low - 0.42 * this.size) / scale) });
+      const mark = element(
+        "span",
+        { class: "study-mark", style: { "--study": entry.accent } },
+        entry.name,
+      );
+      this.marks.push({
+        mark,
+        model,
+        point: new Vector3(0, 0, (this.low - 0.42 * this.size) / scale),
+      });
       this.labels.append(mark);
     }
   }
 
   /** Takes the colours of the theme in force. */
   paint() {
-    const theme = Object.fromEntries(["base", "top", "piston", "load", "edge", "plan", "ghost"].map((name) => [name, themed(`--scene-${name}`)]));
+    const theme = Object.fromEntries(
+      ["base", "top", "piston", "load", "edge", "plan", "ghost"].map((name) => [
+        name,
+        themed(`--scene-${name}`),
+      ]),
+    );
     for (const { model } of this.machines) model.paint(theme);
     if (this.lines) {
       this.lines.material.color = new Color(themed("--scene-grid"));
@@ -154,16 +224,25 @@ export class Scene {
 
   /** The view that all machines at home fill. */
   resetView() {
-    const height = Math.max(...this.machines.map(({ entry, model, scale }) => scale * (entry.machine.height + model.rise) - 0.15 * this.size), 0.4 * this.size);
+    const height = Math.max(
+      ...this.machines.map(
+        ({ entry, model, scale }) => scale * (entry.machine.height + model.rise) - 0.15 * this.size,
+      ),
+      0.4 * this.size,
+    );
     const width = 2.5 * this.size + SPACING * this.size * (this.machines.length - 1);
     const aspect = Math.max(this.camera.aspect, 0.3);
     const half = Math.tan((FIELD * Math.PI) / 360);
-    const distance = Math.max((0.5 * (height + 1.15 * this.size)) / half, (0.5 * width) / (half * aspect)) + 0.9 * this.size;
+    const distance =
+      Math.max((0.5 * (height + 1.15 * this.size)) / half, (0.5 * width) / (half * aspect)) +
+      0.9 * this.size;
     const target = new Vector3(0, 0, 0.5 * height - 0.02 * this.size);
     const cosine = Math.cos(ELEVATION);
     this.controls.target.copy(target);
     this.camera.position.set(
-      distance * cosine * Math.cos(AZIMUTH), distance * cosine * Math.sin(AZIMUTH), target.z + distance * Math.sin(ELEVATION),
+      distance * cosine * Math.cos(AZIMUTH),
+      distance * cosine * Math.sin(AZIMUTH),
+      target.z + distance * Math.sin(ELEVATION),
     );
     this.camera.near = 0.02 * this.size;
     this.camera.far = 400 * this.size;
@@ -198,10 +277,20 @@ export class Scene {
   frame() {
     if (!this.home || !this.follow) return;
     const rise = Math.max(this.rise ?? 0, 0);
-    const wanted = { height: 0.5 * rise, factor: 1 + (0.8 * rise) / (this.home.height + 1.15 * this.size) };
-    if (Math.abs(wanted.height - this.framed.height) < 1e-9 && Math.abs(wanted.factor - this.framed.factor) < 1e-9) return;
+    const wanted = {
+      height: 0.5 * rise,
+      factor: 1 + (0.8 * rise) / (this.home.height + 1.15 * this.size),
+    };
+    if (
+      Math.abs(wanted.height - this.framed.height) < 1e-9 &&
+      Math.abs(wanted.factor - this.framed.factor) < 1e-9
+    )
+      return;
     const { target } = this.controls;
-    const offset = this.camera.position.clone().sub(target).multiplyScalar(wanted.factor / this.framed.factor);
+    const offset = this.camera.position
+      .clone()
+      .sub(target)
+      .multiplyScalar(wanted.factor / this.framed.factor);
     target.z += wanted.height - this.framed.height;
     this.camera.position.copy(target).add(offset);
     this.framed = wanted;
@@ -251,9 +340,14 @@ export class Scene {
     const { clientWidth: width, clientHeight: height } = this.host;
     const point = new Vector3();
     const [first, second] = this.marks.filter(({ mark }) => mark.className === "study-mark");
-    const across = ({ model, point: place }) => point.copy(place).applyMatrix4(model.group.matrixWorld).project(this.camera).x;
+    const across = ({ model, point: place }) =>
+      point.copy(place).applyMatrix4(model.group.matrixWorld).project(this.camera).x;
     // names share the width between two machines
-    if (second) this.labels.style.setProperty("--room", `${Math.max(18, 0.47 * width * Math.abs(across(second) - across(first))).toFixed(0)}px`);
+    if (second)
+      this.labels.style.setProperty(
+        "--room",
+        `${Math.max(18, 0.47 * width * Math.abs(across(second) - across(first))).toFixed(0)}px`,
+      );
     for (const { mark, model, point: place } of this.marks) {
       point.copy(place).applyMatrix4(model.group.matrixWorld).project(this.camera);
       mark.style.transform = `translate(-50%, -50%) translate(${(((point.x + 1) * width) / 2).toFixed(1)}px, ${(((1 - point.y) * height) / 2).toFixed(1)}px)`;
@@ -274,7 +368,10 @@ export class Scene {
     this.aim(event);
     const normal = this.camera.getWorldDirection(new Vector3());
     const { origin, direction } = this.raycaster.ray;
-    return direction.clone().multiplyScalar(point.clone().sub(origin).dot(normal) / direction.dot(normal)).add(origin);
+    return direction
+      .clone()
+      .multiplyScalar(point.clone().sub(origin).dot(normal) / direction.dot(normal))
+      .add(origin);
   }
 
   /** The hand: the pointer's point in the plane through `centre` that faces the reader, and both on the screen. */
@@ -285,13 +382,19 @@ export class Scene {
     const seen = from.clone().project(this.camera);
     return {
       point: point.toArray(),
-      screen: [[((seen.x + 1) * box.width) / 2, ((1 - seen.y) * box.height) / 2], [event.clientX - box.left, event.clientY - box.top]],
+      screen: [
+        [((seen.x + 1) * box.width) / 2, ((1 - seen.y) * box.height) / 2],
+        [event.clientX - box.left, event.clientY - box.top],
+      ],
     };
   }
 
   aim(event) {
     const box = this.canvas.getBoundingClientRect();
-    const pointer = new Vector2((2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height);
+    const pointer = new Vector2(
+      (2 * (event.clientX - box.left)) / box.width - 1,
+      1 - (2 * (event.clientY - box.top)) / box.height,
+    );
     this.raycaster.setFromCamera(pointer, this.camera);
   }
 

@@ -11,18 +11,44 @@ export class Slider {
   constructor(spec, onChange) {
     this.spec = spec;
     this.onChange = onChange;
-    this.range = element("input", { type: "range", min: 0, max: STEPS, step: 1, id: `live-${spec.id}`, "data-testid": `live-${spec.id}`, "aria-describedby": spec.help ? `help-${spec.id}` : undefined });
-    this.box = element("input", { type: "text", inputmode: "decimal", size: 7, "aria-label": `${spec.label}, as a number`, "data-testid": `live-${spec.id}-number`, autocomplete: "off" });
-    this.range.addEventListener("input", () => this.take(this.valueAt(Number(this.range.value) / STEPS)));
+    this.range = element("input", {
+      type: "range",
+      min: 0,
+      max: STEPS,
+      step: 1,
+      id: `live-${spec.id}`,
+      "data-testid": `live-${spec.id}`,
+      "aria-describedby": spec.help ? `help-${spec.id}` : undefined,
+    });
+    this.box = element("input", {
+      type: "text",
+      inputmode: "decimal",
+      size: 7,
+      "aria-label": `${spec.label}, as a number`,
+      "data-testid": `live-${spec.id}-number`,
+      autocomplete: "off",
+    });
+    this.range.addEventListener("input", () =>
+      this.take(this.valueAt(Number(this.range.value) / STEPS)),
+    );
     this.box.addEventListener("change", () => {
       const typed = Number(this.box.value.replace(",", ".").replace("−", "-"));
-      this.take(this.box.value.trim() !== "" && Number.isFinite(typed) ? Math.max(typed, 0) : this.value);
+      this.take(
+        this.box.value.trim() !== "" && Number.isFinite(typed) ? Math.max(typed, 0) : this.value,
+      );
     });
     this.marks = element("div", { class: "slider-marks", "aria-hidden": "true" });
     this.node = element(
-      "div", { class: "slider" },
-      element("label", { for: `live-${spec.id}` }, spec.label, spec.unit && element("span", { class: "unit" }, spec.unit)),
-      this.box, element("div", { class: "rail" }, this.range, this.marks),
+      "div",
+      { class: "slider" },
+      element(
+        "label",
+        { for: `live-${spec.id}` },
+        spec.label,
+        spec.unit && element("span", { class: "unit" }, spec.unit),
+      ),
+      this.box,
+      element("div", { class: "rail" }, this.range, this.marks),
       spec.help && element("p", { class: "help", id: `help-${spec.id}` }, spec.help),
     );
     this.showMarks(spec.marks ?? []);
@@ -33,7 +59,9 @@ export class Slider {
     const { least, greatest, logarithmic } = this.spec;
     if (!logarithmic) return least + share * (greatest - least);
     if (share < ZERO / 2) return 0;
-    return Number((least * (greatest / least) ** Math.max(0, (share - ZERO) / (1 - ZERO))).toPrecision(4));
+    return Number(
+      (least * (greatest / least) ** Math.max(0, (share - ZERO) / (1 - ZERO))).toPrecision(4),
+    );
   }
 
   shareOf(value) {
@@ -45,7 +73,14 @@ export class Slider {
 
   /** Marks on the rail, such as thresholds. */
   showMarks(marks) {
-    this.marks.replaceChildren(...marks.map(({ value, label }) => element("i", { title: label, style: { left: `${100 * Math.min(Math.max(this.shareOf(value), 0), 1)}%` } })));
+    this.marks.replaceChildren(
+      ...marks.map(({ value, label }) =>
+        element("i", {
+          title: label,
+          style: { left: `${100 * Math.min(Math.max(this.shareOf(value), 0), 1)}%` },
+        }),
+      ),
+    );
   }
 
   set(value) {

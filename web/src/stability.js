@@ -4,7 +4,10 @@
 export function thresholdsOf(stability) {
   const sorted = [...(stability?.thresholds ?? [])].sort((a, b) => a.stiffness - b.stiffness);
   return sorted.filter(({ mode, stiffness }, index) => {
-    const before = sorted.slice(0, index).filter((other) => other.mode === mode).pop();
+    const before = sorted
+      .slice(0, index)
+      .filter((other) => other.mode === mode)
+      .pop();
     return !before || Math.abs(stiffness - before.stiffness) > 1e-9 * Math.abs(stiffness);
   });
 }
@@ -13,13 +16,20 @@ export function thresholdsOf(stability) {
 export function holdsFrom(stability) {
   const greatest = new Map();
   for (const { mode, stiffness } of thresholdsOf(stability)) greatest.set(mode, stiffness);
-  return [...greatest].map(([mode, stiffness]) => ({ mode, stiffness })).filter(({ stiffness }) => stiffness > 0).sort((a, b) => a.stiffness - b.stiffness);
+  return [...greatest]
+    .map(([mode, stiffness]) => ({ mode, stiffness }))
+    .filter(({ stiffness }) => stiffness > 0)
+    .sort((a, b) => a.stiffness - b.stiffness);
 }
 
 /** Modes at rest: [{mode, rate, frequency}] from the eigenvalues with Im ≥ 0, the fastest growing first. */
 export function modesAtRest(stability) {
   return (stability?.eigenvalues ?? [])
-    .map(([rate, frequency], index) => ({ rate, frequency, mode: stability.modes?.[index]?.name ?? "" }))
+    .map(([rate, frequency], index) => ({
+      rate,
+      frequency,
+      mode: stability.modes?.[index]?.name ?? "",
+    }))
     .filter(({ frequency }) => frequency >= 0)
     .sort((a, b) => b.rate - a.rate);
 }
@@ -27,7 +37,12 @@ export function modesAtRest(stability) {
 /** Floquet multipliers by size: [{mode, size}], each pair of conjugates once. */
 export function multipliersBySize(stability) {
   return (stability?.multipliers ?? [])
-    .map(([re, im], index) => ({ re, im, size: Math.hypot(re, im), mode: stability.multiplier_modes?.[index]?.name ?? "" }))
+    .map(([re, im], index) => ({
+      re,
+      im,
+      size: Math.hypot(re, im),
+      mode: stability.multiplier_modes?.[index]?.name ?? "",
+    }))
     .filter(({ im }) => im >= 0)
     .sort((a, b) => b.size - a.size);
 }

@@ -25,7 +25,9 @@ export function thin(x, lines, from, to, buckets) {
   if (count <= 2 * buckets) {
     return {
       x: Array.from(x.subarray(first, last)),
-      lines: lines.map((y) => Array.from(y.subarray(first, last), (value) => (Number.isFinite(value) ? value : null))),
+      lines: lines.map((y) =>
+        Array.from(y.subarray(first, last), (value) => (Number.isFinite(value) ? value : null)),
+      ),
     };
   }
   const thinned = { x: new Array(2 * buckets), lines: lines.map(() => new Array(2 * buckets)) };

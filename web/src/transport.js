@@ -1,4 +1,4 @@
-// Play, pause, scrub, speed: the bar under the scene, and the keys that do the same.
+// Play, pause, scrub, speed: the bar under the scene.
 import { element } from "./dom.js";
 import { fixed, unitAfter } from "./format.js";
 
@@ -11,23 +11,61 @@ export class Transport {
     this.rows = Math.max(1, Math.round(player.duration / player.step));
     this.decimals = Math.max(2, Math.min(4, Math.ceil(-Math.log10(player.step))));
     this.unit = unitAfter(unitText);
-    this.button = element("button", { class: "play", type: "button", "data-testid": "play", onclick: () => player.toggle() });
-    this.scrub = element("input", { type: "range", min: "0", max: String(this.rows), step: "1", value: "0", "data-testid": "scrub", "aria-label": "time" });
+    this.button = element("button", {
+      class: "play",
+      type: "button",
+      "data-testid": "play",
+      onclick: () => player.toggle(),
+    });
+    this.scrub = element("input", {
+      type: "range",
+      min: "0",
+      max: String(this.rows),
+      step: "1",
+      value: "0",
+      "data-testid": "scrub",
+      "aria-label": "time",
+    });
     this.scrub.addEventListener("input", () => {
       player.pause();
       player.seek(Number(this.scrub.value) * player.step);
     });
     this.label = element("output", { class: "span", "data-testid": "time" });
-    const speed = element("select", { "aria-label": "speed", title: "speed", "data-testid": "speed" }, SPEEDS.map((value) => element("option", { value, selected: value === 1 }, `${value}×`)));
+    const speed = element(
+      "select",
+      { "aria-label": "speed", title: "speed", "data-testid": "speed" },
+      SPEEDS.map((value) => element("option", { value, selected: value === 1 }, `${value}×`)),
+    );
     speed.addEventListener("change", () => (player.speed = Number(speed.value)));
     this.speed = speed;
-    const loop = element("button", { class: "mini", type: "button", "aria-pressed": "true", title: "begin again at the end" }, "loop");
+    const loop = element(
+      "button",
+      { class: "mini", type: "button", "aria-pressed": "true", title: "begin again at the end" },
+      "loop",
+    );
     loop.addEventListener("click", () => {
       player.loop = !player.loop;
       loop.setAttribute("aria-pressed", String(player.loop));
     });
-    const marks = ends.map(({ time, label }) => element("i", { class: "end-mark", title: label, style: { left: `${(100 * time) / player.duration}%` } }));
-    host.replaceChildren(this.button, element("div", { class: "scrubber" }, this.scrub, element("div", { class: "marks", "aria-hidden": "true" }, marks)), this.label, speed, loop);
+    const marks = ends.map(({ time, label }) =>
+      element("i", {
+        class: "end-mark",
+        title: label,
+        style: { left: `${(100 * time) / player.duration}%` },
+      }),
+    );
+    host.replaceChildren(
+      this.button,
+      element(
+        "div",
+        { class: "scrubber" },
+        this.scrub,
+        element("div", { class: "marks", "aria-hidden": "true" }, marks),
+      ),
+      this.label,
+      speed,
+      loop,
+    );
     player.listen(() => this.show());
   }
 
@@ -41,7 +79,10 @@ export class Transport {
     }
     this.scrub.value = String(Math.round(player.time / player.step));
     this.scrub.style.setProperty("--done", `${(100 * player.time) / (player.duration || 1)}%`);
-    this.scrub.setAttribute("aria-valuetext", `t = ${fixed(player.time, this.decimals)}${this.unit}`);
+    this.scrub.setAttribute(
+      "aria-valuetext",
+      `t = ${fixed(player.time, this.decimals)}${this.unit}`,
+    );
     this.label.textContent = `${fixed(player.time, this.decimals)} / ${fixed(player.duration, this.decimals)}${this.unit}`;
   }
 
@@ -50,22 +91,4 @@ export class Transport {
     this.speed.selectedIndex = index;
     this.player.speed = SPEEDS[index];
   }
-}
-
-/** Keys and what they do, for the help too. */
-export function bindKeys(actions) {
-  addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-    const { target } = event;
-    const tag = target.tagName;
-    if (tag === "TEXTAREA" || tag === "SELECT" || (tag === "INPUT" && target.type !== "range" && target.type !== "checkbox")) return;
-    const range = tag === "INPUT" && target.type === "range";
-    if (range && event.key !== " " && target.dataset.testid !== "scrub") return;
-    if (event.key === " " && (tag === "BUTTON" || tag === "SUMMARY" || target.type === "checkbox")) return;
-    if (target.getAttribute?.("role") === "tab" && event.key.startsWith("Arrow")) return;
-    const action = actions.find(({ keys }) => keys.includes(event.key));
-    if (!action) return;
-    event.preventDefault();
-    action.run(event);
-  });
 }

@@ -1,0 +1,159 @@
+// The section of curves: the figures of what is shown, with one range of time, one cursor and tools for all of them.
+import { LEGS } from "./color.js";
+import { csv } from "./csv.js";
+import { Curve, Range } from "./curve.js";
+import { byId, element } from "./dom.js";
+import { figuresOf, figuresOfAll } from "./figures.js";
+import { download, fileName } from "./save.js";
+
+export class Curves {
+  /** @param onSeek called with a time that the reader points at, and whether it was a click. */
+  constructor(onSeek) {
+    this.onSeek = onSeek;
+    this.curves = [];
+    // a figure is drawn when it comes near the window
+    this.observer = new IntersectionObserver(
+      (entries) =>
+        entries.forEach(({ target, isIntersecting }) => target.curve.setVisible(isIntersecting)),
+      { rootMargin: "200px" },
+    );
+    addEventListener("resize", () => this.curves.forEach((curve) => curve.resize()));
+  }
+
+  /** Shows the figures of a study, or those that compare several. */
+  show(shown, time) {
+    this.shown = shown;
+    this.curves.forEach((curve) => curve.dispose());
+    this.range = new Range(0, Math.max(...shown.map((study) => study.duration), 1e-9));
+    const specs = shown.length === 1 ? figuresOf(shown[0]) : figuresOfAll(shown);
+    const shared = {
+      timeUnit: shown[0].unit("t"),
+      study: shown.length === 1 ? shown[0].label : "comparison",
+      onSeek: this.onSeek,
+    };
+    this.curves = specs.map((spec) => new Curve(spec, this.range, shared));
+    byId("grid").replaceChildren(...this.curves.map((curve) => curve.card));
+    this.observer.disconnect();
+    this.curves.forEach((curve) => {
+      curve.card.curve = curve;
+      this.observer.observe(curve.card);
+    });
+    this.buildTools();
+    this.setTime(time);
+  }
+
+  setTime(time) {
+    for (const curve of this.curves) curve.setTime(time);
+  }
+
+  repaint() {
+    for (const curve of this.curves) curve.rebuild();
+  }
+
+  buildTools() {
+    const tools = [];
+    const button = (words, title, action, attributes = {}) =>
+      element(
+        "button",
+        { class: "mini", type: "button", title, onclick: action, ...attributes },
+        words,
+      );
+    if (this.shown.length === 1) {
+      const legs = [1, 2, 3, 4, 5, 6].map((leg) => {
+        const node = button(
+          String(leg),
+          `leg ${leg} in all curves: show or hide`,
+          () => {
+            const visible = node.getAttribute("aria-pressed") !== "true";
+            node.setAttribute("aria-pressed", String(visible));
+            for (const curve of this.curves)
+              curve.show(
+                curve.spec.lines.filter(
+                  (line) => line.leg === leg && (!line.program || !visible || this.planned),
+                ),
+                visible,
+              );
+          },
+          {
+            "aria-pressed": "true",
+            "data-testid": `leg-${leg}`,
+            class: "mini leg-toggle",
+            style: { "--leg": LEGS[leg - 1] },
+          },
+        );
+        return node;
+      });
+      const plan = button(
+        "program",
+        "the program's lines beside the actual ones",
+        () => {
+          this.planned = !this.planned;
+          plan.setAttribute("aria-pressed", String(this.planned));
+          for (const curve of this.curves)
+            curve.show(
+              curve.spec.lines.filter((line) => line.program),
+              this.planned,
+            );
+        },
+        { "aria-pressed": "false" },
+      );
+      this.planned = false;
+      tools.push(
+        element(
+          "span",
+          { class: "group", role: "group", "aria-label": "Legs" },
+          element("span", { class: "word" }, "legs"),
+          ...legs,
+        ),
+        plan,
+      );
+    }
+    const all = button(
+      "whole range",
+      "the whole range of time (double-click in a curve)",
+      () => this.range.reset(),
+      { "data-testid": "whole-range", disabled: true },
+    );
+    this.range.listeners.add(() => (all.disabled = !this.range.zoomed));
+    tools.push(all);
+    for (const study of this.shown) tools.push(this.saveButtons(study));
+    byId("curve-tools").replaceChildren(...tools);
+  }
+
+  saveButtons(study) {
+    const several = this.shown.length > 1;
+    const save = (table, kind) => () =>
+      download(
+        csv(table.names.map((name) => ({ name, values: table.column(name) }))),
+        `${fileName(study.label)}-${kind}.csv`,
+        "text/csv",
+      );
+    return element(
+      "span",
+      { class: "group" },
+      several && element("span", { class: "word" }, study.label),
+      element(
+        "button",
+        {
+          class: "mini",
+          type: "button",
+          "data-testid": `save-run-${study.index}`,
+          title: "the table of the run, all rows, all digits",
+          onclick: save(study.run, "run"),
+        },
+        "run CSV",
+      ),
+      element(
+        "button",
+        {
+          class: "mini",
+          type: "button",
+          "data-testid": `save-program-${study.index}`,
+          title: "the table of the program",
+          onclick: save(study.plan, "program"),
+        },
+        "program CSV",
+      ),
+    );
+  }
+}

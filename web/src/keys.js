@@ -1,0 +1,99 @@
+// Keys: what the mouse does, without one.
+import { byId, element } from "./dom.js";
+
+/** Calls an action for its key, but not where the key has a meaning of its own. */
+function listen(actions) {
+  addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+    const { target } = event;
+    const tag = target.tagName;
+    if (
+      tag === "TEXTAREA" ||
+      tag === "SELECT" ||
+      (tag === "INPUT" && target.type !== "range" && target.type !== "checkbox")
+    )
+      return;
+    const range = tag === "INPUT" && target.type === "range";
+    if (range && event.key !== " " && target.dataset.testid !== "scrub") return;
+    if (event.key === " " && (tag === "BUTTON" || tag === "SUMMARY" || target.type === "checkbox"))
+      return;
+    if (target.getAttribute?.("role") === "tab" && event.key.startsWith("Arrow")) return;
+    const action = actions.find(({ keys }) => keys.includes(event.key));
+    if (!action) return;
+    event.preventDefault();
+    action.run(event);
+  });
+}
+
+/** Binds the keys to a page, and writes the help that lists them. */
+export function bindKeys(page) {
+  const recorded = (action) => (event) => page.mode === "recorded" && action(event);
+  const actions = [
+    {
+      keys: [" "],
+      say: "space",
+      does: "play or pause",
+      run: () => (page.mode === "live" ? page.live.toggle() : page.player.toggle()),
+    },
+    {
+      keys: ["ArrowRight"],
+      say: "→",
+      does: "a row on (with shift: ten)",
+      run: recorded((event) => page.player.stepRows(event.shiftKey ? 10 : 1)),
+    },
+    {
+      keys: ["ArrowLeft"],
+      say: "←",
+      does: "a row back (with shift: ten)",
+      run: recorded((event) => page.player.stepRows(event.shiftKey ? -10 : -1)),
+    },
+    {
+      keys: ["Home"],
+      say: "home",
+      does: "to the start; live: start again",
+      run: () => (page.mode === "live" ? page.live.restart() : page.player.seek(0)),
+    },
+    {
+      keys: ["End"],
+      say: "end",
+      does: "to the end",
+      run: recorded(() => page.player.seek(page.player.duration)),
+    },
+    { keys: ["]", "+"], say: "]", does: "faster", run: recorded(() => page.transport.faster(1)) },
+    {
+      keys: ["[", "-"],
+      say: "[",
+      does: "slower",
+      run: recorded(() => page.transport.faster(-1)),
+    },
+    { keys: ["r"], say: "r", does: "reset the view", run: () => page.scene?.resetView() },
+    { keys: ["g"], say: "g", does: "the program's ghost", run: () => page.switchPart("ghost") },
+    { keys: ["p"], say: "p", does: "the path", run: () => page.switchPart("paths") },
+    {
+      keys: ["l"],
+      say: "l",
+      does: "live or recorded",
+      run: () => page.alone && page.setMode(page.mode === "live" ? "recorded" : "live"),
+    },
+    { keys: ["?"], say: "?", does: "these keys", run: () => byId("keys").showModal() },
+  ];
+  byId("keys").replaceChildren(
+    element("h2", {}, "Keys"),
+    element(
+      "dl",
+      {},
+      actions.map(({ say, does }) => [
+        element("dt", {}, element("kbd", {}, say)),
+        element("dd", {}, does),
+      ]),
+    ),
+    element(
+      "p",
+      { class: "note" },
+      "Mouse: drag to turn, wheel to zoom, right button to shift. In a curve: point to see that moment, drag to zoom, double-click for all of it. Live: take the load and pull.",
+    ),
+    element("form", { method: "dialog" }, element("button", { class: "mini" }, "close")),
+  );
+  byId("keys-open").addEventListener("click", () => byId("keys").showModal());
+  listen(actions);
+}

@@ -1,0 +1,130 @@
+// The last stretch of a live run as it goes: how far the top is from its program, and the leg forces.
+import uPlot from "uplot";
+import { AXES, LEGS, plain } from "./color.js";
+import { element, themed } from "./dom.js";
+import { ticks, unit } from "./format.js";
+
+/** Points that a strip holds at most. */
+const POINTS = 1600;
+/** Height of a strip in pixels, and the least time between two drawings in milliseconds. */
+const STRIP = 175;
+const PAUSE = 40;
+
+export class Strips {
+  /** @param host element; @param study for its units; @param window length of time shown. */
+  constructor(host, study, window) {
+    Object.assign(this, { host, study, window });
+    this.clear();
+    this.build();
+  }
+
+  clear() {
+    this.samples = { t: [], off: [], forces: LEGS.map(() => []) };
+  }
+
+  /** Time between samples that is fine enough for the drawing. */
+  get grain() {
+    return (2 * this.window) / POINTS;
+  }
+
+  build() {
+    const { host, study } = this;
+    this.strips?.forEach(({ plot }) => plot.destroy());
+    const strip = (title, unitText, series, id) => {
+      const box = element("div", { class: "plot" });
+      host.append(
+        element(
+          "figure",
+          { class: "curve strip", "data-testid": id },
+          element(
+            "figcaption",
+            {},
+            element("h3", {}, title),
+            unit(unitText) && element("span", { class: "unit" }, unit(unitText)),
+          ),
+          box,
+        ),
+      );
+      const axis = {
+        stroke: themed("--muted"),
+        grid: { stroke: themed("--rule"), width: 1 },
+        ticks: { show: false },
+        font: "11px system-ui, sans-serif",
+      };
+      const plot = new uPlot(
+        {
+          width: box.clientWidth || 400,
+          height: STRIP,
+          legend: { show: false },
+          cursor: { show: false },
+          padding: [8, 10, 0, 0],
+          scales: {
+            x: {
+              time: false,
+              range: (_, least, greatest) =>
+                least === null
+                  ? [0, 1]
+                  : [Math.max(0, greatest - this.window), Math.max(greatest, this.window)],
+            },
+          },
+          axes: [
+            { ...axis, size: 26, values: (_, values) => ticks(values) },
+            { ...axis, size: 58, values: (_, values) => ticks(values) },
+          ],
+          series: [
+            {},
+            ...series.map(({ color }) => ({
+              stroke: plain(color),
+              width: 1.5,
+              points: { show: false },
+            })),
+          ],
+        },
+        [[], ...series.map(() => [])],
+        box,
+      );
+      return { plot, box, series };
+    };
+    host.replaceChildren();
+    this.strips = [
+      strip(
+        "Off the program",
+        study.unit("ex"),
+        [{ color: AXES[0], of: () => this.samples.off }],
+        "strip-deviation",
+      ),
+      strip(
+        "Leg forces",
+        study.unit("f1"),
+        LEGS.map((color, leg) => ({ color, of: () => this.samples.forces[leg] })),
+        "strip-forces",
+      ),
+    ];
+  }
+
+  /** Takes a sample: t, distance from the program, six forces. */
+  take([t, off, ...forces]) {
+    // a run that began again
+    if (t < this.samples.t[this.samples.t.length - 1]) this.clear();
+    const { samples } = this;
+    samples.t.push(t);
+    samples.off.push(off);
+    forces.forEach((force, leg) => samples.forces[leg].push(force));
+    while (samples.t.length > POINTS || samples.t[0] < t - this.window) {
+      samples.t.shift();
+      samples.off.shift();
+      samples.forces.forEach((values) => values.shift());
+    }
+  }
+
+  draw() {
+    const now = performance.now();
+    if (now - (this.drawn ?? 0) < PAUSE) return;
+    this.drawn = now;
+    for (const { plot, box, series } of this.strips) {
+      if (box.clientWidth && plot.width !== box.clientWidth)
+        plot.setSize({ width: box.clientWidth, height: STRIP });
+      plot.setData([this.samples.t, ...series.map(({ of }) => of())]);
+    }
+  }
+}
