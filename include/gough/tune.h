@@ -79,7 +79,7 @@ typedef struct gough_tuning_exception {
     double from;                      /**< least G of them */
     double to;                        /**< greatest */
     gough_tuning_exception_kind kind; /**< why */
-    gough_cause cause;                /**< of early ends, that of the first; else GOUGH_END_DONE */
+    gough_cause cause;                /**< of early ends; else GOUGH_END_DONE */
     double worst;                     /**< largest ratio of deviation to trend; NaN: no trend */
     char mode[GOUGH_MODE_NAME];       /**< what grows, where they are unstable; "" else */
 } gough_tuning_exception;

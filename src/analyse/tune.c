@@ -9,7 +9,7 @@
 static const double bracket = 1e-4;
 
 /* the curve goes on above the G named by this factor */
-static const double beyond = 10;
+static const double beyond = 5;
 
 /* runs of more steps are not made; a step turns the fastest mode by about this angle */
 static const double most_steps = 1e6, turn_of_step = 0.6;
@@ -17,6 +17,9 @@ static const double most_steps = 1e6, turn_of_step = 0.6;
 /* above the G with which the fastest mode turns by more than this in a period of the program, the map takes too long, and
  * resonances are too narrow to matter */
 static const double most_phase = 700;
+
+/* nobody looks beyond that, in M g/R_b */
+static const double most_stiffness = 1e15;
 
 /* the threshold at rest over this is where the search begins */
 static const double below_threshold = 4;
@@ -183,8 +186,8 @@ static gough_status find_period(tune *t, gough_error *error) {
     } else if (t->period.resting) {
         gough_fail(&why, status, "the program ends at rest");
     }
-    t->map_top =
-        t->period.resting ? INFINITY : pow(most_phase / (t->period.period * t->frequency), 2);
+    t->map_top = most_stiffness * fmax(unit_of(&t->model->machine), tuning->threshold);
+    if (!t->period.resting) t->map_top = pow(most_phase / (t->period.period * t->frequency), 2);
     if (!tuning->periodic) {
         why.message[sizeof tuning->unchecked - 1] = '\0';
         memcpy(tuning->unchecked, why.message, sizeof tuning->unchecked);

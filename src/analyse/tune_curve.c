@@ -147,18 +147,19 @@ static void find_exceptions(tune *t) {
         if (p->regular || (kind == GOUGH_TUNING_OFF_TREND && !isfinite(tuning->slope))) continue;
         if (kind == GOUGH_TUNING_UNSTABLE && in_known_interval(tuning, known, p->stiffness))
             continue;
+        const char *grows = kind == GOUGH_TUNING_UNSTABLE ? p->mode : "";
+        const gough_cause cause = kind == GOUGH_TUNING_ENDED ? p->cause : GOUGH_END_DONE;
         const bool follows = last && i > 0 && !(last->to < t->point[i - 1].stiffness) &&
-                             last->kind == kind &&
-                             strcmp(last->mode, kind == GOUGH_TUNING_UNSTABLE ? p->mode : "") == 0;
+                             last->kind == kind && last->cause == cause &&
+                             strcmp(last->mode, grows) == 0;
         if (follows) {
             last->to = p->stiffness;
             last->worst = fmax(last->worst, ratio);
             continue;
         }
         found[count] = (gough_tuning_exception){
-            .from = p->stiffness, .to = p->stiffness, .kind = kind, .worst = ratio};
-        if (kind == GOUGH_TUNING_ENDED) found[count].cause = p->cause;
-        if (kind == GOUGH_TUNING_UNSTABLE) memcpy(found[count].mode, p->mode, sizeof p->mode);
+            .from = p->stiffness, .to = p->stiffness, .kind = kind, .cause = cause, .worst = ratio};
+        snprintf(found[count].mode, sizeof found[count].mode, "%s", grows);
         count++;
     }
     for (size_t i = 0; i < count; i++) keep(tuning, &found[i]);
