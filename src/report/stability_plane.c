@@ -123,6 +123,7 @@ typedef struct tongue {
     size_t row;
     double width; /* nominal pixels */
     const gough_interval *widest;
+    bool below; /* below another's threshold: all around it grows too */
 } tongue;
 
 /* Pixels of the image that an edge runs through become the colour of no other. */
@@ -212,8 +213,8 @@ static size_t list_tongues(const stability_pen *pen, tongue *list, size_t room) 
                          to = fmin(one->to, pen->view.high_x);
             if (one->kind == GOUGH_INTERVAL_STATIC && pen->figure->rest) continue;
             if (!(to > from) || lies_within(f, r, i)) continue;
-            list[count++] =
-                (tongue){r, stability_place_x(pen, to) - stability_place_x(pen, from), one};
+            list[count++] = (tongue){r, stability_place_x(pen, to) - stability_place_x(pen, from),
+                                     one, field_covered(f, r, i, 0.5 * (from + to))};
         }
     return count;
 }
@@ -243,6 +244,8 @@ static bool place_name(const stability_pen *pen, const unsigned char *pixel, con
     for (size_t i = 0; i < sizeof corner / sizeof corner[0]; i++) {
         const box b = {corner[i][0], corner[i][1], width, NAME_HEIGHT};
         const int ground = ground_of(pixel, pen, &b);
+        /* beside it, but in another tongue: it would be taken for that one's */
+        if (i > 0 && (ground < 0) != t->below) continue;
         if (ground == 0 || !is_free(&b, placed, count)) continue;
         placed[count] = b;
         fprintf(pen->file,
