@@ -17,7 +17,7 @@ static size_t rounded(size_t bytes) { return (bytes + 63) / 64 * 64; }
 
 size_t map_worker_size(const map_job *job) {
     return rounded(sizeof(map_worker)) + transition_scratch(job->width) +
-           2 * job->parts * sizeof(double[NODES][MATRIX]) +
+           job->parts * (2 * sizeof(double[NODES][MATRIX]) + sizeof(double[MATRIX])) +
            rounded((MAP_MOST_NODES + MAP_MOST_PLACES + job->options->stiffness.count + 2) *
                    sizeof(double));
 }
@@ -33,6 +33,8 @@ map_worker *map_worker_begin(const map_job *job, void *memory) {
     next += job->parts * sizeof(double[NODES][MATRIX]);
     w->complete.phi = (double(*)[NODES][MATRIX])(void *)next;
     next += job->parts * sizeof(double[NODES][MATRIX]);
+    w->factor = (double(*)[MATRIX])(void *)next;
+    next += job->parts * sizeof(double[MATRIX]);
     w->node = (double *)(void *)next;
     w->room = MAP_MOST_NODES + MAP_MOST_PLACES + job->options->stiffness.count + 2;
     return w;
@@ -196,11 +198,27 @@ static int look_along_orbit(void *context, double stiffness, sample *s) {
     return report(w, w->reported);
 }
 
+/* from Φ found already, or from its parts where it is too large */
+static void take_sample(map_worker *w, const transitions *t, double stiffness, double *phi,
+                        sample *s) {
+    const symplectic *form = t == &w->bare ? &w->form : NULL;
+    transitions one = {.top = t->top, .parts = 1};
+
+    if (sample_monodromy(&w->model.machine, form, stiffness, phi, s)) return;
+    memcpy(one.cosine, t->cosine, sizeof one.cosine);
+    for (size_t p = 0; p < t->parts; p++) {
+        one.phi = t->phi + p;
+        analyse_width_1.compose(&one, &stiffness, w->factor + p);
+    }
+    sample_factors(&w->model.machine, form, stiffness, (const double(*)[MATRIX])w->factor, t->parts,
+                   s);
+}
+
 static int look_at(map_worker *w, const transitions *t, double stiffness, sample *s) {
     double phi[1][MATRIX];
 
     analyse_width_1.compose(t, &stiffness, phi);
-    sample_monodromy(&w->model.machine, t == &w->bare ? &w->form : NULL, stiffness, phi[0], s);
+    take_sample(w, t, stiffness, phi[0], s);
     return 0;
 }
 
@@ -234,8 +252,7 @@ static int look_at_all(map_worker *w, const transitions *t,
         if (t) w->job->width->compose(t, at, phi);
         for (size_t k = 0; k < lanes && i + k < count; k++) {
             if (t) {
-                sample_monodromy(&w->model.machine, t == &w->bare ? &w->form : NULL, at[k], phi[k],
-                                 &s);
+                take_sample(w, t, at[k], phi[k], &s);
             } else if (look(w, stiffness[i], &s)) {
                 return 1;
             }

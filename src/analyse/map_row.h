@@ -30,6 +30,7 @@ typedef struct {
     symplectic form;
     division d;
     transitions bare, complete; /* D = 0; D as it is, where it is not 0 */
+    double (*factor)[MATRIX];   /* Φ over each part, for one stiffness */
     void *scratch;
     double *node; /* stiffnesses to look at */
     size_t nodes, places, room;

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "analyse/spectrum.h"
+
 enum { N = GOUGH_LINEAR, WORK = 40 * GOUGH_LINEAR };
 
 static const double pi = 3.14159265358979323846;
@@ -17,8 +19,17 @@ static const double same_place = 3e-5;
  * rounding, which near an edge is the root of the errors of Φ: this close to the real axis a pair is taken for two real ones. */
 static const double same_real = 3e-5;
 
-/* what rounding leaves of multipliers when others are larger, as a part of them; beyond the second value phases are worth nothing */
-static const double rounding = 1e-13, coarse = 1e-4;
+/* elements of Φ up to this leave to multipliers near 1 more digits than they are asked for */
+static const double moderate = 1e5;
+
+/* through the factors of a larger Φ: parts magnitudes that differ by a factor of 10 */
+enum { SWEEPS = 12 };
+
+/* Multipliers with their vectors. */
+typedef struct {
+    double re[N], im[N];
+    double complex vector[N][N];
+} multipliers;
 
 /* ---- the form ---- */
 
@@ -181,28 +192,26 @@ static void put_turning(sample *s, const symplectic *form, const turning *t, int
     }
 }
 
-static void put_phases(sample *s, const symplectic *form, double limit, const double *re,
-                       const double *im, const double *vectors) {
+static void put_phases(sample *s, const symplectic *form, const multipliers *m) {
     turning t[MODES + 1];
     int turnings = 0, count = 0, positive = 0, negative = 0;
 
     s->phased = true;
     for (int i = 0; i < N; i++) {
-        const double size = log(hypot(re[i], im[i])), angle = atan2(im[i], re[i]);
+        const double size = log(hypot(m->re[i], m->im[i])), angle = atan2(m->im[i], m->re[i]);
         int place;
-        if (im[i] < 0) continue;
-        if (!(im[i] > 0)) {
-            positive += re[i] > 0;
-            negative += re[i] < 0;
-        } else if (size > limit) {
+        if (m->im[i] < 0) continue;
+        if (!(m->im[i] > 0)) {
+            positive += m->re[i] > 0;
+            negative += m->re[i] < 0;
+        } else if (size > SAMPLE_LIMIT) {
             put_phase(s, &count, angle, true);
             put_phase(s, &count, 2 * pi - angle, true);
-        } else if (size >= -limit && turnings < MODES) {
+        } else if (size >= -SAMPLE_LIMIT && turnings < MODES) {
             for (place = turnings++; place > 0 && t[place - 1].angle > angle; place--)
                 t[place] = t[place - 1];
             t[place].angle = angle;
-            for (int k = 0; k < N; k++)
-                t[place].vector[k] = vectors[N * i + k] + I * vectors[N * (i + 1) + k];
+            memcpy(t[place].vector, m->vector[i], sizeof t[place].vector);
         }
     }
     for (int i = 0; i + 1 < positive; i += 2) put_phase(s, &count, 0, true);
@@ -213,54 +222,76 @@ static void put_phases(sample *s, const symplectic *form, double limit, const do
 
 /* ---- all of it ---- */
 
-static bool all_finite(const double *x, int count) {
-    for (int i = 0; i < count; i++) {
-        if (!isfinite(x[i])) return false;
+/* conjugate pairs that are two real multipliers: their vectors then are the real and the imaginary part */
+static void split_pairs(multipliers *m) {
+    for (int i = 0; i < N; i++) {
+        const double re = m->re[i], im = m->im[i];
+        if (fabs(im) > same_real * fabs(re) || !(fabs(im) > 0)) continue;
+        if (fabs(log(hypot(re, im))) <= SAMPLE_LIMIT) continue;
+        for (int k = 0; k < N; k++)
+            m->vector[i][k] = im > 0 ? creal(m->vector[i][k]) : cimag(m->vector[i][k]);
+        m->im[i] = 0;
     }
+}
+
+static void fill(const gough_machine *machine, const symplectic *form, multipliers *m, sample *s) {
+    split_pairs(m);
+    for (int i = 0; i < N; i++) {
+        const double value[2] = {m->re[i], m->im[i]}, size = log(hypot(value[0], value[1]));
+        gough_mode mode;
+        if (!(size > SAMPLE_LIMIT) && !(size > s->size)) continue;
+        mode_of(machine, m->vector[i], &mode);
+        sample_add(s, value, size, SAMPLE_LIMIT, &mode);
+    }
+    if (form) put_phases(s, form, m);
+}
+
+static void no_values(sample *s) {
+    s->size = NAN;
+    s->stable = false;
+}
+
+bool sample_monodromy(const gough_machine *machine, const symplectic *form, double stiffness,
+                      double *phi, sample *s) {
+    double vectors[N * N], work[WORK];
+    multipliers m;
+
+    for (int i = 0; i < N * N; i++) {
+        if (!(fabs(phi[i]) <= moderate)) return false;
+    }
+    sample_begin(s, stiffness);
+    if (LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'V', N, phi, N, m.re, m.im, NULL, N, vectors, N,
+                           work, WORK) != 0) {
+        no_values(s);
+        return true;
+    }
+    /* LAPACK packs real and imaginary part of the vectors of a conjugate pair one after the other */
+    for (int i = 0; i < N; i++) {
+        const int real = m.im[i] < 0 ? i - 1 : i;
+        for (int k = 0; k < N; k++) {
+            m.vector[i][k] = vectors[N * real + k];
+            if (m.im[i] > 0) m.vector[i][k] += I * vectors[N * (real + 1) + k];
+            if (m.im[i] < 0) m.vector[i][k] -= I * vectors[N * (real + 1) + k];
+        }
+    }
+    fill(machine, form, &m, s);
     return true;
 }
 
-/* δr, δθ of vector i as LAPACK packs them: real and imaginary parts of a conjugate pair one after the other */
-static void shape_of(const double *vectors, const double *im, int i, double complex shape[6]) {
-    const int real = im[i] < 0 ? i - 1 : i;
-    const double sign = im[i] > 0 ? 1 : im[i] < 0 ? -1 : 0;
-
-    for (int k = 0; k < 6; k++) {
-        shape[k] = vectors[N * real + k];
-        if (fabs(sign) > 0) shape[k] += I * (sign * vectors[N * (real + 1) + k]);
-    }
-}
-
-/* conjugate pairs that are two real multipliers: their vectors then are the real and the imaginary part */
-static void split_pairs(double *re, double *im, double limit) {
-    for (int i = 0; i < N; i++) {
-        if (fabs(im[i]) <= same_real * fabs(re[i]) && fabs(log(hypot(re[i], im[i]))) > limit)
-            im[i] = 0;
-    }
-}
-
-void sample_monodromy(const gough_machine *machine, const symplectic *form, double stiffness,
-                      double *phi, sample *s) {
-    double re[N], im[N], vectors[N * N], work[WORK], limit = SAMPLE_LIMIT, most = 0;
+void sample_factors(const gough_machine *machine, const symplectic *form, double stiffness,
+                    const double (*factor)[N * N], size_t count, sample *s) {
+    spectrum found;
+    multipliers m;
 
     sample_begin(s, stiffness);
-    if (!all_finite(phi, N * N) || LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'V', N, phi, N, re, im,
-                                                      NULL, N, vectors, N, work, WORK) != 0) {
-        s->size = NAN;
-        s->stable = false;
+    if (spectrum_of_factors(factor, count, SWEEPS, &found, NULL) != GOUGH_OK) {
+        no_values(s);
         return;
     }
-    for (int i = 0; i < N; i++) most = fmax(most, hypot(re[i], im[i]));
-    limit = fmax(limit, rounding * most);
-    split_pairs(re, im, limit);
     for (int i = 0; i < N; i++) {
-        const double size = log(hypot(re[i], im[i]));
-        double complex shape[6];
-        gough_mode mode;
-        if (!(size > limit) && !(size > s->size)) continue;
-        shape_of(vectors, im, i, shape);
-        mode_of(machine, shape, &mode);
-        sample_add(s, (double[2]){re[i], im[i]}, size, limit, &mode);
+        m.re[i] = creal(found.value[i]);
+        m.im[i] = cimag(found.value[i]);
+        memcpy(m.vector[i], found.vector[i], sizeof m.vector[i]);
     }
-    if (form && limit < coarse) put_phases(s, form, limit, re, im, vectors);
+    fill(machine, form, &m, s);
 }

@@ -43,9 +43,14 @@ double complex symplectic_product(const symplectic *form, const double complex x
 /* |μ| up to 1 + this is no growth */
 #define SAMPLE_LIMIT 1e-7
 
-/* From Φ over a period, by columns, overwritten; form NULL: damped. Not all finite: no values. */
-void sample_monodromy(const gough_machine *machine, const symplectic *form, double stiffness,
+/* From Φ over a period, by columns, overwritten; form NULL: damped. Returns false, and fills nothing, where Φ is so large that
+ * the small multipliers have lost their digits in it: then its factors are needed. */
+bool sample_monodromy(const gough_machine *machine, const symplectic *form, double stiffness,
                       double *phi, sample *s);
+
+/* From `count` factors of Φ, whatever its size; no values where they are not all finite. */
+void sample_factors(const gough_machine *machine, const symplectic *form, double stiffness,
+                    const double (*factor)[GOUGH_LINEAR * GOUGH_LINEAR], size_t count, sample *s);
 
 /* From values with their modes: ln|μ|, or Re λ, over `limit` grows. */
 void sample_begin(sample *s, double stiffness);

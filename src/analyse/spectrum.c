@@ -35,12 +35,13 @@ static void orthogonalise(const double *z, double *q, double *r) {
 }
 
 /* Q through all factors once: Q' R = Φ Q with R the product of the triangles; returns Σ log of their diagonals */
-static double sweep(const monodromy *m, double *q, double *triangle) {
+static double sweep(const double (*factor)[MONODROMY_SIZE], size_t count, double *q,
+                    double *triangle) {
     double z[MONODROMY_SIZE], r[MONODROMY_SIZE], before[MONODROMY_SIZE], sum = 0;
 
     for (int i = 0; i < MONODROMY_SIZE; i++) triangle[i] = i % (N + 1) == 0;
-    for (int part = 0; part < MONODROMY_PARTS; part++) {
-        monodromy_multiply(m->factor[part], q, z);
+    for (size_t part = 0; part < count; part++) {
+        monodromy_multiply(factor[part], q, z);
         orthogonalise(z, q, r);
         for (int k = 0; k < N; k++) sum += log(r[k * (N + 1)]);
         memcpy(before, triangle, sizeof before);
@@ -120,14 +121,15 @@ static void take(spectrum *s, int k, const double *q, const double *re, const do
     }
 }
 
-gough_status spectrum_of(const monodromy *m, spectrum *s, gough_error *error) {
+gough_status spectrum_of_factors(const double (*factor)[MONODROMY_SIZE], size_t count, int sweeps,
+                                 spectrum *s, gough_error *error) {
     double q[MONODROMY_SIZE], after[MONODROMY_SIZE], triangle[MONODROMY_SIZE], t[MONODROMY_SIZE];
     double re[N], im[N], v[MONODROMY_SIZE], none[1], work[WORK];
 
     for (int i = 0; i < MONODROMY_SIZE; i++) after[i] = i % (N + 1) == 0;
-    for (int i = 0; i < SWEEPS; i++) {
+    for (int i = 0; i < sweeps; i++) {
         memcpy(q, after, sizeof q);
-        s->log_determinant = sweep(m, after, triangle);
+        s->log_determinant = sweep(factor, count, after, triangle);
     }
     in_frame(q, after, triangle, t);
     if (!finite(t) || LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'V', N, t, N, re, im, none, 1, v, N,
@@ -139,6 +141,11 @@ gough_status spectrum_of(const monodromy *m, spectrum *s, gough_error *error) {
     for (int k = 0; k < N; k++) take(s, k, q, re, im, v);
     sort(s);
     return GOUGH_OK;
+}
+
+gough_status spectrum_of(const monodromy *m, spectrum *s, gough_error *error) {
+    return spectrum_of_factors((const double(*)[MONODROMY_SIZE])m->factor, MONODROMY_PARTS, SWEEPS,
+                               s, error);
 }
 
 double spectrum_pair_defect(const spectrum *s) {

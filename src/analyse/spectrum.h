@@ -17,6 +17,10 @@ typedef struct {
 /* (floquet-6). GOUGH_ERROR_NUMERICAL where no eigenvalues were found, which takes numbers that are not finite. */
 gough_status spectrum_of(const monodromy *m, spectrum *s, gough_error *error);
 
+/* The same of `count` factors, the last to be applied last, with fewer sweeps where magnitudes lie far apart. */
+gough_status spectrum_of_factors(const double (*factor)[MONODROMY_SIZE], size_t count, int sweeps,
+                                 spectrum *s, gough_error *error);
+
 /* Largest |μμ′ − 1| over pairs, each with the one that fits it best. */
 double spectrum_pair_defect(const spectrum *s);
 
