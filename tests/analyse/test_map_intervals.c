@@ -94,8 +94,8 @@ START_TEST(intervals_of_heave_are_those_of_hills_equation) {
 }
 END_TEST
 
-/* Yaw grows 1e15 times in a period of 8π, heave by less than twice in some of its tongues. The first is 2e-5 above the threshold: the
- * grid is finer. */
+/* Yaw grows 1e15 times in a period of 8π, heave by less than twice in some of its tongues. The first is 2e-5 above the threshold,
+ * for which the grid is fine. */
 START_TEST(what_grows_little_is_seen_beside_what_grows_beyond_all_digits) {
     gough_model *model = map_heaving("0.2*sin(t/4)");
     const gough_map_options o = map_over(0, 0.3, 5);
