@@ -1,7 +1,7 @@
 # bash completion for gough
 _gough() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]-}
-    local verbs="example check forces simulate sweep merge stability plot report" always="--quiet --help --usage --version"
+    local verbs="example check forces simulate sweep merge stability tune plot report" always="--quiet --help --usage --version"
     local options=""
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
@@ -15,6 +15,7 @@ _gough() {
         sweep) options="--output --json --set --threads --lanes --shard --run --dimensionless" ;;
         merge) options="--output --json" ;;
         stability) options="--output --json --set --pose --matrix --at --sweep-stiffness --sweep-amplitude --sweep-frequency --sweep-damping --threads --lanes --title --dimensionless" ;;
+        tune) options="--output --json --set --deviation --angle-deviation --damping-ratio --feedforward --margin --stiffness --threads --title --dimensionless" ;;
         plot) options="--output --figure --columns --from --to --log --label --title" ;;
         report) options="--output --set" ;;
     esac
@@ -23,11 +24,12 @@ _gough() {
     [[ $previous == = ]] && previous=${COMP_WORDS[COMP_CWORD - 2]}
     case $previous in
         --precision) mapfile -t COMPREPLY < <(compgen -W "double quad" -- "$current"); return ;;
+        --feedforward) mapfile -t COMPREPLY < <(compgen -W "program none both" -- "$current"); return ;;
         --figure)
             mapfile -t COMPREPLY < <(compgen -W "$("${COMP_WORDS[0]}" plot --help 2>/dev/null |
                 sed -n '/^Kinds of figure/,/^$/s/^  \([a-z-]*\).*/\1/p')" -- "$current")
             return ;;
-        --set | --columns | --from | --to | --label | --title | --threads | --lanes | --shard | --run | --pose | --at | --sweep-*) return ;;
+        --set | --columns | --from | --to | --label | --title | --threads | --lanes | --shard | --run | --pose | --at | --sweep-* | --deviation | --angle-deviation | --damping-ratio | --margin | --stiffness) return ;;
         -o | --output) mapfile -t COMPREPLY < <(compgen -f -- "$current"); compopt -o filenames 2>/dev/null; return ;;
     esac
     if [[ $current == -* ]]; then
