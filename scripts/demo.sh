@@ -203,6 +203,29 @@ say "
    the program (parametric resonance). Without a rate term nothing dies out: what is held is bounded.
    docs/theory/stability.md derives all of it."
 
+# ---- stability ----
+heading "7  Stability without simulating"
+say "   The paper infers the necessity of feedback from runs. It follows from the equations: the loop linearised, at rest and over"
+say "   one period of the motion."
+"$gough" stability examples/paper-heave.yaml >"$scratch/loop.txt" 2>"$scratch/said" || fail "$(cat "$scratch/said")"
+sed -n 's/^  \(Without feedback.*\)/\n   \1/p; s/^  \(trace -2Mg.*\)/   \1/p' "$scratch/loop.txt"
+say "
+   Along the oscillation, without feedback, deviations grow in each period of 2 pi:"
+sed -n '/^About the program/,/^  Checked/s/^    \([a-z].*\)/    \1/p' "$scratch/loop.txt" |
+    awk '$1 != "mode" { name = $1 ($2 ~ /^×/ ? " " $2 : ""); factor = $2 ~ /^×/ ? $3 : $2; if (factor > 1) printf "    %10.6g-fold   %s\n", factor, name }'
+map=$out/stability-map
+"$gough" stability examples/paper-heave.yaml --sweep-stiffness 0:1.4:141 --sweep-amplitude 0:1.5:31 -q \
+    --title 'Where feedback holds, and its resonance tongues' -o "$map.csv" -o "$map.png" -o "$map.pdf" 2>"$scratch/said" ||
+    fail "$(cat "$scratch/said")"
+made+=("$map.csv" "$map-tongues.csv")
+pictures+=("$map.png" "$map.pdf")
+say "
+   With feedback: above the thresholds of 6, but for these resonance tongues of heave, where a stiffer loop fails again:"
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next }
+    $c["amplitude"] == 1 && $c["mode"] == "heave" && $c["kind"] ~ /resonance/ {
+        printf "    G from %.5f to %.5f: grows up to %.4g-fold in each period\n", $c["from"], $c["to"], $c["growth_per_period"] }' "$map-tongues.csv"
+say "   $map.png has all of them over G and the amplitude of the motion."
+
 heading "Results"
 printf '   %s\n' "${made[@]}"
 heading "Pictures"

@@ -17,6 +17,10 @@ claim 'feedback holds' says 'moves the platform by 2\.[0-9]+e-06 at most'
 claim 'feedback alone collapses when soft' says 'collapses: the pose is singular at t = 17\.1[45]'
 claim 'the table has seventeen gains' same "$(grep -cE '^ +[0-9.]+ .* (not )?held ' said.txt)" 17
 claim 'too soft is not held' says '^ +0\.35 .* not held '
+claim 'the trace theorem' says 'trace -2Mg/h = -2 < 0'
+claim 'yaw grows most' says '9829\.08-fold +yaw'
+claim 'the first tongue of heave' says 'G from 0\.11616 to 0\.19283'
+claim 'the second' says 'G from 0\.33333 to 0\.36773'
 claim 'stiff is held' says '^ +50 .* held '
 
 named=0
