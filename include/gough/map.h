@@ -25,7 +25,8 @@ typedef enum gough_map_axis {
 
 /** Values of an axis. */
 typedef struct gough_map_range {
-    double from, to;  /**< first and last value; to > from where there are more than one */
+    double from;      /**< the first */
+    double to;        /**< the last, > from where there are more than one */
     size_t count;     /**< how many, ≥ 1 */
     bool logarithmic; /**< equal ratios instead of equal steps; from > 0 */
 } gough_map_range;
@@ -38,7 +39,9 @@ typedef struct gough_map_options {
     gough_map_range stiffness; /**< G, the same in all legs, ≥ 0 */
     gough_map_axis axis;       /**< which second axis */
     gough_map_range second;    /**< its values; not looked at for GOUGH_MAP_NONE */
-    double accuracy;           /**< of multipliers, relative to the largest; 0: 1e-9 */
+    double
+        accuracy; /**< of multipliers, relative to the largest; 0: 1e-9. Rough programs, as recorded ones are,
+                            may get 1e-6 only */
     double
         resolution; /**< narrower intervals may be missed: a part of the stiffness range; 0: 1e-6. Edges are found to this too,
                             at worst, and mostly a thousand times better */
@@ -53,7 +56,8 @@ typedef struct gough_map_options {
 /** No axes yet, 256 intervals a row, widest lanes, all processors, no progress. */
 GOUGH_API gough_map_options gough_map_options_default(void);
 
-/** One point of the grid. In a row that has no values: NaN, "", not stable. */
+/** One point of the grid. Without values (its row has none, or without feed-forward no periodic motion was found there): NaN, "",
+ *  not stable. */
 typedef struct gough_map_point {
     double growth; /**< largest |μ|: growth per period; NaN where the program rests */
     double rate;   /**< ln(growth)/T; at rest the largest Re λ */
@@ -75,8 +79,9 @@ GOUGH_API const char *gough_interval_kind_name(gough_interval_kind kind);
 
 /** An interval of stiffness in which a mode grows. Those of different modes may overlap. */
 typedef struct gough_interval {
-    double from,
-        to; /**< G of its edges; from may lie below the range asked for, where the interval reaches into it */
+    double
+        from; /**< G of its lower edge, which may lie below the range asked for, where the interval reaches into it */
+    double to;                /**< of its upper edge */
     bool cut;                 /**< it goes on above the range: `to` is the end of the range */
     double stiffness;         /**< where in the range it grows most */
     double growth;            /**< growth per period there, NaN at rest */

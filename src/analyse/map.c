@@ -14,7 +14,8 @@
 
 enum { MOST_THREADS = 256 };
 
-static const double finest = 64;
+/* steps are refined up to this; beyond it errors up to the second value pass */
+static const double finest = 64, rough = 1e-6;
 
 static const double most_points = 2147483648.0;
 
@@ -203,6 +204,7 @@ static gough_status choose_steps(map_job *job, map_worker *w, gough_error *error
         double change;
         if (map_row_begin(w, row, NULL) != GOUGH_OK || !has_tables(w)) continue;
         while (map_row_accuracy(w, job->finer, &change, NULL) == GOUGH_OK && !(change <= wanted)) {
+            if (job->finer > finest && change <= rough) break;
             if (job->finer > finest) {
                 return gough_fail(
                     error, GOUGH_ERROR_NUMERICAL,

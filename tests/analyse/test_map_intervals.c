@@ -189,6 +189,29 @@ START_TEST(narrow_intervals_are_found_on_a_grid_of_five_points) {
 }
 END_TEST
 
+/* damped: sought where the undamped loop grows */
+START_TEST(narrow_damped_intervals_are_found_on_a_grid_of_five_points) {
+    gough_model *model = map_heaving("0.2*sin(t)");
+    const gough_map_options coarse = map_over(0, 2, 5), fine = map_over(0, 2, 4001);
+    int narrow = 0;
+    atlas a, b;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) model->control.damping[v] = 3e-5;
+    map_find_all(&a, model, &coarse);
+    map_find_all(&b, model, &fine);
+    ck_assert(a.map.row[0].intervals == b.map.row[0].intervals);
+    for (size_t i = 0; i < a.map.row[0].intervals; i++) {
+        const gough_interval *v = map_interval(&a, 0, i), *w = map_interval(&b, 0, i);
+        ck_assert(fabs(v->from - w->from) <= 1e-9 && fabs(v->to - w->to) <= 1e-9);
+        narrow += v->to - v->from < 0.0005;
+    }
+    ck_assert_msg(narrow >= 1, "%d of %zu", narrow, a.map.row[0].intervals);
+    map_drop(&a);
+    map_drop(&b);
+    free(model);
+}
+END_TEST
+
 /* a range that begins inside: edges beyond it are found, and the end of the range is told from an edge */
 START_TEST(edges_outside_the_range_are_told) {
     gough_model *model = map_heaving("0.2*sin(t)");
@@ -273,6 +296,7 @@ int main(void) {
                      no_point_of_a_fine_grid_contradicts_the_intervals,
                      no_damped_point_contradicts_the_intervals,
                      narrow_intervals_are_found_on_a_grid_of_five_points,
+                     narrow_damped_intervals_are_found_on_a_grid_of_five_points,
                      edges_outside_the_range_are_told,
                      without_motion_there_are_thresholds_and_nothing_else, damping_closes_tongues);
 }
