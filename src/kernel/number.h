@@ -17,8 +17,12 @@
 
 /* where a call through memory would cost more than the function */
 #define KERNEL_INLINE __attribute__((always_inline)) static inline
-/* where one copy for all callers is enough */
+/* one copy for all callers where the number is a scalar: calls cost little there, and code that is laid out whole much */
+#if defined(NUMBER_LANES)
+#define KERNEL_APART static inline
+#else
 #define KERNEL_APART __attribute__((noinline, unused)) static
+#endif
 /* the loop that follows is laid out whole, so that what it works on can stay in registers */
 #if defined(__clang__)
 #define KERNEL_UNROLL _Pragma("clang loop unroll(full)")

@@ -42,116 +42,138 @@ enum { FORMULA_FIRST_CONSTANT = 1, FORMULA_SECOND_CONSTANT = 2, FORMULA_BOTH_CON
 
 /* times that a formula is evaluated at together, at most: finding out what an operation is, is shared by them */
 enum { FORMULA_TIMES = 16 };
+typedef struct {
+    real v[FORMULA_TIMES], d[FORMULA_TIMES], dd[FORMULA_TIMES];
+} formula_row;
+
+KERNEL_INLINE jet formula_get(const formula_row *a, int k) {
+    return (jet){a->v[k], a->d[k], a->dd[k]};
+}
+
+KERNEL_INLINE void formula_put(formula_row *a, int k, jet x) {
+    a->v[k] = x.v;
+    a->d[k] = x.d;
+    a->dd[k] = x.dd;
+}
+
 #define FORMULA_EACH(result)                                                                       \
-    for (int k = 0; k < count; k++) a[k] = (result)
+    for (int k = 0; k < count; k++) formula_put(a, k, (result))
+#define FORMULA_A formula_get(a, k)
+#define FORMULA_B formula_get(b, k)
 
 /* a becomes the function of a */
-KERNEL_INLINE void formula_unaries(int code, int count, jet *a) {
+KERNEL_INLINE void formula_unaries(int code, int count, formula_row *a) {
     switch (code) {
     case FORMULA_NEGATE:
-        FORMULA_EACH(jet_negate(a[k]));
+        FORMULA_EACH(jet_negate(FORMULA_A));
         break;
     case FORMULA_SIN:
-        FORMULA_EACH(jet_sin(a[k]));
+        FORMULA_EACH(jet_sin(FORMULA_A));
         break;
     case FORMULA_COS:
-        FORMULA_EACH(jet_cos(a[k]));
+        FORMULA_EACH(jet_cos(FORMULA_A));
         break;
     case FORMULA_TAN:
-        FORMULA_EACH(jet_tan(a[k]));
+        FORMULA_EACH(jet_tan(FORMULA_A));
         break;
     case FORMULA_ASIN:
-        FORMULA_EACH(jet_asin(a[k]));
+        FORMULA_EACH(jet_asin(FORMULA_A));
         break;
     case FORMULA_ACOS:
-        FORMULA_EACH(jet_acos(a[k]));
+        FORMULA_EACH(jet_acos(FORMULA_A));
         break;
     case FORMULA_ATAN:
-        FORMULA_EACH(jet_atan(a[k]));
+        FORMULA_EACH(jet_atan(FORMULA_A));
         break;
     case FORMULA_EXP:
-        FORMULA_EACH(jet_exp(a[k]));
+        FORMULA_EACH(jet_exp(FORMULA_A));
         break;
     case FORMULA_LOG:
-        FORMULA_EACH(jet_log(a[k]));
+        FORMULA_EACH(jet_log(FORMULA_A));
         break;
     case FORMULA_ROOT:
-        FORMULA_EACH(jet_root(a[k]));
+        FORMULA_EACH(jet_root(FORMULA_A));
         break;
     default:
-        FORMULA_EACH(jet_tanh(a[k]));
+        FORMULA_EACH(jet_tanh(FORMULA_A));
     }
 }
 
 /* a becomes a combined with b */
-KERNEL_INLINE void formula_binaries(int code, int constant, int count, jet *a, const jet *b) {
+KERNEL_INLINE void formula_binaries(int code, int constant, int count, formula_row *a,
+                                    const formula_row *b) {
     switch (code) {
     case FORMULA_ADD:
-        FORMULA_EACH(jet_add(a[k], b[k]));
+        FORMULA_EACH(jet_add(FORMULA_A, FORMULA_B));
         break;
     case FORMULA_SUBTRACT:
-        FORMULA_EACH(jet_subtract(a[k], b[k]));
+        FORMULA_EACH(jet_subtract(FORMULA_A, FORMULA_B));
         break;
     case FORMULA_MULTIPLY:
         if (constant & FORMULA_FIRST_CONSTANT) {
-            FORMULA_EACH(jet_scale(a[k].v, b[k]));
+            FORMULA_EACH(jet_scale(FORMULA_A.v, FORMULA_B));
         } else if (constant & FORMULA_SECOND_CONSTANT) {
-            FORMULA_EACH(jet_scale(b[k].v, a[k]));
+            FORMULA_EACH(jet_scale(FORMULA_B.v, FORMULA_A));
         } else {
-            FORMULA_EACH(jet_multiply(a[k], b[k]));
+            FORMULA_EACH(jet_multiply(FORMULA_A, FORMULA_B));
         }
         break;
     case FORMULA_DIVIDE:
-        FORMULA_EACH(jet_divide(a[k], b[k]));
+        FORMULA_EACH(jet_divide(FORMULA_A, FORMULA_B));
         break;
     case FORMULA_POWER:
         if (constant & FORMULA_SECOND_CONSTANT) {
-            FORMULA_EACH(jet_power(a[k], b[k].v));
+            FORMULA_EACH(jet_power(FORMULA_A, FORMULA_B.v));
         } else {
-            FORMULA_EACH(jet_general_power(a[k], b[k]));
+            FORMULA_EACH(jet_general_power(FORMULA_A, FORMULA_B));
         }
         break;
     case FORMULA_ATAN2:
-        FORMULA_EACH(jet_atan2(a[k], b[k]));
+        FORMULA_EACH(jet_atan2(FORMULA_A, FORMULA_B));
         break;
     default:
-        FORMULA_EACH(jet_ramp(a[k], b[k]));
+        FORMULA_EACH(jet_ramp(FORMULA_A, FORMULA_B));
     }
 }
 
-static inline jet formula_unary(int code, jet a) {
+static inline jet formula_unary(int code, jet x) {
+    formula_row a;
+    formula_put(&a, 0, x);
     formula_unaries(code, 1, &a);
-    return a;
+    return formula_get(&a, 0);
 }
 
-static inline jet formula_binary(int code, int constant, jet a, jet b) {
+static inline jet formula_binary(int code, int constant, jet x, jet y) {
+    formula_row a, b;
+    formula_put(&a, 0, x);
+    formula_put(&b, 0, y);
     formula_binaries(code, constant, 1, &a, &b);
-    return a;
+    return formula_get(&a, 0);
 }
 
 /* A compiled formula with its derivatives at `count` times; an empty one is 0. The compiler has bounded its stack, in which
  * each value is a row of times. */
 KERNEL_INLINE void formula_evaluate(const gough_formula *f, int count, const real *t, jet *out) {
-    jet stack[GOUGH_FORMULA_DEPTH + 1][FORMULA_TIMES];
-    jet *a = stack[0];
+    formula_row stack[GOUGH_FORMULA_DEPTH + 1];
+    formula_row *a = stack;
 
     FORMULA_EACH(jet_constant(0));
     for (int i = 0; i < f->count; i++) {
         const int code = f->operation[i].code, constant = f->operation[i].constant;
         if (code < FORMULA_NEGATE) {
             const real given = code == FORMULA_PI ? REAL_PI : (real)f->operation[i].value;
-            if (i > 0) a += FORMULA_TIMES;
+            if (i > 0) a++;
             FORMULA_EACH(code == FORMULA_TIME ? jet_time(t[k]) : jet_constant(given));
         } else if (code < FORMULA_ADD) {
             formula_unaries(code, count, a);
-            if (constant) FORMULA_EACH(jet_constant(a[k].v));
+            if (constant) FORMULA_EACH(jet_constant(FORMULA_A.v));
         } else {
-            a -= FORMULA_TIMES;
-            formula_binaries(code, constant, count, a, a + FORMULA_TIMES);
-            if (constant == FORMULA_BOTH_CONSTANT) FORMULA_EACH(jet_constant(a[k].v));
+            a--;
+            formula_binaries(code, constant, count, a, a + 1);
+            if (constant == FORMULA_BOTH_CONSTANT) FORMULA_EACH(jet_constant(FORMULA_A.v));
         }
     }
-    for (int k = 0; k < count; k++) out[k] = a[k];
+    for (int k = 0; k < count; k++) out[k] = FORMULA_A;
 }
 
 static inline jet formula_alone(const gough_formula *f, real t) {
