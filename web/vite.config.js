@@ -18,9 +18,27 @@ function core() {
   };
 }
 
+// The notices that the licences of the bundled parts ask for, as a comment in the page.
+function notices() {
+  const licence = (part) => readFileSync(`node_modules/${part}/LICENSE`, "utf8");
+  const holder = (part) => /^Copyright .*$/im.exec(licence(part))[0];
+  const text = [
+    "This page holds parts of others under the MIT License below:",
+    `three.js: ${holder("three")}`,
+    `uPlot: ${holder("uplot")}`,
+    "musl, by way of wasi-libc: Copyright © 2005-2020 Rich Felker, et al.",
+    licence("three").slice(licence("three").indexOf("Permission is")).trim(),
+  ].join("\n\n");
+  return {
+    name: "notices",
+    transformIndexHtml: (html) =>
+      html.replace("<body>", `<!--\n${text.replaceAll("--", "- -")}\n-->\n  <body>`),
+  };
+}
+
 export default defineConfig({
   base: "./",
-  plugins: [core(), viteSingleFile({ removeViteModuleLoader: true })],
+  plugins: [core(), notices(), viteSingleFile({ removeViteModuleLoader: true })],
   worker: { format: "iife", plugins: () => [core()] },
   build: {
     outDir: process.env.GOUGH_PAGE_OUTPUT || "dist",

@@ -5,6 +5,8 @@ import { number } from "./format.js";
 /** Half the width of the drawing in its own units, where the unit circle has radius 1. */
 const REACH = 1.62;
 
+const complex = ([re, im]) => `${number(re, 6)} ${im < 0 ? "−" : "+"} ${number(Math.abs(im), 6)}i`;
+
 function frame(label, ...parts) {
   const svg = drawing("svg", {
     class: "plane",
@@ -38,11 +40,7 @@ export function multiplierCircle(multipliers) {
     return drawing(
       "g",
       { class: `dot ${kind}` },
-      drawing(
-        "title",
-        {},
-        `${number(multiplier[0], 6)} ${multiplier[1] < 0 ? "−" : "+"} ${number(Math.abs(multiplier[1]), 6)}i, size ${number(size, 6)}`,
-      ),
+      drawing("title", {}, `${complex(multiplier)}, size ${number(size, 6)}`),
       kind === "grows"
         ? drawing("rect", {
             x: x - 0.05,
@@ -56,7 +54,7 @@ export function multiplierCircle(multipliers) {
   });
   const grows = multipliers.filter((multiplier) => Math.hypot(...multiplier) > 1 + 1e-7).length;
   return frame(
-    `Floquet multipliers in the complex plane: ${grows ? `${grows} of ${multipliers.length} outside the unit circle` : "all within or on the unit circle"}`,
+    `Floquet multipliers in the complex plane: ${grows || "none"} of ${multipliers.length} outside the unit circle`,
     drawing("circle", { class: "unit-circle", r: 1 }),
     ...dots,
   );

@@ -4,7 +4,8 @@ import uPlot from "uplot";
 import { plain } from "./color.js";
 import { element, themed } from "./dom.js";
 import { number, powers, ticks, unit, unitAfter } from "./format.js";
-import { download, fileName, svgOf } from "./save.js";
+import { download, fileName } from "./save.js";
+import { svgOf } from "./svg.js";
 import { lowerBound, thin } from "./thin.js";
 
 /** The common range of time; null is all of it. */
@@ -33,9 +34,9 @@ export class Range {
 const HEIGHT = 210;
 
 export class Curve {
-  /** @param spec {id, title, unit, lines: [{label, color, t, y, leg, dash, width, optional}], limits: [{value}], logarithmic, note}:
-   *  arrays of a line are as long as its t. @param range common Range; @param onSeek called with a time that the reader points at,
-   *  and whether it was a click. @param timeUnit of the abscissa. */
+  /** @param spec {id, title, unit, note, limits: [{value, beyond}], lines: [{label, name, color, t, y, leg, dash, width, off}]}:
+   *  arrays of a line are as long as its t; `off` lines are shown on demand. @param range common Range; @param onSeek called
+   *  with a time that the reader points at, and whether it was a click; @param timeUnit of the abscissa. */
   constructor(spec, range, { onSeek, timeUnit, study }) {
     // a table may lack a column that a run of another kind has
     this.spec = { ...spec, lines: spec.lines.filter((line) => line.y) };

@@ -112,6 +112,11 @@ export class Study {
     );
   }
 
+  /** The pose at home. */
+  get home() {
+    return poseOf([0, 0, this.machine.height, 0, 0, 0]);
+  }
+
   /** Unit of a dimension: of a column that has it. */
   unit(name) {
     return this.run.has(name) ? this.run.unit(name) : this.plan.unit(name);

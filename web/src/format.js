@@ -53,6 +53,10 @@ export function unitAfter(text) {
   return ` ${word}`;
 }
 
+/** A number with its unit: "0.25 m/s". */
+export const amount = (value, unitText, digits = 4) =>
+  `${number(value, digits)}${unitAfter(unitText)}`;
+
 /** Tick labels of an axis: enough digits to tell neighbours apart. */
 export function ticks(values) {
   const present = values.filter((value) => value !== null);

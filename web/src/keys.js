@@ -90,7 +90,8 @@ export function bindKeys(page) {
     element(
       "p",
       { class: "note" },
-      "Mouse: drag to turn, wheel to zoom, right button to shift. In a curve: point to see that moment, drag to zoom, double-click for all of it. Live: take the load and pull.",
+      "Mouse: drag to turn, wheel to zoom, right button to shift. In a curve: point to see that moment, ",
+      "drag to zoom, double-click for all of it. Live: take the load and pull.",
     ),
     element("form", { method: "dialog" }, element("button", { class: "mini" }, "close")),
   );

@@ -3,7 +3,7 @@ import core from "virtual:core";
 import { bytesOf } from "./core.js";
 import { decode } from "./data.js";
 import { byId, element } from "./dom.js";
-import { causeWords, fixed, number, unitAfter } from "./format.js";
+import { amount, causeWords, fixed, number, unitAfter } from "./format.js";
 import { Hand } from "./hand.js";
 import { placed, rotation } from "./pose.js";
 import { Slider } from "./sliders.js";
@@ -34,8 +34,8 @@ export class Live {
     );
     this.reason =
       study.live === null
-        ? "not for this study: its recorded motion is too long to travel with the page"
-        : "this browser or this page has no core to run";
+        ? "No live run for this study: its recorded motion is too long to travel with the page."
+        : "No live run here: this browser has no WebAssembly, or the page no core.";
     this.running = false;
     this.trail = [];
   }
@@ -428,7 +428,11 @@ export class Live {
     const time = `t = ${fixed(at("t"), 2)}${unitAfter(this.study.unit("t"))}`;
     byId("clock").textContent = time;
     this.clock.textContent = time;
-    this.off.textContent = `${number(Math.hypot(at("ex"), at("ey"), at("ez")), 3)}${unitAfter(this.study.unit("ex"))}, ${number(DEGREE * Math.hypot(at("eroll"), at("epitch"), at("eyaw")), 3)} °`;
+    const [off, angle] = [
+      Math.hypot(at("ex"), at("ey"), at("ez")),
+      DEGREE * Math.hypot(at("eroll"), at("epitch"), at("eyaw")),
+    ];
+    this.off.textContent = `${amount(off, this.study.unit("ex"), 3)}, ${amount(angle, "degree", 3)}`;
     this.pace.textContent = this.ratio > 0 ? `${number(this.ratio, 2)}× real time` : "–";
     this.strips.draw();
   }

@@ -5,7 +5,7 @@ import { forceGradient, studyColor } from "./color.js";
 import { Curves } from "./curves.js";
 import { readStudies } from "./data.js";
 import { byId, calm, element } from "./dom.js";
-import { causeWords, fixed, number, unitAfter } from "./format.js";
+import { amount, causeWords, fixed, number, unitAfter } from "./format.js";
 import { bindKeys } from "./keys.js";
 import { Live } from "./live.js";
 import { compareNumbers, showNumbers } from "./numbers.js";
@@ -156,16 +156,20 @@ class Page {
     );
   }
 
+  /** The study in a line: its size, how it is held, and how well. */
   sentence(study) {
     const { control, machine, simulate } = study;
-    const gain = Math.max(...control.stiffness);
-    const law = study.openLoop
-      ? "open loop"
-      : `feedback G = ${number(gain, 4)}${Math.max(...control.damping) > 0 ? `, D = ${number(Math.max(...control.damping), 4)}` : ""}`;
-    const off = simulate?.deviation
-      ? `, at most ${number(simulate.deviation.position, 3)}${unitAfter(study.unit("ex"))} off its program`
-      : "";
-    return `${study.units === "si" ? "SI units" : "Dimensionless"} · base radius ${number(machine.base_radius, 4)}${unitAfter(study.unit("l1"))} · ${law}, ${control.feedforward ? "program forces fed forward" : "no program forces"}${off}`;
+    const [stiffness, damping] = [Math.max(...control.stiffness), Math.max(...control.damping)];
+    const parts = [
+      `${study.units === "si" ? "SI units" : "Dimensionless"} · base radius ${amount(machine.base_radius, study.unit("l1"))} · `,
+      study.openLoop ? "open loop" : `feedback G = ${number(stiffness)}`,
+      damping > 0 ? `, D = ${number(damping)}` : "",
+      control.feedforward ? ", program forces fed forward" : ", no program forces",
+      simulate?.deviation
+        ? `, at most ${amount(simulate.deviation.position, study.unit("ex"), 3)} off its program`
+        : "",
+    ];
+    return parts.join("");
   }
 
   showScene() {
@@ -246,7 +250,7 @@ class Page {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.repaint());
     byId("footer").replaceChildren(
       element("span", { "data-testid": "version" }, `gough ${this.version}`),
-      " · one file, no network; the data are inside",
+      " · one file that needs no network; drawn with three.js and uPlot",
     );
   }
 
@@ -345,9 +349,8 @@ class Page {
       byId(`mode-${name}`).tabIndex = name === this.mode ? 0 : -1;
     }
     byId("mode-live").disabled = !this.live.possible;
-    byId("mode-live").title = this.live.possible
-      ? "the simulation runs here, under your hands"
-      : this.live.reason;
+    byId("mode-live").title = "the simulation runs here, under your hands";
+    byId("no-live").textContent = this.live.possible || !this.alone ? "" : this.live.reason;
     byId("stage").classList.toggle("live", live);
     byId("stage").classList.toggle("many", this.chosen === ALL);
     if (live && this.scene) byId("hint").textContent = "take the load and pull";
@@ -393,7 +396,7 @@ class Page {
       this.shown.map((study, index) => {
         const at = Math.min(time, study.lastTime);
         return {
-          pose: study.run.rows ? study.run.pose(at) : null,
+          pose: study.run.rows ? study.run.pose(at) : study.home,
           forces: FORCES.map((name) => study.run.value(name, at)),
           plan: study.plan.rows ? study.plan.pose(time) : null,
           points: study.run.rows

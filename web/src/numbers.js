@@ -2,7 +2,7 @@
 import { multiplierCircle } from "./circle.js";
 import { LEGS } from "./color.js";
 import { element } from "./dom.js";
-import { causeWords, number, unit, unitAfter } from "./format.js";
+import { amount, causeWords, number, unit, unitAfter } from "./format.js";
 import { modesAtRest, multipliersBySize, thresholdsOf } from "./stability.js";
 
 /** A table with headings; cells are text or nodes. */
@@ -122,7 +122,8 @@ function endFacts(study) {
       !study.complete && ["why", end.message],
       simulate?.deviation && [
         "greatest deviation",
-        `${number(simulate.deviation.position, 5)}${unitAfter(study.unit("ex"))} and ${number(simulate.deviation.angle, 5)} ° from the program`,
+        `${amount(simulate.deviation.position, study.unit("ex"), 5)} from the program, `,
+        `${amount(simulate.deviation.angle, "degree", 5)} of angle`,
       ],
       simulate && ["drift of the constraints", `at most ${number(simulate.drift, 3)}`],
       simulate && ["condition", `at most ${number(simulate.condition, 5)}`],
@@ -152,7 +153,8 @@ function machineFacts(study) {
       ["condition at home", number(machine.home_condition, 6)],
       [
         "load",
-        `mass ${number(machine.mass, 6)}${study.units === "si" ? " kg" : ""}, centre of mass ${list(machine.center_of_mass)}${metre}`,
+        `mass ${number(machine.mass, 6)}${study.units === "si" ? " kg" : ""}, `,
+        `centre of mass ${list(machine.center_of_mass)}${metre}`,
       ],
       [
         "inertia about it",

@@ -261,11 +261,11 @@ export class Scene {
     let rise = 0;
     moments.forEach(({ pose, forces, plan, points }, index) => {
       const { model, entry, scale } = this.machines[index];
-      if (pose) model.move(pose, forces);
+      model.move(pose, forces);
       model.moveGhost(plan);
       if (points !== undefined) model.showPath(points);
-      const high = pose ? pose.position[2] - entry.machine.height : 0;
-      const aside = pose ? Math.hypot(pose.position[0], pose.position[1]) : 0;
+      const high = pose.position[2] - entry.machine.height;
+      const aside = Math.hypot(pose.position[0], pose.position[1]);
       rise = Math.max(rise, scale * high - 0.35 * this.size, scale * aside - 0.6 * this.size);
     });
     this.rise = Number.isFinite(rise) ? Math.min(rise, 100 * this.size) : 0;
@@ -350,7 +350,8 @@ export class Scene {
       );
     for (const { mark, model, point: place } of this.marks) {
       point.copy(place).applyMatrix4(model.group.matrixWorld).project(this.camera);
-      mark.style.transform = `translate(-50%, -50%) translate(${(((point.x + 1) * width) / 2).toFixed(1)}px, ${(((1 - point.y) * height) / 2).toFixed(1)}px)`;
+      const [left, top] = [((point.x + 1) * width) / 2, ((1 - point.y) * height) / 2];
+      mark.style.transform = `translate(-50%, -50%) translate(${left.toFixed(1)}px, ${top.toFixed(1)}px)`;
       mark.style.visibility = point.z < 1 ? "visible" : "hidden";
     }
   }
