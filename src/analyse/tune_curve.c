@@ -250,21 +250,34 @@ static void say_ends(tune *t, char *reason, size_t size) {
                  last->stiffness, last->end_time, end_words(last->cause), leg);
 }
 
+/* whether the run starts elsewhere than its program */
+static bool starts_off(const gough_initial *initial) {
+    bool off = initial->velocity_given || initial->angular_velocity_given;
+
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) off |= initial->given[c];
+    return off;
+}
+
 static void say_floor(const tune *t, const gough_tuning_point *best, char *reason, size_t size) {
-    const double offset = tune_initial_offset(t);
     const bool damped = t->ratio ? t->options->damping_ratio > 0 : t->model->control.damping[0] > 0;
 
-    if (offset > 0.1 * best->position_deviation && !damped)
-        snprintf(reason, size,
-                 "the deviation does not fall with G, it stays at %.3g or more: the run starts "
-                 "%.3g off the program, and without damping an initial offset is kept for ever; "
-                 "ask for --damping-ratio or for less accuracy",
-                 best->position_deviation, offset);
-    else
+    if (!starts_off(&t->model->initial))
         snprintf(reason, size,
                  "the deviation stops falling with G: the least is %.3g, at G = %.6g; beyond, what "
                  "excites the run does not get less",
                  best->position_deviation, best->stiffness);
+    else if (damped)
+        snprintf(reason, size,
+                 "the deviation does not fall with G, it stays at %.3g or more: the run starts off "
+                 "its program, and its first swing is as large with any G; start nearer, or ask "
+                 "for less accuracy",
+                 best->position_deviation);
+    else
+        snprintf(reason, size,
+                 "the deviation does not fall with G, it stays at %.3g or more: the run starts off "
+                 "its program, and without damping that is kept for ever; start nearer, ask for "
+                 "--damping-ratio or for less accuracy",
+                 best->position_deviation);
 }
 
 static void say_far(const tune *t, const gough_tuning_point *best, double slope, char *reason,

@@ -44,7 +44,7 @@ static double ratio_at(const affine *A, double damping) {
     return tune_least_ratio(sum);
 }
 
-/* The first D, from 0 up, whose least ratio is the one asked for: by regula falsi with the weights of Illinois. */
+/* (tune-1): the first D, from 0 up, whose least ratio is the one asked for: by regula falsi with the weights of Illinois. */
 static bool root(const affine *A, double guess, double ratio, double *damping) {
     double low = 0, high = guess, f_low = -ratio, f_high = ratio_at(A, high) - ratio;
 

@@ -198,7 +198,7 @@ static void deviation_of(const gough_model *model, const double *value, double x
     }
 }
 
-/* ξ = Σ c_k (s_k, λ_k s_k) */
+/* (tune-4): ξ = Σ c_k (s_k, λ_k s_k) */
 static bool amplitudes(const gough_rest *rest, const double xi[N], double complex c[N]) {
     double complex a[N * N];
     lapack_int pivot[N];

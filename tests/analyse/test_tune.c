@@ -208,7 +208,7 @@ END_TEST
 
 /* ---- laws -------------------------------------------------------------------------------------------------------- */
 
-/* Without feed-forward a leg is shorter by M g l/(6 h G), the platform lower by l/h of that. Well damped, nothing overshoots. */
+/* (tune-3): without feed-forward a leg is shorter by M g l/(6 h G), the platform lower by l/h of that. Well damped, nothing overshoots. */
 START_TEST(stiffness_without_feedforward_is_that_of_the_sag) {
     const double l2 = 1.49;
     search s = begin(2);
@@ -231,7 +231,7 @@ START_TEST(stiffness_without_feedforward_is_that_of_the_sag) {
 }
 END_TEST
 
-/* With it a slow disturbance ε of each leg leaves ε l/(h G). */
+/* (tune-2): with it a slow disturbance ε of each leg leaves ε l/(h G). */
 START_TEST(stiffness_against_a_slow_disturbance_is_the_quasistatic_one) {
     const double l = sqrt(1.49), asked = 1e-5;
     search s = begin(8);
