@@ -1,0 +1,276 @@
+// The page's parts that need no browser, in Node: thinning, tables as text, poses, the load's shape, energies, numbers in words.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { join } from "node:path";
+import test from "node:test";
+import { csv } from "../../web/src/csv.js";
+import { decode, Table } from "../../web/src/data.js";
+import { legWork, loadEnergy } from "../../web/src/energy.js";
+import { amount, fixed, number, ticks, unit } from "../../web/src/format.js";
+import { equalEllipsoid, symmetricEigen } from "../../web/src/inertia.js";
+import { legsOf, poseOf } from "../../web/src/pose.js";
+import { holdsFrom, thresholdsOf } from "../../web/src/stability.js";
+import { lowerBound, thin } from "../../web/src/thin.js";
+
+const { GOUGH, SOURCE } = process.env;
+const near = (actual, wanted, tolerance, what = "") =>
+  assert.ok(Math.abs(actual - wanted) <= tolerance, `${what} ${actual} for ${wanted}`);
+
+// a generator with known numbers (Park and Miller), so that a failure can be repeated
+function generator(seed) {
+  let state = seed;
+  return () => (state = (state * 48271) % 2147483647) / 2147483647;
+}
+
+test("thinning keeps the least and the greatest value of each stretch, in their order", () => {
+  const random = generator(7);
+  const x = Float64Array.from({ length: 60001 }, (_, row) => 0.01 * row);
+  const y = x.map(() => random() - 0.5);
+  const thinned = thin(x, [y], 0, 600, 300);
+  assert.equal(thinned.x.length, 600);
+  assert.ok(thinned.x.every((time, index) => index === 0 || time > thinned.x[index - 1]));
+  for (let bucket = 0; bucket < 300; bucket++) {
+    const [from, to] = [bucket, bucket + 1].map((k) => Math.floor((k * x.length) / 300));
+    const part = Array.from(y.subarray(from, to));
+    const kept = thinned.lines[0].slice(2 * bucket, 2 * bucket + 2);
+    assert.equal(Math.min(...kept), Math.min(...part));
+    assert.equal(Math.max(...kept), Math.max(...part));
+    assert.equal(
+      kept[0] === Math.min(...part),
+      part.indexOf(Math.min(...part)) < part.indexOf(Math.max(...part)),
+    );
+  }
+});
+
+test("few points are not thinned, and reach beyond the range by one", () => {
+  const x = Float64Array.from({ length: 101 }, (_, row) => row);
+  const { x: kept, lines } = thin(x, [x], 10.5, 20.5, 100);
+  assert.deepEqual(
+    kept,
+    Array.from({ length: 13 }, (_, row) => row + 10),
+  );
+  assert.deepEqual(lines[0], kept);
+});
+
+test("what is not finite is a gap, thinned or not", () => {
+  const x = Float64Array.from({ length: 1000 }, (_, row) => row);
+  const y = x.map((value) => (value < 500 ? NaN : value));
+  assert.equal(thin(x, [y], 0, 999, 2000).lines[0][10], null);
+  const { lines } = thin(x, [y], 0, 999, 10);
+  assert.deepEqual(lines[0].slice(0, 10), Array(10).fill(null));
+  assert.deepEqual(lines[0].slice(10, 12), [500, 599]);
+});
+
+test("the first index at or after a value is found", () => {
+  const x = Float64Array.of(0, 1, 1, 3);
+  assert.deepEqual(
+    [-1, 0, 0.5, 1, 2, 3, 4].map((value) => lowerBound(x, value)),
+    [0, 0, 1, 1, 3, 3, 4],
+  );
+});
+
+test("a table as text gives each double back", () => {
+  const values = Float64Array.of(
+    0,
+    -0,
+    1 / 3,
+    5e-324,
+    1.7976931348623157e308,
+    -1.1102230246251565e-16,
+    123456789012345680,
+    NaN,
+    Infinity,
+  );
+  const [head, ...lines] = csv([
+    { name: "a", values },
+    { name: "b", values },
+  ]).split("\n");
+  assert.equal(head, "a,b");
+  lines
+    .slice(0, 7)
+    .forEach((line, row) =>
+      line.split(",").forEach((text) => assert.ok(Object.is(Number(text), values[row]), text)),
+    );
+  assert.deepEqual(lines.slice(7), ["nan,nan", "inf,inf", ""]);
+});
+
+test("base64 of doubles is decoded", () => {
+  const values = Float64Array.of(0.1, -2, 3e300);
+  assert.deepEqual(decode(Buffer.from(values.buffer).toString("base64")), values);
+});
+
+const machine = JSON.parse(
+  JSON.stringify({ mass: 2, center_of_mass: [0.1, -0.2, 0.3], gravity: [0, 0, -9] }),
+);
+const encoded = (name, values) => ({
+  name,
+  unit: "1",
+  long_name: name,
+  data: Buffer.from(Float64Array.from(values).buffer).toString("base64"),
+});
+
+test("a pose between rows goes straight, and angles turn the short way", () => {
+  const names = ["x", "y", "z", "roll", "pitch", "yaw"];
+  const table = new Table([
+    encoded("t", [0, 0.1, 0.2]),
+    ...names.map((name) => encoded(name, name === "yaw" ? [179, -179, -177] : [0, 1, 4])),
+  ]);
+  near(table.value("x", 0.15), 2.5, 1e-12);
+  near(Math.cos((table.value("yaw", 0.05) * Math.PI) / 180), -1, 1e-12);
+  assert.equal(table.value("x", 0.1), 1);
+  assert.equal(table.value("x", 99), 4);
+});
+
+test("legs have the lengths of the command's table in a pose of all six freedoms", () => {
+  const file = join(SOURCE, "examples/all-six.yaml");
+  const lines = execFileSync(GOUGH, ["simulate", file, "-q", "-o", "-"], { encoding: "utf8", maxBuffer: 1 << 26 })
+    .trim()
+    .split("\n");
+  const names = lines[0].split(",");
+  const row = lines[215].split(",").map(Number);
+  const at = (name) => row[names.indexOf(name)];
+  const ring = (radius, angles) =>
+    angles.map((angle) => [
+      radius * Math.cos((angle * Math.PI) / 180),
+      radius * Math.sin((angle * Math.PI) / 180),
+      0,
+    ]);
+  const half = 6.4688478326275441;
+  const base = ring(1, [10, 110, 130, 230, 250, 350]);
+  const top = ring(0.6, [60 - half, 60 + half, 180 - half, 180 + half, 300 - half, 300 + half]);
+  const pose = poseOf(["x", "y", "z", "roll", "pitch", "yaw"].map(at));
+  legsOf({ base, top }, pose).forEach(({ length }, leg) =>
+    near(length, at(`l${leg + 1}`), 1e-13, `leg ${leg + 1}`),
+  );
+});
+
+test("the ellipsoid has the mass and inertia that it stands for", () => {
+  const inertia = [
+    [410, 8, -35],
+    [8, 520, 12],
+    [-35, 12, 460],
+  ];
+  const { axes, vectors } = equalEllipsoid(1050, inertia);
+  // J = Σ over the axes of m/5 (sum of the other two squares), turned back
+  const moments = axes.map(
+    (_, k) =>
+      (1050 / 5) * axes.reduce((sum, axis, other) => sum + (other === k ? 0 : axis * axis), 0),
+  );
+  for (let r = 0; r < 3; r++)
+    for (let c = 0; c < 3; c++)
+      near(
+        moments.reduce((sum, moment, k) => sum + vectors[r][k] * moment * vectors[c][k], 0),
+        inertia[r][c],
+        1e-9,
+      );
+  const { values } = symmetricEigen([
+    [2, 0, 0],
+    [0, 3, 0],
+    [0, 0, 4],
+  ]);
+  assert.deepEqual(values, [2, 3, 4]);
+});
+
+test("in a run the load's energy changes by the work of the legs", () => {
+  const file = join(SOURCE, "examples/all-six.yaml");
+  const lines = execFileSync(
+    GOUGH,
+    [
+      "simulate",
+      file,
+      "-q",
+      "-o",
+      "-",
+      "--set",
+      "simulation.output_step=0.005",
+      "--set",
+      "disturbance.force=[0,0,0]",
+      "--set",
+      "disturbance.moment=[0,0,0]",
+    ],
+    { encoding: "utf8", maxBuffer: 1 << 26 },
+  )
+    .trim()
+    .split("\n");
+  const names = lines[0].split(",");
+  const rows = lines.slice(1).map((line) => line.split(",").map(Number));
+  const table = new Table(
+    names.map((name, column) =>
+      encoded(
+        name,
+        rows.map((row) => row[column]),
+      ),
+    ),
+  );
+  const load = {
+    mass: 1,
+    center_of_mass: [0.03, -0.02, 0.15],
+    gravity: [0, 0, -1],
+    inertia: [
+      [0.08, 0.004, -0.006],
+      [0.004, 0.09, 0.003],
+      [-0.006, 0.003, 0.12],
+    ],
+  };
+  const work = legWork(table);
+  const { kinetic, potential } = loadEnergy(table, load);
+  let worst = 0;
+  let most = 0;
+  for (let row = 0; row < table.rows; row++) {
+    const gained = kinetic[row] + potential[row] - kinetic[0];
+    most = Math.max(most, Math.abs(gained));
+    worst = Math.max(worst, Math.abs(gained - work.reduce((sum, leg) => sum + leg[row], 0)));
+  }
+  // the trapezoidal rule at steps of 0.005: T h²/12 of a second derivative below 1
+  assert.ok(most > 0.05 && worst < 4e-5, `${worst} of ${most}`);
+});
+
+test("a resting load has the energy of its height", () => {
+  const columns = ["t", "x", "y", "z", "roll", "pitch", "yaw", "vx", "vy", "vz", "wx", "wy", "wz"];
+  const table = new Table(
+    columns.map((name) => encoded(name, { t: [0, 1], z: [1, 1.5] }[name] ?? [0, 0])),
+  );
+  const { kinetic, potential } = loadEnergy(table, {
+    ...machine,
+    inertia: [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ],
+  });
+  assert.deepEqual([...kinetic], [0, 0]);
+  near(potential[1], 9, 1e-12);
+});
+
+test("numbers read well", () => {
+  assert.deepEqual(
+    [0, 0.25, -1.5, 1e-7, 123456, 2.5e7, NaN, null, Infinity].map((value) => number(value)),
+    ["0", "0.25", "−1.5", "1·10⁻⁷", "123500", "2.5·10⁷", "–", "–", "∞"],
+  );
+  assert.equal(fixed(-0.0001, 2), "0.00");
+  assert.deepEqual(ticks([0.15, 0.175, 0.2]), ["0.150", "0.175", "0.200"]);
+  assert.deepEqual(ticks([0, 5, 10]), ["0", "5", "10"]);
+  assert.deepEqual(["m/s2", "degree/s", "1", "N m", ""].map(unit), ["m/s²", "°/s", "", "N m", ""]);
+  assert.equal(amount(3, "degree"), "3 °");
+});
+
+test("thresholds are told once for each value, and a mode holds from its greatest", () => {
+  const stability = {
+    thresholds: [
+      ["sway–tilt", 0.894],
+      ["sway–tilt", 0.894],
+      ["yaw", 0.466],
+      ["sway–tilt", 0.13],
+      ["heave", 0],
+    ].map(([mode, stiffness]) => ({ mode, stiffness })),
+  };
+  assert.deepEqual(
+    thresholdsOf(stability).map(({ stiffness }) => stiffness),
+    [0, 0.13, 0.466, 0.894],
+  );
+  assert.deepEqual(holdsFrom(stability), [
+    { mode: "yaw", stiffness: 0.466 },
+    { mode: "sway–tilt", stiffness: 0.894 },
+  ]);
+  assert.deepEqual(holdsFrom(null), []);
+});
