@@ -108,6 +108,7 @@ void stability_scale(stability_report *report) {
     if (!report->periodic) return;
     report->floquet.start /= u->time;
     report->floquet.period /= u->time;
+    report->sag /= u->length;
     for (int i = 0; i < GOUGH_LINEAR; i++) scale_mode(&report->floquet.multiplier[i].mode, u);
 }
 
@@ -142,6 +143,19 @@ static bool find_last_pose(const gough_motion *motion, double start,
     return elsewhere;
 }
 
+/* How far the periodic motion is from the program when the period begins. */
+static double find_sag(const gough_model *model, const gough_floquet *floquet) {
+    gough_state program;
+    gough_acceleration acceleration;
+    double sum = 0;
+    gough_program(&model->machine, &model->motion, floquet->start, &program, &acceleration);
+    for (int k = 0; k < 3; k++) {
+        const double apart = floquet->state.position[k] - program.position[k];
+        sum += apart * apart;
+    }
+    return sqrt(sum);
+}
+
 static gough_status find_about_program(stability_report *report, gough_error *error) {
     const gough_model *model = report->study->model;
     double component[GOUGH_COMPONENTS];
@@ -149,7 +163,9 @@ static gough_status find_about_program(stability_report *report, gough_error *er
     if (status) return status;
     if (!report->period.resting) {
         report->periodic = true;
-        return gough_floquet_multipliers(model, &report->period, 0, &report->floquet, error);
+        status = gough_floquet_multipliers(model, &report->period, 0, &report->floquet, error);
+        if (!status) report->sag = find_sag(model, &report->floquet);
+        return status;
     }
     report->ends = find_last_pose(&model->motion, report->period.start, report->last_pose);
     if (!report->ends) return GOUGH_OK;

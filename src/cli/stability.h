@@ -24,6 +24,7 @@ typedef struct stability_report {
     bool periodic; /* and then the two below hold */
     gough_period period;
     gough_floquet floquet;
+    double sag; /* distance of the top from the program when the period begins */
 } stability_report;
 
 /* Turns the numbers into the output's units. */

@@ -1,5 +1,5 @@
 /* Tables of a stability map: its grid, and the intervals of stiffness in which a mode grows. In CSV modes and kinds are words; in
- * HDF5, which has numbers only, a mode is the sum of what moves: sway 1, heave 2, tilt 4, yaw 8; a kind that of gough_interval_kind. */
+ * HDF5, which has numbers only, a mode is the sum of what moves, sway 1, heave 2, tilt 4, yaw 8, and a kind counts from 0. */
 #define _GNU_SOURCE
 #include <math.h>
 #include <stdlib.h>

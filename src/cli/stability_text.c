@@ -212,25 +212,32 @@ static void print_pose(FILE *stream, const double pose[GOUGH_COMPONENTS], const 
     if (!*joint) fprintf(stream, "home");
 }
 
+/* Where the springs carry the load. */
+static void print_sag(FILE *stream, const stability_report *report, const double position[3]) {
+    double shown[3];
+    for (int k = 0; k < 3; k++)
+        shown[k] = fabs(position[k]) < 1e-12 * report->arm ? 0.0 : position[k];
+    fprintf(
+        stream,
+        "  Without feed-forward the springs carry the load: it rests with the top at %.6g, %.6g, "
+        "%.6g%s\n",
+        shown[0], shown[1], shown[2], unit_words_of(&report->units)->length);
+}
+
 static void print_rest(FILE *stream, const stability_report *report, const gough_rest *rest,
                        const double pose[GOUGH_COMPONENTS], const char *where) {
     const unit_words *unit = unit_words_of(&report->units);
     fprintf(stream, "\nAt rest%s: ", where);
     print_pose(stream, pose, unit);
     fprintf(stream, "\n");
-    if (!report->study->model->control.feedforward)
-        fprintf(stream,
-                "  Without feed-forward the springs carry the load: it rests with the top at %.6g, "
-                "%.6g, %.6g%s\n",
-                rest->state.position[0], rest->state.position[1], rest->state.position[2],
-                unit->length);
+    if (!report->study->model->control.feedforward) print_sag(stream, report, rest->state.position);
     print_eigenvalues(stream, report, rest);
     print_thresholds(stream, report, rest);
     print_trace(stream, report, rest);
     fprintf(stream,
             "  Checked: the stiffness found is symmetric within %.1g of its largest element",
             rest->asymmetry);
-    if (isfinite(rest->trace_theorem))
+    if (fabs(rest->trace_theorem) > 0)
         fprintf(stream, ",\n  its trace differs from the theorem's by %.1g of it",
                 fabs(rest->trace - rest->trace_theorem) / fabs(rest->trace_theorem));
     fprintf(stream, ".\n");
@@ -301,6 +308,12 @@ static void print_program(FILE *stream, const stability_report *report) {
     if (report->floquet.start > 0)
         fprintf(stream, ", from t = %.4g%s on", report->floquet.start, unit->time);
     fprintf(stream, "\n");
+    if (!report->study->model->control.feedforward)
+        fprintf(stream,
+                "  Without feed-forward the loop has a periodic motion of its own, %.4g%s from the "
+                "program when the period begins:\n  it is judged here, and a run that starts far "
+                "from it may not get there\n",
+                report->sag, unit->length);
     print_multipliers(stream, report);
     print_floquet_checks(stream, &report->floquet);
     print_floquet_verdict(stream, report);

@@ -190,6 +190,8 @@ gough_status gough_map_draw(const gough_map_options *options, const gough_map *f
                             const gough_map_figure *figure, const char *path, gough_error *error) {
     field f;
     gough_status status = GOUGH_ERROR_FILE;
+    if (options->stiffness.count < 2)
+        return gough_fail(error, GOUGH_ERROR_INPUT, "a map of one stiffness cannot be drawn");
     if (field_make(&f, options, found))
         status = sheet_draw(write_picture, &(picture){figure, &f}, path, error);
     else
