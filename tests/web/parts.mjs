@@ -123,7 +123,10 @@ test("a pose between rows goes straight, and angles turn the short way", () => {
 
 test("legs have the lengths of the command's table in a pose of all six freedoms", () => {
   const file = join(SOURCE, "examples/all-six.yaml");
-  const lines = execFileSync(GOUGH, ["simulate", file, "-q", "-o", "-"], { encoding: "utf8", maxBuffer: 1 << 26 })
+  const lines = execFileSync(GOUGH, ["simulate", file, "-q", "-o", "-"], {
+    encoding: "utf8",
+    maxBuffer: 1 << 26,
+  })
     .trim()
     .split("\n");
   const names = lines[0].split(",");

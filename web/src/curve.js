@@ -251,6 +251,7 @@ export class Curve {
     return {
       width: this.plotHost.clientWidth || 400,
       height: HEIGHT,
+      pxAlign: false,
       legend: { show: false },
       padding: [8, 12, 0, 0],
       cursor: {

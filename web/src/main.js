@@ -416,7 +416,7 @@ class Page {
         this.player.advance(seconds);
         if (this.moved) this.show();
       } else this.live.frame();
-      if (this.scene?.draw() && !document.documentElement.dataset.firstPicture)
+      if (this.scene?.draw(seconds) && !document.documentElement.dataset.firstPicture)
         document.documentElement.dataset.firstPicture = performance.now().toFixed(0);
       requestAnimationFrame(frame);
     };

@@ -29,6 +29,9 @@ import { Machine } from "./machine.js";
 const AZIMUTH = (-62 * Math.PI) / 180;
 const ELEVATION = (15 * Math.PI) / 180;
 const FIELD = 30;
+/** A picture that takes longer is slow; nothing but slow ones for so long is too much. Seconds. */
+const SLOW = 0.045;
+const PATIENCE = 2.5;
 /** Distance between machines side by side, in base radii. */
 const SPACING = 2.5;
 
@@ -85,6 +88,8 @@ export class Scene {
     this.machines = [];
     this.follow = true;
     this.dirty = true;
+    this.slow = 0;
+    this.fineness = 1;
     this.framed = { height: 0, factor: 1 };
     this.light();
     this.observer = new ResizeObserver(() => this.resize());
@@ -315,7 +320,7 @@ export class Scene {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (!width || !height) return;
     const narrower = Math.abs(width / height - this.camera.aspect) > 0.05;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setPixelRatio(this.fineness * Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -327,13 +332,29 @@ export class Scene {
     this.dirty = true;
   }
 
-  /** Draws if something changed. @return whether it did. */
-  draw() {
-    if (!this.dirty || !this.machines.length || !this.host.clientWidth) return false;
+  /** Draws if something changed. @param seconds since the picture before. @return whether it did. */
+  draw(seconds) {
+    if (!this.dirty || !this.machines.length || !this.host.clientWidth) {
+      this.slow = 0;
+      return false;
+    }
     this.dirty = false;
+    this.keepPace(seconds);
     this.renderer.render(this.stage, this.camera);
     this.placeLabels();
     return true;
+  }
+
+  /** Where pictures in motion come too slowly for a while, they are made cheaper: first without shadows, then coarser. */
+  keepPace(seconds) {
+    this.slow = seconds > SLOW ? this.slow + seconds : 0;
+    if (this.slow < PATIENCE) return;
+    this.slow = 0;
+    if (this.sun.castShadow) this.sun.castShadow = false;
+    else if (this.fineness > 0.7) {
+      this.fineness /= 1.5;
+      this.resize();
+    }
   }
 
   placeLabels() {

@@ -55,6 +55,7 @@ export class Strips {
         {
           width: box.clientWidth || 400,
           height: STRIP,
+          pxAlign: false,
           legend: { show: false },
           cursor: { show: false },
           padding: [8, 10, 0, 0],

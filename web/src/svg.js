@@ -110,7 +110,8 @@ function key({ lines }) {
   let x = MARGIN.left;
   return lines.flatMap((line) => {
     const start = x;
-    x += 41 + 7.2 * line.label.length;
+    const label = line.leg ? `leg ${line.label}` : line.label;
+    x += 41 + 7.2 * label.length;
     return [
       drawing("path", {
         d: `M${start} 45h18`,
@@ -118,7 +119,7 @@ function key({ lines }) {
         "stroke-width": 2.5,
         "stroke-dasharray": line.dash?.join(" "),
       }),
-      words(start + 23, 49, line.label),
+      words(start + 23, 49, label),
     ];
   });
 }
