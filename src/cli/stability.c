@@ -220,7 +220,7 @@ static void print_matrix(const stability_matrix *matrix) {
 
 static gough_status answer(const command_line *line, stability_report *report) {
     gough_error error = {0};
-    stability_matrix matrix;
+    stability_matrix matrix = {{{0}}};
     gough_status status =
         gough_units_of_study(report->study, line->dimensionless, &report->units, &error);
     if (!status && line->matrix)

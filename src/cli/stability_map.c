@@ -166,6 +166,8 @@ static gough_status find(const command_line *line, map_report *report, gough_err
     report->options.context = &bar;
     if (!status) status = gough_map_find(model, &report->options, &report->map, memory, error);
     progress_end(&bar);
+    report->options.progress = NULL;
+    report->options.context = NULL;
     free(memory);
     return status ? status : check_rows(report, error);
 }

@@ -196,8 +196,8 @@ bool field_make(field *f, const gough_map_options *options, const gough_map *map
         if (map->row[r].intervals > most) most = map->row[r].intervals;
     }
     f->nodes = options->stiffness.count + INTERVAL_NODES * most;
-    f->node = calloc(f->rows * f->nodes, sizeof *f->node);
-    f->count = calloc(f->rows, sizeof *f->count);
+    f->node = calloc(f->rows * f->nodes + 1, sizeof *f->node);
+    f->count = calloc(f->rows + 1, sizeof *f->count);
     f->pair = calloc(2 * intervals + 1, sizeof *f->pair);
     double *centre = calloc(most + 1, sizeof *centre);
     if (!f->node || !f->count || !f->pair || !centre) {
