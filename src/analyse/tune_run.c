@@ -205,9 +205,9 @@ static bool amplitudes(const gough_rest *rest, const double xi[N], double comple
 
     for (int k = 0; k < N; k++) {
         const gough_eigenvalue *e = &rest->eigenvalue[k];
-        const double complex lambda = CMPLX(e->value[0], e->value[1]);
+        const double complex lambda = e->value[0] + I * e->value[1];
         for (int i = 0; i < 6; i++) {
-            const double complex s = CMPLX(e->mode.shape[i][0], e->mode.shape[i][1]);
+            const double complex s = e->mode.shape[i][0] + I * e->mode.shape[i][1];
             a[i + N * k] = s;
             a[6 + i + N * k] = lambda * s;
         }
@@ -227,7 +227,7 @@ static double contribution(const tune *t, const char *name, const double complex
         double part[6], lever[3];
         if (strcmp(mode->name, name) != 0) continue;
         for (int i = 0; i < 6; i++)
-            part[i] = creal(c[k] * CMPLX(mode->shape[i][0], mode->shape[i][1]));
+            part[i] = creal(c[k] * (mode->shape[i][0] + I * mode->shape[i][1]));
         cross_to(part + 3, arm, lever);
         for (int i = 0; i < 3; i++) sum[i] += angle ? part[3 + i] : part[i] - lever[i];
     }
