@@ -1,32 +1,30 @@
-/* Kernels of one run alone, and our right-hand side for others' steppers. */
+/* Kernels of one run alone, and which right-hand side others' steppers get. */
 #define NUMBER_DOUBLE
 #include "bench/kernels_text.h"
+#include "bench/rates.h"
 
 const kernel_width kernel_width_1 = KERNEL_WIDTH;
 
-size_t kernel_rates_size(void) { return sizeof(run); }
+/* what the library's own run has on this processor */
+static const rates_width *rates_widest(void) {
+#if defined(__x86_64__)
+    if (gough_batch_lanes() == 8) return &rates_width_8;
+    if (gough_batch_lanes() == 4) return &rates_width_4;
+#endif
+    return &rates_width_2;
+}
+
+size_t kernel_rates_size(void) { return rates_widest()->size; }
 
 void kernel_rates_begin(void *memory, const reference *ref, double state[24]) {
-    static const gough_simulation options = {.constraints = GOUGH_BAUMGARTE, .baumgarte = {5, 5}};
-    const run_lane lane = {.machine = &ref->model.machine,
-                           .control = &ref->model.control,
-                           .disturbance = &ref->model.disturbance};
-    const hexapod *h = &((const run *)memory)->h;
-    jet component[GOUGH_COMPONENTS];
-    coordinates x[3];
-
-    run_begin(memory, &ref->model.motion, &options, &lane);
-    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
-        component[c] = jet_constant(ref->model.initial.component[c]);
-    }
-    coordinates_of_motion(h, ref->model.machine.platform.height, ref->model.motion.about, component,
-                          x);
-    coordinates_store(&x[0], state);
-    for (int i = COORDINATES; i < STATE; i++) state[i] = 0;
+    rates_widest()->begin(memory, ref, state);
 }
 
 void kernel_rates(void *memory, double t, const double *y, double *rate) {
-    run_rates(memory, t, y, rate);
+    static const rates_width *widest;
+
+    if (widest == NULL) widest = rates_widest();
+    widest->rates(memory, t, y, rate);
 }
 
 const kernel_width *kernel_of(int lanes) {

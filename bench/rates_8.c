@@ -1,0 +1,5 @@
+/* Our right-hand side, compiled for registers of 8 doubles. */
+#define NUMBER_DOUBLE
+#include "bench/rates_text.h"
+
+const rates_width rates_width_8 = RATES_WIDTH;
