@@ -19,7 +19,7 @@ after(closeAll);
 async function live(file, options) {
   const page = await open(report(file), options);
   await byName(page, "mode-live").click();
-  await page.waitForFunction(() => window.goughPage.live.row);
+  await page.waitForFunction(() => window.goughPage.live.centre);
   return page;
 }
 
