@@ -15,7 +15,7 @@
 enum { MOST_THREADS = 256 };
 
 /* steps are refined up to this; beyond it errors up to the second value pass */
-static const double finest = 64, rough = 1e-6;
+static const double finest = 16, rough = 1e-6;
 
 static const double most_points = 2147483648.0;
 

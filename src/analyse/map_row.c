@@ -10,8 +10,8 @@
 /* phase of the fastest mode from one sample to the next */
 static const double sample_phase = 0.15;
 
-/* edges, relative to the greatest stiffness */
-static const double edge_width = 1e-10;
+/* edges, relative to the greatest stiffness; and where each look takes long */
+static const double edge_width = 1e-10, edge_width_slow = 1e-7;
 
 static size_t rounded(size_t bytes) { return (bytes + 63) / 64 * 64; }
 
@@ -63,7 +63,6 @@ gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
     gough_state state;
     gough_acceleration acceleration;
     linear_loop loop;
-    division bare;
 
     w->index = index;
     w->model = *w->job->model;
@@ -86,16 +85,6 @@ gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
 
     loop = loop_of(w);
     status = transition_divide(&loop, &w->period, top, &w->d, error);
-    if (status == GOUGH_OK && w->damped) {
-        gough_control undamped = *control;
-        memset(undamped.damping, 0, sizeof undamped.damping);
-        loop.control = &undamped;
-        status = transition_divide(&loop, &w->period, top, &bare, error);
-        if (status != GOUGH_OK) return status;
-        if (bare.parts > w->d.parts) w->d.parts = bare.parts;
-        if (bare.steps > w->d.steps) w->d.steps = bare.steps;
-        w->d.phase = bare.phase;
-    }
     if (status != GOUGH_OK) return status;
     gough_program(&w->model.machine, &w->model.motion, w->period.start, &state, &acceleration);
     symplectic_at(&w->model.machine, &state, &w->form);
@@ -418,7 +407,7 @@ static int scan_nodes(map_worker *w, const transitions *t,
                     .low = range->from,
                     .high = range->to,
                     .resolution = w->job->options->resolution * width,
-                    .edge = edge_width * range->to,
+                    .edge = (look == look_along_orbit ? edge_width_slow : edge_width) * range->to,
                     .period = w->period.resting ? 0 : w->period.period};
     if (look_at_all(w, t, look, w->node, w->nodes, put_sample, &p)) return 1;
     if (p.begun) scan_end(&p.scan, &p.before);

@@ -15,8 +15,11 @@ static const double pi = 3.14159265358979323846;
  * is rounded off. */
 static const double part_phase = 12, part_growth = 7;
 
-/* of a step: the phase of the fastest mode; and the least number of steps in a period, for the program's own harmonics */
-static const double step_phase = 0.5;
+/* 4800 rad in a period; beyond it a row takes minutes, and says nothing that a smaller stiffness does not */
+static const double most_parts = 400, most_steps = 10000;
+
+/* of a step: the phase of the fastest mode, what it decays by (its method is stable up to 5); and the least number of steps in a period, for the program's own harmonics */
+static const double step_phase = 0.5, step_decay = 2;
 enum { LEAST_STEPS = 32, LOOKS = 16, WORK = 12 * GOUGH_LINEAR };
 
 static gough_control control_of(const linear_loop *loop, double stiffness, int damped) {
@@ -29,45 +32,52 @@ static gough_control control_of(const linear_loop *loop, double stiffness, int d
     return control;
 }
 
-/* largest |λ| of a matrix */
-static double fastest_rate(linear_matrix A) {
-    double a[MATRIX], re[GOUGH_LINEAR], im[GOUGH_LINEAR], work[WORK], most = 0;
+/* largest |λ| and Re λ of a matrix */
+static void rates_of(linear_matrix A, double *size, double *growth) {
+    double a[MATRIX], re[GOUGH_LINEAR], im[GOUGH_LINEAR], work[WORK];
 
     memcpy(a, A, sizeof a); /* the transpose has the same eigenvalues */
     if (LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', GOUGH_LINEAR, a, GOUGH_LINEAR, re, im, NULL,
-                           GOUGH_LINEAR, NULL, GOUGH_LINEAR, work, WORK) != 0)
-        return NAN;
-    for (int i = 0; i < GOUGH_LINEAR; i++) most = fmax(most, hypot(re[i], im[i]));
-    return most;
+                           GOUGH_LINEAR, NULL, GOUGH_LINEAR, work, WORK) != 0) {
+        *size = INFINITY;
+        return;
+    }
+    for (int i = 0; i < GOUGH_LINEAR; i++) {
+        *size = fmax(*size, hypot(re[i], im[i]));
+        *growth = fmax(*growth, re[i]);
+    }
 }
 
 gough_status transition_divide(const linear_loop *loop, const gough_period *period, double top,
                                division *d, gough_error *error) {
-    const gough_control with[2] = {control_of(loop, 0, 1), control_of(loop, top, 1)};
-    double rate[2] = {0, 0}, parts, steps;
+    enum { LOOSE, STIFF, DAMPED, KINDS };
+    const gough_control control[KINDS] = {control_of(loop, 0, 0), control_of(loop, top, 0),
+                                          control_of(loop, top, 1)};
+    const double T = period->period;
+    double size[KINDS] = {0}, growth[KINDS] = {0}, parts, steps;
 
     for (int i = 0; i < LOOKS; i++) {
-        const double t = period->start + period->period * i / LOOKS;
-        for (int k = 0; k < 2; k++) {
-            const linear_loop one = {loop->machine, loop->motion, &with[k]};
+        const double t = period->start + T * i / LOOKS;
+        for (int k = 0; k < KINDS; k++) {
+            const linear_loop one = {loop->machine, loop->motion, &control[k]};
             linear_matrix A;
             const char *wrong = linear_complex.matrix(&one, t, NULL, A);
             const gough_status status = linear_check(&one, t, NULL, A, wrong, error);
             if (status != GOUGH_OK) return status;
-            rate[k] = fmax(rate[k], fastest_rate(A));
+            rates_of(A, &size[k], &growth[k]);
         }
     }
-    parts = ceil(period->period * fmax(rate[0] / part_growth, rate[1] / part_phase));
-    if (!(parts <= 1e5)) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the fastest mode turns by %.3g rad in a period at a stiffness of %.9g: "
-                          "choose a smaller range of stiffness",
-                          period->period * fmax(rate[0], rate[1]), top);
+    parts = fmax(1, ceil(T * fmax(growth[LOOSE] / part_growth, size[STIFF] / part_phase)));
+    steps = ceil(T * fmax(size[STIFF] / step_phase, size[DAMPED] / step_decay) / parts);
+    if (!(parts <= most_parts && parts * steps <= most_steps)) {
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "at a stiffness of %.9g the fastest mode turns by %.3g rad in a period, or "
+            "is damped by as much: choose a smaller range of stiffness or damping",
+            top, T * fmax(size[STIFF], size[DAMPED]));
     }
-    if (parts < 1) parts = 1;
-    steps = ceil(period->period * fmax(rate[0], rate[1]) / step_phase / parts);
     if (steps * parts < LEAST_STEPS) steps = ceil(LEAST_STEPS / parts);
-    *d = (division){(size_t)parts, (size_t)steps, period->period * rate[1]};
+    *d = (division){(size_t)parts, (size_t)steps, T * size[STIFF]};
     return GOUGH_OK;
 }
 
