@@ -11,6 +11,9 @@ static const double bracket = 1e-4;
 /* the curve goes on above the G named by this factor */
 static const double beyond = 5;
 
+/* the tolerance of a run is at most this part of the deviation asked for, in base radii */
+static const double share_of_error = 1e-4;
+
 /* runs of more steps are not made; a step turns the fastest mode by about this angle */
 static const double most_steps = 1e6, turn_of_step = 0.6;
 
@@ -79,7 +82,8 @@ static gough_batch_options batch_options(const gough_tuning_options *options) {
     return batch;
 }
 
-static tune *lay_out(const gough_model *model, const gough_tuning_options *options, void *memory) {
+static tune *lay_out(const gough_model *model, const gough_tuning_options *options, size_t for_map,
+                     void *memory) {
     const gough_batch_options batch = batch_options(options);
     char *place = memory;
     tune *t = (tune *)(void *)place;
@@ -93,6 +97,7 @@ static tune *lay_out(const gough_model *model, const gough_tuning_options *optio
     t->batch_memory = place;
     place += rounded(gough_batch_size(&batch));
     t->map_memory = place;
+    t->map_bytes = for_map;
     t->batch = batch;
     t->model = model;
     t->options = options;
@@ -117,7 +122,7 @@ static double unit_of(const gough_machine *machine) {
 /* thresholds at rest with feed-forward, and the fastest mode where G outweighs all else */
 static gough_status look_at_home(tune *t, gough_error *error) {
     gough_tuning *tuning = t->tuning;
-    double large, fastest = 0;
+    double large, fastest = 0, slowest = INFINITY;
     gough_status status;
 
     t->steady->control.feedforward = true;
@@ -135,8 +140,10 @@ static gough_status look_at_home(tune *t, gough_error *error) {
     for (int k = 0; k < GOUGH_LINEAR; k++) {
         const double *value = t->rest.eigenvalue[k].value;
         fastest = fmax(fastest, hypot(value[0], value[1]));
+        slowest = fmin(slowest, hypot(value[0], value[1]));
     }
     t->frequency = fastest / sqrt(large);
+    t->slow = slowest / sqrt(large);
     return GOUGH_OK;
 }
 
@@ -195,24 +202,35 @@ static gough_status find_period(tune *t, gough_error *error) {
     return GOUGH_OK;
 }
 
-gough_status gough_tune_size(const gough_model *model, const gough_tuning_options *options,
-                             size_t *bytes, gough_error *error) {
-    const gough_batch_options batch = batch_options(options);
+/* Twice what the map takes with the model's own damping, or none: with another it takes a little more, or is done without. */
+static gough_status bytes_for_map(const gough_model *model, const gough_tuning_options *options,
+                                  size_t *bytes, gough_error *error) {
     gough_model steady = *model;
     gough_tuning tuning;
     tune probe = {.model = model, .options = options, .steady = &steady, .tuning = &tuning};
-    size_t for_map = 0;
-    gough_status status = check_options(options, error);
+    gough_status status = look_at_home(&probe, error);
 
     *bytes = 0;
-    if (status == GOUGH_OK) status = look_at_home(&probe, error);
     if (status == GOUGH_OK) status = find_period(&probe, error);
     if (status == GOUGH_OK) {
         const gough_map_options map =
             tune_map_options(options, 0.5 * probe.map_top, probe.map_top, TUNE_ROUND + 2);
+        steady.control = model->control;
         steady.control.feedforward = true;
-        status = gough_map_size(&steady, &map, &for_map, error);
+        status = gough_map_size(&steady, &map, bytes, error);
     }
+    *bytes *= 2;
+    return status;
+}
+
+gough_status gough_tune_size(const gough_model *model, const gough_tuning_options *options,
+                             size_t *bytes, gough_error *error) {
+    const gough_batch_options batch = batch_options(options);
+    size_t for_map = 0;
+    gough_status status = check_options(options, error);
+
+    *bytes = 0;
+    if (status == GOUGH_OK) status = bytes_for_map(model, options, &for_map, error);
     if (status != GOUGH_OK) return status;
     *bytes = rounded(sizeof(tune)) + 2 * rounded(sizeof(gough_model)) +
              rounded(gough_batch_size(&batch)) + rounded(for_map);
@@ -221,17 +239,18 @@ gough_status gough_tune_size(const gough_model *model, const gough_tuning_option
 
 static gough_status prepare(tune *t, const gough_simulation *simulation, bool feedforward,
                             gough_error *error) {
+    const double share = share_of_error * t->options->deviation / t->model->machine.base_radius;
     gough_status status;
 
     t->simulation = *simulation;
     t->simulation.precision = GOUGH_DOUBLE;
     t->simulation.reactions = false;
-    t->simulation.tolerance = fmax(t->simulation.tolerance, 1e-14);
     if (simulation->method != GOUGH_DOP853 || simulation->step > 0) {
         t->simulation.method = GOUGH_DOP853;
         t->simulation.step = 0;
         t->simulation.tolerance = 1e-10;
     }
+    t->simulation.tolerance = fmax(fmin(t->simulation.tolerance, share), 1e-14);
     status = gough_simulation_check(t->model, &t->simulation, error);
     if (status != GOUGH_OK) return status;
 
@@ -417,12 +436,15 @@ gough_status gough_tune(const gough_model *model, const gough_simulation *simula
                         gough_tuning_point *point, gough_tuning *tuning, void *memory,
                         gough_error *error) {
     hunt h = {0};
+    size_t for_map;
     gough_status status = check_options(options, error);
     tune *t;
 
     memset(tuning, 0, sizeof *tuning);
     if (status != GOUGH_OK) return status;
-    t = lay_out(model, options, memory);
+    status = bytes_for_map(model, options, &for_map, error);
+    if (status != GOUGH_OK) return status;
+    t = lay_out(model, options, for_map, memory);
     t->point = point;
     t->tuning = tuning;
     status = prepare(t, simulation, feedforward, error);

@@ -6,7 +6,7 @@
 
 enum {
     TUNE_DECADE = 20,   /* points of the curve in a decade of G */
-    TUNE_ROUND = 10,    /* of them run at once */
+    TUNE_ROUND = 20,    /* of them run at once */
     TUNE_INTERVALS = 64 /* in which a mode grows, looked at at once */
 };
 
@@ -28,6 +28,7 @@ typedef struct tune {
     bool ratio;       /* D follows from G */
     double frequency; /* of the fastest mode at home where G is 1 and outweighs the rest */
     double least, greatest;
+    double slow;     /* that of the slowest */
     double map_top;  /* up to here intervals of growth are mapped */
     int quiet;       /* rounds in which nothing grew, since something did */
     bool most_steps; /* `greatest` is where runs get too long */
@@ -41,6 +42,7 @@ typedef struct tune {
     gough_interval map_interval[TUNE_INTERVALS];
     gough_batch_options batch;
     void *batch_memory, *map_memory;
+    size_t map_bytes;
 
     gough_tuning_point *point;
     gough_tuning *tuning;

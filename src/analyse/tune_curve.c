@@ -9,8 +9,8 @@
 /* a point whose deviation is this factor off the trend is not of it */
 static const double off_trend = 1.5;
 
-/* a deviation below this, in base radii, is round-off and tells nothing */
-static const double rounding = 1e-12;
+/* a deviation below so many tolerances of the run, in base radii, is its error and tells nothing */
+static const double errors = 100;
 
 /* as flat as this, a curve does not lead to any accuracy */
 static const double flat = -0.05;
@@ -33,7 +33,7 @@ const char *gough_tuning_exception_name(gough_tuning_exception_kind kind) {
 
 static bool usable(const tune *t, const gough_tuning_point *p) {
     return p->cause == GOUGH_END_DONE && p->stable &&
-           p->position_deviation > rounding * t->model->machine.base_radius;
+           p->position_deviation > errors * t->simulation.tolerance * t->model->machine.base_radius;
 }
 
 /* ln of deviation over trend */

@@ -8,8 +8,11 @@
 /* a multiplier over 1 + this is growth, as in gough_floquet.stable */
 static const double growth_limit = 1e-7;
 
-/* without feed-forward the margin is looked at in so many places on each side */
-enum { PLACES = 4 };
+/* without a map the margin is looked at in so many places on each side */
+enum { PLACES = 5 };
+
+/* with this damping ratio a resonance that overcomes it is no narrow one, and no map is needed to meet it */
+static const double well_damped = 0.01;
 
 /* beyond an interval's edge, relative: the edge itself is known to less */
 static const double past_edge = 1e-6;
@@ -68,13 +71,25 @@ static bool grows(const tune *t, const gough_interval *interval) {
     return t->period.resting || interval->growth > 1 + growth_limit;
 }
 
-static gough_status map_range(tune *t, double from, double to, size_t count, double damping,
-                              tune_growth *growth, size_t room, size_t *found, gough_error *error) {
+/* The map finds resonances however narrow; it is quick where the motion is the program's own, and its memory is limited. Sets the
+ * gains. */
+static bool can_map(tune *t, double from, double to, size_t count, double damping) {
+    const gough_map_options options = tune_map_options(t->options, from, to, count);
+    const double D = t->ratio ? damping : t->model->control.damping[0];
+    size_t bytes;
+
+    set_gains(t, from, damping);
+    if (!t->loop->control.feedforward || !(to > from) || to > t->map_top) return false;
+    if (!t->period.resting && D * t->slow > 2 * well_damped * sqrt(to)) return false;
+    return gough_map_size(t->steady, &options, &bytes, NULL) == GOUGH_OK && bytes <= t->map_bytes;
+}
+
+static gough_status map_range(tune *t, double from, double to, size_t count, tune_growth *growth,
+                              size_t room, size_t *found, gough_error *error) {
     gough_map_options options = tune_map_options(t->options, from, to, count);
     gough_map map = {t->map_point, &t->map_row, t->map_interval};
     gough_status status;
 
-    set_gains(t, from, damping);
     status = gough_map_find(t->steady, &options, &map, t->map_memory, error);
     *found = 0;
     if (status != GOUGH_OK) return status;
@@ -85,15 +100,14 @@ static gough_status map_range(tune *t, double from, double to, size_t count, dou
         if (!grows(t, interval)) continue;
         growth[(*found)++] = (tune_growth){
             interval->from, interval->to,
-            interval->kind == GOUGH_INTERVAL_STATIC ? GOUGH_TUNING_THRESHOLD : GOUGH_TUNING_TONGUE,
+            t->period.resting || interval->kind == GOUGH_INTERVAL_STATIC ? GOUGH_TUNING_THRESHOLD
+                                                                         : GOUGH_TUNING_TONGUE,
             interval->mode};
     }
     return GOUGH_OK;
 }
 
-/* After so many rounds in which nothing grew nothing is looked for any more along the curve: resonances only get narrower. */
-enum { QUIET = 2 };
-
+/* After a round, a decade, in which nothing grew nothing is looked for any more along the curve: resonances only get narrower. */
 /* Points that nobody looked at count as stable where the run reaches its end; one that grows shows in its deviation. */
 static void pass_over(gough_tuning_point *point, size_t points) {
     for (size_t i = 0; i < points; i++) {
@@ -108,7 +122,7 @@ static gough_status growth_by_map(tune *t, double before, gough_tuning_point *po
     const size_t extra = before > 0;
     const gough_status status =
         map_range(t, extra ? before : point[0].stiffness, point[points - 1].stiffness,
-                  points + extra, 0, growth, room, count, error);
+                  points + extra, growth, room, count, error);
 
     for (size_t i = 0; i < points && status == GOUGH_OK; i++) {
         const gough_map_point *p = &t->map_point[i + extra];
@@ -121,23 +135,23 @@ static gough_status growth_by_map(tune *t, double before, gough_tuning_point *po
 
 gough_status tune_growth_of(tune *t, double before, gough_tuning_point *point, size_t points,
                             tune_growth *growth, size_t room, size_t *count, gough_error *error) {
-    const bool fed = t->loop->control.feedforward, resting = t->period.resting;
-    const double top = point[points - 1].stiffness;
+    const double from = before > 0 ? before : point[0].stiffness, to = point[points - 1].stiffness;
+    const size_t all = points + (before > 0);
     gough_status status = GOUGH_OK;
     bool grew = false;
     gough_mode mode;
 
     *count = 0;
-    if (!resting && (!fed || t->quiet >= QUIET || (!t->ratio && top > t->map_top))) {
+    if (!t->period.resting && (!t->loop->control.feedforward || t->quiet)) {
         pass_over(point, points);
         return status;
     }
-    if (fed && !t->ratio && points + (before > 0) > 1)
+    if (!t->ratio && can_map(t, from, to, all, 0))
         status = growth_by_map(t, before, point, points, growth, room, count, error);
     else
         for (size_t i = 0; i < points; i++) look_at(t, &point[i], &mode);
     for (size_t i = 0; i < points; i++) grew |= !point[i].stable;
-    t->quiet = grew || *count > 0 ? 0 : t->quiet + 1;
+    t->quiet = !grew && *count == 0;
     return status;
 }
 
@@ -175,20 +189,18 @@ static double pass(double stiffness, double margin, const tune_growth *growth, s
     return stiffness;
 }
 
-static gough_status clear_by_map(tune *t, double stiffness, double damping, double *clear,
-                                 tune_growth *blocked, gough_error *error) {
-    const double margin = t->options->margin, low = stiffness * (1 - margin) * (1 - past_edge),
-                 high = stiffness * (1 + margin) * (1 + past_edge);
+static gough_status clear_by_map(tune *t, double low, double high, const gough_tuning_point *point,
+                                 double *clear, tune_growth *blocked, gough_error *error) {
     tune_growth growth[TUNE_INTERVALS];
     size_t count;
-    gough_status status =
-        map_range(t, low, high, 3, damping, growth, TUNE_INTERVALS, &count, error);
+    gough_status status = map_range(t, low, high, 3, growth, TUNE_INTERVALS, &count, error);
 
-    *clear = stiffness;
+    *clear = point->stiffness;
     if (status != GOUGH_OK || count == 0) return status;
-    status =
-        map_range(t, low, 4 * high, TUNE_ROUND, damping, growth, TUNE_INTERVALS, &count, error);
-    if (status == GOUGH_OK) *clear = pass(stiffness, margin, growth, count, blocked);
+    if (can_map(t, low, 4 * high, TUNE_ROUND, point->damping))
+        status = map_range(t, low, 4 * high, TUNE_ROUND, growth, TUNE_INTERVALS, &count, error);
+    if (status == GOUGH_OK)
+        *clear = pass(point->stiffness, t->options->margin, growth, count, blocked);
     return status;
 }
 
@@ -206,8 +218,9 @@ static void clear_by_places(tune *t, double stiffness, double damping, double *c
         if (place.stable) continue;
         *clear = place.stiffness * (1 + 1e-3) / (1 - margin);
         *blocked = (tune_growth){place.stiffness, place.stiffness,
-                                 place.stiffness < t->tuning->threshold ? GOUGH_TUNING_THRESHOLD
-                                                                        : GOUGH_TUNING_TONGUE,
+                                 t->period.resting || place.stiffness < 1.1 * t->tuning->threshold
+                                     ? GOUGH_TUNING_THRESHOLD
+                                     : GOUGH_TUNING_TONGUE,
                                  mode};
         return;
     }
@@ -215,10 +228,13 @@ static void clear_by_places(tune *t, double stiffness, double damping, double *c
 
 gough_status tune_clear(tune *t, const gough_tuning_point *point, double *clear,
                         tune_growth *blocked, gough_error *error) {
+    const double margin = t->options->margin,
+                 low = point->stiffness * (1 - margin) * (1 - past_edge),
+                 high = point->stiffness * (1 + margin) * (1 + past_edge);
     gough_status status = GOUGH_OK;
 
-    if (t->loop->control.feedforward && (t->period.resting || 2 * point->stiffness <= t->map_top))
-        status = clear_by_map(t, point->stiffness, point->damping, clear, blocked, error);
+    if (can_map(t, low, high, 3, point->damping))
+        status = clear_by_map(t, low, high, point, clear, blocked, error);
     else
         clear_by_places(t, point->stiffness, point->damping, clear, blocked);
     if (*clear > t->greatest) *clear = INFINITY;
