@@ -123,8 +123,8 @@ static double centre_of(const gough_interval *one) { return 0.5 * (one->from + o
 static double expected(const field *f, size_t row, int number) {
     const gough_map_row *here = row_of(f, row), *next = row_of(f, row + 1);
     const double centre = centre_of(field_interval(f, row, number));
-    for (size_t p = f->pairs; p-- > 0 && f->pair[p].row + 2 > row;)
-        if (f->pair[p].row + 1 == row && f->pair[p].high == number && f->pair[p].low >= 0) {
+    for (size_t p = row > 0 ? f->first[row - 1] : 0; row > 0 && p < f->first[row]; p++)
+        if (f->pair[p].high == number && f->pair[p].low >= 0) {
             const double before = row_of(f, row - 1)->value;
             const double came = centre - centre_of(field_interval(f, row - 1, f->pair[p].low));
             return centre + came * (next->value - here->value) / (here->value - before);
@@ -200,7 +200,8 @@ bool field_make(field *f, const gough_map_options *options, const gough_map *map
     f->count = calloc(f->rows + 1, sizeof *f->count);
     f->pair = calloc(2 * intervals + 1, sizeof *f->pair);
     double *centre = calloc(most + 1, sizeof *centre);
-    if (!f->node || !f->count || !f->pair || !centre) {
+    f->first = calloc(f->rows + 1, sizeof *f->first);
+    if (!f->node || !f->count || !f->pair || !f->first || !centre) {
         free(centre);
         return false;
     }
@@ -208,7 +209,11 @@ bool field_make(field *f, const gough_map_options *options, const gough_map *map
     f->resting = !(period > 0);
     for (size_t r = 0; r < f->rows; r++)
         if (!map->row[r].error.status) fill_row(f, r, period);
-    for (size_t r = 0; r < f->rows; r++) pair_rows(f, r, centre);
+    for (size_t r = 0; r < f->rows; r++) {
+        f->first[r] = f->pairs;
+        pair_rows(f, r, centre);
+    }
+    f->first[f->rows] = f->pairs;
     free(centre);
     return true;
 }
@@ -217,6 +222,7 @@ void field_free(field *f) {
     free(f->node);
     free(f->count);
     free(f->pair);
+    free(f->first);
 }
 
 /* ---- colours ----------------------------------------------------------------------------------------------------- */
@@ -318,20 +324,19 @@ void field_paint(const field *f, const field_view *view, unsigned char *pixel) {
     const gough_map_range *range = &f->options->second;
     const size_t width = (size_t)view->width;
     line_of_pixels line = {calloc(width, sizeof(double)), calloc(width, sizeof(double))};
-    size_t row = f->rows - 2, first = f->pairs;
+    size_t row = f->rows - 2;
     for (int y = 0; line.cover && line.level && y < view->height; y++) {
         const double part_y = 1 - (y + 0.5) / view->height;
         const double value = range->logarithmic
                                  ? view->low_y * pow(view->high_y / view->low_y, part_y)
                                  : view->low_y + part_y * (view->high_y - view->low_y);
         while (row > 0 && value < gough_map_value(range, row)) row--;
-        while (first > 0 && f->pair[first - 1].row >= row) first--;
         const double low = gough_map_value(range, row), high = gough_map_value(range, row + 1);
         const double part =
             range->logarithmic ? log(value / low) / log(high / low) : (value - low) / (high - low);
         memset(line.cover, 0, width * sizeof *line.cover);
         memset(line.level, 0, width * sizeof *line.level);
-        for (size_t p = first; p < f->pairs && f->pair[p].row == row; p++)
+        for (size_t p = f->first[row]; p < f->first[row + 1]; p++)
             paint_pair(f, view, &f->pair[p], part, &line);
         const bool without = row_of(f, row)->error.status || row_of(f, row + 1)->error.status;
         paint_line(f, view, &line, without, pixel + 3 * (size_t)y * width);

@@ -28,6 +28,7 @@ typedef struct field {
     size_t *count;    /* nodes of each row */
     field_pair *pair; /* by rising row */
     size_t pairs;
+    size_t *first; /* of each row, the number of its first pair; and their count */
 } field;
 
 /* False when memory is out. Free it in every case. */

@@ -274,9 +274,8 @@ static bool is_named(const stability_pen *pen, const tongue *t, const tongue *na
         while (number >= 0 && row != t->row) {
             const size_t gap = way > 0 ? row : row - 1;
             int next = -1;
-            for (size_t p = 0; p < pen->field->pairs; p++) {
+            for (size_t p = pen->field->first[gap]; p < pen->field->first[gap + 1]; p++) {
                 const field_pair *pair = &pen->field->pair[p];
-                if (pair->row != gap) continue;
                 if ((way > 0 ? pair->low : pair->high) == number)
                     next = way > 0 ? pair->high : pair->low;
             }
