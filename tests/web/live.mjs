@@ -11,6 +11,7 @@ import {
   pictureDrawn,
   read,
   report,
+  study,
 } from "./browser.mjs";
 
 after(closeAll);
@@ -68,6 +69,41 @@ test("below the threshold of G the platform leaves and the page says why; above 
   assert.ok((await off(page)) < 1e-4, `${await off(page)} off`);
   await picture(page, "live-held");
   assert.deepEqual(page.said, []);
+  await page.close();
+});
+
+test("begins as the study says, six gains and all", async () => {
+  const page = await live(
+    study(
+      "six-gains.yaml",
+      `title: Six gains
+units: dimensionless
+platform: {base: {radius: 1, half_angle: 10}, top: {radius: 0.6, half_angle: 15}, height: 1}
+load: {mass: 1, center_of_mass: [0.05, 0, 0.1], inertia: [0.08, 0.08, 0.15]}
+motion: {heave: 0.1*sin(t)}
+control: {feedforward: none, stiffness: [20, 25, 30, 35, 40, 45], damping: [1, 2, 1, 2, 1, 2]}
+simulation: {duration: 10, output_step: 0.002}
+`,
+    ),
+  );
+  await reach(page, 0.5);
+  await page.locator("h1").click();
+  await page.keyboard.press("Space");
+  // rows lie 0.002 apart, so that a straight line between two is right to 1e-6 or so
+  const worst = await page.evaluate(() => {
+    const { live: run, studies } = window.goughPage;
+    const at = (name) => run.row[run.place[name]];
+    const recorded = (name) => studies[0].run.value(name, at("t"));
+    const degrees = 180 / Math.PI;
+    return Math.max(
+      ...["x", "y", "z", "l1", "l4"].map((name) => Math.abs(at(name) - recorded(name))),
+      ...["roll", "pitch", "yaw"].map(
+        (name) => Math.abs(degrees * at(name) - recorded(name)) / degrees,
+      ),
+    );
+  });
+  assert.ok(worst < 2e-5, `${worst}`);
+  assert.match(await page.locator("#help-stiffness").textContent(), /six differ/);
   await page.close();
 });
 

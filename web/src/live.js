@@ -37,6 +37,7 @@ export class Live {
         ? "No live run for this study: its recorded motion is too long to travel with the page."
         : "No live run here: this browser has no WebAssembly, or the page no core.";
     this.running = false;
+    this.moved = {};
     this.trail = [];
   }
 
@@ -58,7 +59,9 @@ export class Live {
           grain: this.strips.grain,
         },
       });
-      this.tell("set", { settings: this.settings() });
+      // the study's own settings stand until the reader moves something
+      this.tell("set", { settings: this.moved });
+      this.tell("pace", { speed: this.speed.value, step: this.step() });
     }
     this.page.scene?.machines[0].model.setPaths(null, null);
     if (this.page.scene)
@@ -130,28 +133,18 @@ export class Live {
     );
     const least = Math.min(...[0, 1, 2].map((axis) => machine.inertia[axis][axis]));
     const mobility = 6 * (1 / machine.mass + (arm * arm) / least);
-    const { stiffness, damping } = this.settings();
+    const { stiffness, damping } = this.sliders;
     return Math.min(
       0.01 * this.timeUnit,
-      1 / Math.sqrt(stiffness * mobility || 1e-300),
-      1 / (damping * mobility || 1e-300),
+      1 / Math.sqrt(stiffness.value * mobility || 1e-300),
+      1 / (damping.value * mobility || 1e-300),
     );
   }
 
-  settings() {
-    const { stiffness, damping, disturbance, amplitude, frequency } = this.sliders;
-    return {
-      stiffness: stiffness.value,
-      damping: damping.value,
-      disturbance: disturbance.value,
-      amplitude: amplitude.value,
-      frequency: frequency.value,
-      feedforward: this.feedforward.checked,
-    };
-  }
-
-  change() {
-    this.tell("set", { settings: this.settings() });
+  /** A setting that the reader has moved: stiffness, damping, disturbance, amplitude, frequency or feedforward. */
+  change(name, value) {
+    this.moved[name] = value;
+    this.tell("set", { settings: { [name]: value } });
     this.tell("pace", { step: this.step() });
   }
 
@@ -164,7 +157,13 @@ export class Live {
     const gain = this.weight / study.machine.base_radius;
     const power = (value) => 10 ** Math.round(Math.log10(value));
     const thresholds = holdsFrom(study.stability);
-    const slider = (spec) => new Slider(spec, () => this.change());
+    const holds = thresholds.map(({ mode, stiffness: from }) => `${mode} ${number(from, 3)}`);
+    const slider = (spec) => new Slider(spec, (value) => this.change(spec.id, value));
+    const { stiffness, damping } = study.control;
+    const unequal = (gains) =>
+      gains.some((value) => value !== gains[0])
+        ? "The study's six differ; moved, all are the same."
+        : "";
     this.sliders = {
       stiffness: slider({
         id: "stiffness",
@@ -173,14 +172,14 @@ export class Live {
         least: power(gain) / 100,
         greatest: power(gain) * 1000,
         logarithmic: true,
-        value: Math.max(...study.control.stiffness),
-        marks: thresholds.map(({ mode, stiffness }) => ({
-          value: stiffness,
-          label: `${mode} holds from G = ${number(stiffness, 4)}`,
+        value: Math.max(...stiffness),
+        marks: thresholds.map(({ mode, stiffness: from }) => ({
+          value: from,
+          label: `${mode} holds from G = ${number(from)}`,
         })),
-        help: thresholds.length
-          ? `At rest, holds from: ${thresholds.map(({ mode, stiffness }) => `${mode} ${number(stiffness, 3)}`).join(", ")}.`
-          : undefined,
+        help: [holds.length ? `At rest, holds from: ${holds.join(", ")}.` : "", unequal(stiffness)]
+          .join(" ")
+          .trim(),
       }),
       damping: slider({
         id: "damping",
@@ -189,7 +188,8 @@ export class Live {
         least: power(gain * this.timeUnit) / 100,
         greatest: power(gain * this.timeUnit) * 100,
         logarithmic: true,
-        value: Math.max(...study.control.damping),
+        value: Math.max(...damping),
+        help: unequal(damping),
       }),
       disturbance: slider({
         id: "disturbance",
@@ -222,10 +222,17 @@ export class Live {
       id: "live-feedforward",
       "data-testid": "live-feedforward",
       checked: study.control.feedforward,
-      onchange: () => this.change(),
+      onchange: () => this.change("feedforward", this.feedforward.checked),
     });
     this.speed = new Slider(
-      { id: "speed", label: "Speed", unit: "× real time", ...SPEEDS, logarithmic: true, value: 1 },
+      {
+        id: "speed",
+        label: "Speed",
+        unit: si ? "× real time" : "units of time a second",
+        ...SPEEDS,
+        logarithmic: true,
+        value: 1,
+      },
       (value) => this.tell("pace", { speed: value }),
     );
     this.playButton = element("button", {
@@ -356,7 +363,7 @@ export class Live {
     this.run(false);
     this.hand?.letGo();
     const time = `t = ${number(this.row[this.place.t], 4)}${unitAfter(this.study.unit("t"))}`;
-    const { stiffness } = this.settings();
+    const stiffness = this.sliders.stiffness.value;
     const weakest = holdsFrom(this.study.stability)
       .filter((threshold) => threshold.stiffness > stiffness)
       .map(({ mode }) => mode);
@@ -433,7 +440,10 @@ export class Live {
       DEGREE * Math.hypot(at("eroll"), at("epitch"), at("eyaw")),
     ];
     this.off.textContent = `${amount(off, this.study.unit("ex"), 3)}, ${amount(angle, "degree", 3)}`;
-    this.pace.textContent = this.ratio > 0 ? `${number(this.ratio, 2)}× real time` : "–";
+    this.pace.textContent =
+      this.ratio > 0
+        ? `${number(this.ratio, 2)}${this.study.units === "si" ? "× real time" : " units of time a second"}`
+        : "–";
     this.strips.draw();
   }
 
