@@ -433,6 +433,44 @@ static int find_one_by_one(map_worker *w, int (*look)(void *context, double stif
     return scan_nodes(w, NULL, look, true, 0.5, 1);
 }
 
+/* the greatest growth rate not taken yet, of this name if there is one; NaN: none grows */
+static double take_rate(const gough_rest *rest, const char *name, bool taken[GOUGH_LINEAR]) {
+    int best = -1;
+    for (int named = 1; named >= 0 && best < 0; named--)
+        for (int i = GOUGH_LINEAR - 1; i >= 0; i--) /* by falling growth rate */
+            if (!taken[i] && rest->eigenvalue[i].value[0] > 0 &&
+                (!named || strcmp(rest->eigenvalue[i].mode.name, name) == 0))
+                best = i;
+    if (best < 0) return NAN;
+    taken[best] = true;
+    return rest->eigenvalue[best].value[0];
+}
+
+/* At rest with feed-forward a mode grows below its threshold, (stab-10), and nowhere else: damping moves no threshold. It grows
+ * most where the stiffness is least. */
+static int find_at_rest(map_worker *w) {
+    const gough_map_range *range = &w->job->options->stiffness;
+    bool taken[GOUGH_LINEAR] = {false};
+    gough_rest rest;
+
+    if (points(w, NULL, look_at_rest)) return 1;
+    set_stiffness(w, range->from);
+    if (gough_stability_at_rest(&w->model, w->component, &rest, NULL) != GOUGH_OK) return 0;
+    for (int i = 0; i < 6; i++) {
+        const gough_threshold *t = &rest.threshold[i];
+        if (!(t->stiffness > range->from)) continue;
+        put_interval(w, &(gough_interval){.from = 0,
+                                          .to = fmin(t->stiffness, range->to),
+                                          .cut = t->stiffness > range->to,
+                                          .stiffness = range->from,
+                                          .growth = NAN,
+                                          .rate = take_rate(&rest, t->mode.name, taken),
+                                          .kind = GOUGH_INTERVAL_STATIC,
+                                          .mode = t->mode});
+    }
+    return 0;
+}
+
 static int find_by_tables(map_worker *w, gough_error *error) {
     const double finer = w->job->finer;
     const transitions *t = w->damped ? &w->complete : &w->bare;
@@ -480,7 +518,9 @@ int map_row_find(map_worker *w, size_t index) {
     status = map_row_begin(w, index, &error);
     if (status == GOUGH_OK) {
         row->period = w->period;
-        if (w->period.resting) {
+        if (w->period.resting && w->model.control.feedforward) {
+            stopped = find_at_rest(w);
+        } else if (w->period.resting) {
             stopped = find_one_by_one(w, look_at_rest);
         } else if (!w->model.control.feedforward) {
             stopped = find_one_by_one(w, look_along_orbit);
