@@ -8,8 +8,8 @@
 /* a multiplier over 1 + this is growth, as in gough_floquet.stable */
 static const double growth_limit = 1e-7;
 
-/* without a map the margin is looked at in so many places on each side */
-enum { PLACES = 5 };
+/* without a map the margin is looked at in so many places on each side, without damping or with it */
+enum { PLACES = 5, DAMPED_PLACES = 2 };
 
 /* with this damping ratio a resonance that overcomes it is no narrow one, and no map is needed to meet it */
 static const double well_damped = 0.01;
@@ -71,16 +71,21 @@ static bool grows(const tune *t, const gough_interval *interval) {
     return t->period.resting || interval->growth > 1 + growth_limit;
 }
 
+static bool is_well_damped(const tune *t, double stiffness, double damping) {
+    const double D = t->ratio ? damping : t->model->control.damping[0];
+
+    return D * t->slow > 2 * well_damped * sqrt(stiffness);
+}
+
 /* The map finds resonances however narrow; it is quick where the motion is the program's own, and its memory is limited. Sets the
  * gains. */
 static bool can_map(tune *t, double from, double to, size_t count, double damping) {
     const gough_map_options options = tune_map_options(t->options, from, to, count);
-    const double D = t->ratio ? damping : t->model->control.damping[0];
     size_t bytes;
 
     set_gains(t, from, damping);
     if (!t->loop->control.feedforward || !(to > from) || to > t->map_top) return false;
-    if (!t->period.resting && D * t->slow > 2 * well_damped * sqrt(to)) return false;
+    if (!t->period.resting && is_well_damped(t, to, damping)) return false;
     return gough_map_size(t->steady, &options, &bytes, NULL) == GOUGH_OK && bytes <= t->map_bytes;
 }
 
@@ -208,10 +213,11 @@ static gough_status clear_by_map(tune *t, double low, double high, const gough_t
 static void clear_by_places(tune *t, double stiffness, double damping, double *clear,
                             tune_growth *blocked) {
     const double margin = t->options->margin;
+    const int places = is_well_damped(t, stiffness, damping) ? DAMPED_PLACES : PLACES;
 
     *clear = stiffness;
-    for (int i = PLACES; i >= -PLACES; i--) {
-        gough_tuning_point place = {.stiffness = stiffness * (1 + margin * i / PLACES),
+    for (int i = places; i >= -places; i--) {
+        gough_tuning_point place = {.stiffness = stiffness * (1 + margin * i / places),
                                     .damping = damping};
         gough_mode mode;
         look_at(t, &place, &mode);
