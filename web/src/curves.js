@@ -76,6 +76,7 @@ export class Curves {
           },
           {
             "aria-pressed": "true",
+            "aria-label": `leg ${leg}`,
             "data-testid": `leg-${leg}`,
             class: "mini leg-toggle",
             style: { "--leg": LEGS[leg - 1] },

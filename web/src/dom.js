@@ -17,9 +17,14 @@ function fill(node, attributes, children) {
   return node;
 }
 
-/** An HTML element: attributes by name, listeners as onclick and so on, children as nodes or text. */
+/** An HTML element: attributes by name, listeners as onclick and so on, children as nodes or text. An output is read out when
+ *  it is asked for, not whenever it changes: here they change with every picture. */
 export const element = (tag, attributes = {}, ...children) =>
-  fill(document.createElement(tag), attributes, children);
+  fill(
+    document.createElement(tag),
+    tag === "output" ? { "aria-live": "off", ...attributes } : attributes,
+    children,
+  );
 
 /** An SVG element. */
 export const drawing = (tag, attributes = {}, ...children) =>

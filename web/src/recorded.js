@@ -210,7 +210,7 @@ export class ComparisonPanel {
           element("dd", {}, angle, " °"),
           element("dt", {}, "leg forces"),
           element("dd", {}, forces, unitAfter(study.unit("f1"))),
-          element("dt", {}, "in the whole run, off at most"),
+          element("dt", {}, "off, at most"),
           element(
             "dd",
             {},
