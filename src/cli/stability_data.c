@@ -70,6 +70,7 @@ static void fill_interval(const map_report *report, size_t n, cell *cells) {
     const gough_interval *i = interval_of(report, n, &row);
     if (report->options.axis) *cells++ = (cell){report->map.row[row].value, NULL};
     *cells++ = (cell){mode_number(i->mode.name), i->mode.name};
+    *cells++ = (cell){i->modes, NULL};
     *cells++ = (cell){i->kind, gough_interval_kind_name(i->kind)};
     *cells++ = (cell){i->from, NULL};
     *cells++ = (cell){i->to, NULL};
@@ -155,10 +156,12 @@ gough_status map_write(const map_report *report, const char *path, gough_error *
                                      "stable",
                                      "mode"};
     const char *const grid_unit[] = {stiffness, second, "1", rate, "1", "1"};
-    const char *const list_name[] = {
-        axis, "mode", "kind", "from", "to", "cut", "stiffness", "growth_per_period", "growth_rate"};
-    const char *const list_unit[] = {second, "1",       "1", stiffness, stiffness,
-                                     "1",    stiffness, "1", rate};
+    const char *const list_name[] = {axis,         "mode",      "modes",
+                                     "kind",       "from",      "to",
+                                     "cut",        "stiffness", "growth_per_period",
+                                     "growth_rate"};
+    const char *const list_unit[] = {second,    "1", "1",       "1", stiffness,
+                                     stiffness, "1", stiffness, "1", rate};
     /* without a second axis its column is left out */
     const char *const line_name[] = {"stiffness", "growth_per_period", "growth_rate", "stable",
                                      "mode"};
@@ -166,7 +169,7 @@ gough_status map_write(const map_report *report, const char *path, gough_error *
     const sheet_of_cells grid = {axis ? grid_name : line_name, axis ? grid_unit : line_unit,
                                  axis ? 6 : 5, report->rows * report->options.stiffness.count,
                                  fill_point};
-    const sheet_of_cells list = {list_name + !axis, list_unit + !axis, axis ? 9 : 8,
+    const sheet_of_cells list = {list_name + !axis, list_unit + !axis, axis ? 10 : 9,
                                  count_intervals(report), fill_interval};
     gough_status status = write_sheet(report, &grid, path, error);
     if (status || strcmp(path, "-") == 0) return status;

@@ -67,8 +67,10 @@ static void print_cell(FILE *stream, double value) {
 
 /* At rest there is no motion to be in resonance with. */
 static void print_interval(FILE *stream, const gough_interval *i, bool resting) {
+    char name[GOUGH_MODE_NAME + 16];
+    snprintf(name, sizeof name, i->modes > 1 ? "%s ×%d" : "%s", i->mode.name, i->modes);
     fprintf(stream, "  ");
-    stability_pad(stream, i->mode.name, 14);
+    stability_pad(stream, name, 14);
     print_cell(stream, i->from);
     print_cell(stream, i->to);
     fprintf(stream, "%c", i->cut ? '+' : ' ');
@@ -81,16 +83,17 @@ static void print_interval(FILE *stream, const gough_interval *i, bool resting) 
 /* "At amplitude 0.5" */
 static void print_row_heading(FILE *stream, const map_report *report, const gough_map_row *row) {
     const unit_words *unit = unit_words_of(&report->units);
-    if (map_axis_name(report))
-        fprintf(stream, "\nAt %s %.6g%s, ", map_axis_name(report), row->value, second_unit(report));
-    else
-        fprintf(stream, "\nAlong the program, ");
+    const bool lower = map_axis_name(report) != NULL;
+    fprintf(stream, "\n");
+    if (lower)
+        fprintf(stream, "At %s %.6g%s, ", map_axis_name(report), row->value, second_unit(report));
     if (row->error.status)
-        fprintf(stream, "no values: %s\n", row->error.message);
+        fprintf(stream, "%s values: %s\n", lower ? "no" : "No", row->error.message);
     else if (row->period.resting)
-        fprintf(stream, "where the program rests: ");
+        fprintf(stream, "%s the program rests: ", lower ? "where" : "Where");
     else
-        fprintf(stream, "period %.9g%s: ", row->period.period, unit->time);
+        fprintf(stream, "%s the program, of period %.9g%s: ", lower ? "along" : "Along",
+                row->period.period, unit->time);
 }
 
 static void print_row(FILE *stream, const map_report *report, size_t r) {
@@ -190,6 +193,7 @@ static json_t *interval_object(double value, const gough_interval *i) {
     json_t *object = json_object();
     json_object_set_new(object, "value", json_number(value));
     json_object_set_new(object, "mode", json_words(i->mode.name));
+    json_object_set_new(object, "modes", json_integer(i->modes));
     json_object_set_new(object, "kind", json_string(gough_interval_kind_name(i->kind)));
     json_object_set_new(object, "from", json_number(i->from));
     json_object_set_new(object, "to", json_number(i->to));

@@ -145,8 +145,8 @@ run stability heave.yaml -q
 run stability heave.yaml --sweep-stiffness 0:2:201 -o line.csv -o line.png -o line.svg -o line.pdf -o line.h5
 expect_code 0 "a map of one axis"
 [[ $(head -1 line.csv) == stiffness,growth_per_period,growth_rate,stable,mode && $(wc -l <line.csv) == 202 ]] || fail "line.csv: $(head -1 line.csv)"
-[[ $(head -1 line-tongues.csv) == mode,kind,from,to,cut,stiffness,growth_per_period,growth_rate ]] || fail "line-tongues.csv: $(head -1 line-tongues.csv)"
-tongue() { awk -F, -v n="$1" '$1 == "heave" && $2 ~ /^resonance/ && ++k == n { print $3, $4 }' line-tongues.csv; }
+[[ $(head -1 line-tongues.csv) == mode,modes,kind,from,to,cut,stiffness,growth_per_period,growth_rate ]] || fail "line-tongues.csv: $(head -1 line-tongues.csv)"
+tongue() { awk -F, -v n="$1" '$1 == "heave" && $3 ~ /^resonance/ && ++k == n { print $4, $5 }' line-tongues.csv; }
 read -r from to < <(tongue 1)
 near "the first tongue begins" "$from" 0.11616 5.1e-6
 near "the first tongue ends" "$to" 0.19283 5.1e-6
@@ -170,8 +170,8 @@ expect_code 0 "a map of two axes"
 [[ $(head -1 plane.csv) == stiffness,amplitude,growth_per_period,growth_rate,stable,mode && $(wc -l <plane.csv) == 165 ]] || fail "plane.csv: $(head -1 plane.csv)"
 [[ ! -e ran ]] || fail "a title is executed"
 grep -q 'touch ran' plane.svg || fail "the title is not drawn"
-"$GOUGH" stability heave.yaml --sweep-stiffness 0.5:1.5:41 -q -o - >own.csv
-awk -F, '$2 == 1' plane.csv | cut -d, -f1,3- | cmp -s - <(tail -n +2 own.csv) || fail "amplitude 1 is another map than none"
+"$GOUGH" stability heave.yaml --sweep-stiffness 0.5:1.5:41 -q -o - >alone.csv
+awk -F, '$2 == 1' plane.csv | cut -d, -f1,3- | cmp -s - <(tail -n +2 alone.csv) || fail "amplitude 1 is another map than none"
 awk -F, '$2 == 0 && $3 != "nan"' plane.csv | grep -q . && fail "a program at rest has growth per period"
 for options in "--threads 1 --lanes 1" "--threads 2 --lanes 2"; do
     # shellcheck disable=SC2086
@@ -191,6 +191,11 @@ grep -q '1 of 2 rows have no values' out || fail "nothing said of a row without 
 "$GOUGH" stability heave.yaml --sweep-stiffness 1:2:51 --sweep-damping 0:0.2:2 --json >damped.json
 jq -e '.map.axis == "damping" and ([.tongues[] | select(.value == 0)] | length) > 0 and ([.tongues[] | select(.value > 0)] | length) == 0' damped.json >/dev/null ||
     fail "damping: $(jq -c '[.tongues[].value]' damped.json)"
+# of a program that rests: below the thresholds, and nowhere else, damped or not
+"$GOUGH" stability own.yaml --json | jq -c '[.thresholds[] | [.mode, (.stiffness * 1e6 | round)]] | unique' >thresholds
+"$GOUGH" stability own.yaml --sweep-stiffness 1:1000:20:log --json | jq -c '[.tongues[] | select(.from == 0 and .kind == "static") | [.mode, (.to * 1e6 | round)]] | unique' >below
+cmp -s thresholds below || fail "at rest: $(cat below) instead of $(cat thresholds)"
+
 # a bar on a terminal for a map that takes its time
 if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
     env TERM=xterm script -qec "timeout 5 '$GOUGH' stability heave.yaml --sweep-stiffness 0:2:100 --sweep-amplitude 0.1:1:400 --threads 1 --lanes 1 -o long.csv" /dev/null </dev/null >bar
