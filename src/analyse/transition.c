@@ -18,7 +18,8 @@ static const double part_phase = 12, part_growth = 7;
 /* 4800 rad in a period; beyond it a row takes minutes, and says nothing that a smaller stiffness does not */
 static const double most_parts = 400, most_steps = 10000;
 
-/* of a step: the phase of the fastest mode, what it decays by (its method is stable up to 5); and the least number of steps in a period, for the program's own harmonics */
+/* of a step: the phase of the fastest mode, and what it decays by, the method being stable up to 5; then the least number of
+ * steps in a period, for the program's own harmonics */
 static const double step_phase = 0.5, step_decay = 2;
 enum { LEAST_STEPS = 32, LOOKS = 16, WORK = 12 * GOUGH_LINEAR };
 
