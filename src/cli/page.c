@@ -6,6 +6,7 @@
 
 #include "cli/json.h"
 #include "cli/page.h"
+#include "cli/stability.h"
 
 /* 3 bytes to 4 characters, the last group filled up with '=' */
 static json_t *base64(const unsigned char *bytes, size_t count) {
@@ -153,6 +154,29 @@ static gough_status add_run(const command_line *line, const gough_study *study, 
     return status;
 }
 
+/* What gough stability finds, in the study's units; where there is no answer about the program, rest alone and the reason. */
+static void add_stability(const gough_study *study, json_t *object) {
+    stability_report *report = calloc(1, sizeof *report);
+    gough_error error = {0};
+    gough_status status = GOUGH_ERROR_FILE;
+    if (report) {
+        report->verb = "stability";
+        report->study = study;
+        report->units = (gough_units){study->dimensionless, 1, 1, 1};
+        status = stability_find(report, &error);
+        if (status == GOUGH_ERROR_INPUT) {
+            report->posed = true;
+            report->periodic = report->ends = false;
+            gough_error at_rest = {0};
+            status = stability_find(report, &at_rest);
+            if (status) error = at_rest;
+        }
+    }
+    json_object_set_new(object, "stability", status ? json_null() : stability_json(report, NULL));
+    json_object_set_new(object, "stability_message", json_words(error.message));
+    free(report);
+}
+
 gough_status page_study(const command_line *line, gough_study *study, json_t **object) {
     const gough_model *model = study->model;
     json_t *page = *object = json_object();
@@ -168,6 +192,7 @@ gough_status page_study(const command_line *line, gough_study *study, json_t **o
     json_object_set_new(page, "control", control_object(&model->control));
     json_object_set_new(page, "simulation", simulation_object(&study->simulation));
     json_object_set_new(page, "live", live_object(study));
+    add_stability(study, page);
     const gough_status simulated = add_run(line, study, true, page);
     if (simulated > GOUGH_ERROR_NUMERICAL) return simulated;
     const gough_status forced = add_run(line, study, false, page);

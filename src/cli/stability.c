@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/json.h"
 #include "cli/stability.h"
 
 static const double DEGREES = 57.295779513082320877;
@@ -174,8 +175,10 @@ static gough_status find_about_program(stability_report *report, gough_error *er
 }
 
 /* The program first: that it is not periodic is said whatever home is like. */
-static gough_status find(stability_report *report, gough_error *error) {
+gough_status stability_find(stability_report *report, gough_error *error) {
     double component[GOUGH_COMPONENTS];
+    report->arm = report->study->model->machine.base_radius;
+    report->damped = is_damped(&report->study->model->control);
     gough_status status = report->posed ? GOUGH_OK : find_about_program(report, error);
     if (status == GOUGH_ERROR_INPUT) {
         gough_error cause = *error;
@@ -229,15 +232,15 @@ static gough_status answer(const command_line *line, stability_report *report) {
         print_matrix(&matrix);
         return GOUGH_OK;
     }
-    if (!status) status = find(report, &error);
+    if (!status) status = stability_find(report, &error);
     if (status) {
         complain(line->verb, "%s: %s", report->study->name, error.message);
         return status;
     }
     stability_scale(report);
     if (line->json)
-        return stability_print_json(report, line->matrix ? &matrix : NULL) ? GOUGH_ERROR_FILE
-                                                                           : GOUGH_OK;
+        return json_print(stability_json(report, line->matrix ? &matrix : NULL)) ? GOUGH_ERROR_FILE
+                                                                                 : GOUGH_OK;
     if (!line->quiet) stability_print(stdout, report);
     return GOUGH_OK;
 }
@@ -250,8 +253,6 @@ static gough_status answer_alone(const command_line *line, const gough_study *st
     }
     report->verb = line->verb;
     report->study = study;
-    report->arm = study->model->machine.base_radius;
-    report->damped = is_damped(&study->model->control);
     report->posed = line->posed;
     memcpy(report->pose, line->pose, sizeof report->pose);
     const gough_status status = answer(line, report);

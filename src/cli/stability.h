@@ -27,6 +27,9 @@ typedef struct stability_report {
     double sag; /* distance of the top from the program when the period begins */
 } stability_report;
 
+/* Finds all of it, at rest and about the program, for the study and the pose in the report, in the study's units. */
+gough_status stability_find(stability_report *report, gough_error *error);
+
 /* Turns the numbers into the output's units. */
 void stability_scale(stability_report *report);
 
@@ -40,8 +43,8 @@ typedef struct stability_matrix {
     double row[GOUGH_LINEAR][GOUGH_LINEAR];
 } stability_matrix;
 
-/* One JSON object on standard output. Returns 0, or -1 where it cannot be written. @p matrix may be NULL. */
-int stability_print_json(const stability_report *report, const stability_matrix *matrix);
+/* The answer as one JSON object; matrix may be NULL. */
+json_t *stability_json(const stability_report *report, const stability_matrix *matrix);
 
 /* The stability map of --sweep-stiffness (stability_map.c). */
 gough_status stability_map(const command_line *line, const gough_study *study);

@@ -82,7 +82,7 @@ static void set_program(json_t *object, const stability_report *report) {
     json_object_set_new(object, "pair_defect", json_number(is ? f->pair_defect : NAN));
 }
 
-int stability_print_json(const stability_report *report, const stability_matrix *matrix) {
+json_t *stability_json(const stability_report *report, const stability_matrix *matrix) {
     json_t *object = json_object();
     json_object_set_new(object, "verb", json_string(report->verb));
     json_object_set_new(object, "title", json_words(report->study->title));
@@ -91,5 +91,5 @@ int stability_print_json(const stability_report *report, const stability_matrix 
     set_program(object, report);
     json_object_set_new(object, "stable", json_boolean(stability_holds(report)));
     if (matrix) json_object_set_new(object, "matrix", matrix_rows(matrix->row));
-    return json_print(object);
+    return object;
 }
