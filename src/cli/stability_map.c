@@ -7,6 +7,8 @@
 #include <string.h>
 #include <strings.h>
 
+enum { MOST_POINTS = 4000000 }; /* some 300 MB */
+
 /* ---- outputs ----------------------------------------------------------------------------------------------------- */
 
 static bool ends_in(const char *path, const char *const *ending, size_t count) {
@@ -149,10 +151,15 @@ static gough_status check_rows(const map_report *report, gough_error *error) {
 
 static gough_status find(const command_line *line, map_report *report, gough_error *error) {
     const gough_model *model = report->study->model;
+    const size_t points = report->rows * report->options.stiffness.count;
     size_t bytes = 0;
+    if (points > MOST_POINTS)
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "a map of %zu points is too large; at most %d: tongues are found between "
+                          "the points too, so few values of the stiffness will do",
+                          points, MOST_POINTS);
     gough_status status = gough_map_size(model, &report->options, &bytes, error);
     if (status) return status;
-    const size_t points = report->rows * report->options.stiffness.count;
     void *memory = aligned_alloc(64, (bytes + 127) / 64 * 64);
     report->map.point = calloc(points, sizeof *report->map.point);
     report->map.row = calloc(report->rows, sizeof *report->map.row);

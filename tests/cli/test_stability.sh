@@ -134,6 +134,7 @@ refused "give --sweep-stiffness too" stability heave.yaml --sweep-damping 0:1:3
 refused "-o is where a map goes" stability heave.yaml -o x.csv
 refused "do not go with it" stability heave.yaml --sweep-stiffness 0:1:5 --matrix
 refused "both want standard output" stability heave.yaml --sweep-stiffness 0:1:5 -o - --json
+refused "is too large" stability heave.yaml --sweep-stiffness 0:1:9999 --sweep-amplitude 0:1:9999
 refused "(picture)" stability heave.yaml --sweep-stiffness 0:1:5 -o map.txt
 refused "period" stability heave.yaml --sweep-stiffness 0:1:5 --set motion.period=3
 run stability heave.yaml --sweep-stiffness 0:1:5 -o nowhere/map.csv
@@ -198,8 +199,15 @@ cmp -s thresholds below || fail "at rest: $(cat below) instead of $(cat threshol
 
 # a bar on a terminal for a map that takes its time
 if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
-    env TERM=xterm script -qec "timeout 5 '$GOUGH' stability heave.yaml --sweep-stiffness 0:2:100 --sweep-amplitude 0.1:1:400 --threads 1 --lanes 1 -o long.csv" /dev/null </dev/null >bar
+    env TERM=xterm script -qec "'$GOUGH' stability heave.yaml --sweep-stiffness 0:2:100 --sweep-amplitude 0.1:1:1000 --threads 1 --lanes 1 -o long.csv" /dev/null </dev/null >bar 2>/dev/null &
+    pid=$!
+    for _ in $(seq 120); do
+        sleep 0.25
+        grep -q '\[#*-*\]' bar && break
+    done
     grep -q '\[#*-*\]' bar || fail "no bar on a terminal: $(head -c 300 bar)"
+    kill $pid 2>/dev/null
+    wait $pid 2>/dev/null
     [[ ! -e long.csv ]] || fail "a killed map leaves a file"
 fi
 finish
