@@ -116,7 +116,8 @@ START_TEST(every_kind_is_drawn) {
         gough_figure figure = gough_figure_default();
         figure.kind = name;
         figure.columns = strcmp(name, "columns") == 0 ? "z, f1,f2,condition" : NULL;
-        if (strcmp(name, "sweep") == 0) continue; /* test_sweep.c */
+        if (strcmp(name, "sweep") == 0) continue;  /* test_sweep.c */
+        if (strcmp(name, "tuning") == 0) continue; /* tests/cli/test_tune.sh */
         expect_drawn(&figure, strcmp(name, "gain") == 0 ? gain : run, path);
         const bool wide = strcmp(name, "overview") == 0 || strcmp(name, "motion") == 0;
         expect_png(path, wide ? 2080 : 1560);
