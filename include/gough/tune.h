@@ -130,8 +130,9 @@ GOUGH_API gough_status gough_tune_size(const gough_model *model,
 /** Finds the least G, the same in all legs, with which the run meets what is asked.
  *
  *  Disturbances, initial state, program and duration are the model's; its stiffness and the method of its simulation are not
- *  used: runs are adaptive, at the tolerance given or 1e-10, and deviations are taken as often as the fastest mode needs. The
- *  G named meets the accuracy, a G less by 1e-4 of it does not, and none of the 20 a decade below that were tried.
+ *  used: runs are adaptive, at the least of the tolerance given (or 1e-10 for a fixed step) and 1e-4 of the deviation asked for,
+ *  and deviations are taken as often as the fastest mode needs. The G named meets the accuracy, a G less by 1e-4 of it does not,
+ *  nor does any of those that were tried below, 20 in each decade; those that would, but are unstable, are passed over.
  *  @param feedforward  whether program forces are fed forward; the model's own choice is not used
  *  @param[out] point   GOUGH_TUNING_POINTS of them, the curve
  *  @param[out] tuning  `found` false where no G does it, with the reason

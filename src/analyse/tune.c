@@ -155,7 +155,7 @@ static gough_status find_range(tune *t, gough_error *error) {
 
     t->least = t->options->least;
     t->greatest = t->options->greatest;
-    if (t->greatest <= tuning->threshold)
+    if (t->greatest <= tuning->threshold && tuning->threshold > 0)
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "home is unstable without feedback: %s grows unless G is over %.6g, and "
                           "the search allows only %.6g; allow more, by --stiffness a:b with b over "

@@ -41,17 +41,18 @@ static double excess(const gough_tuning *tuning, const gough_tuning_point *p) {
     return log(p->position_deviation / tuning->scale) - tuning->slope * log(p->stiffness);
 }
 
-/* least squares of ln deviation = ln scale + slope ln G over points of weight w(excess); false where there are too few */
-static bool fit(tune *t, double (*weight)(double excess), bool begun) {
+/* least squares of ln deviation = ln scale + slope ln G over points from `first` on, of weight w(excess) once there is a line; false
+ * where there are too few */
+static bool fit(tune *t, size_t first, double (*weight)(double excess)) {
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     gough_tuning *tuning = t->tuning;
     size_t points = 0;
 
-    for (size_t i = 0; i < tuning->points; i++) {
+    for (size_t i = first; i < tuning->points; i++) {
         const gough_tuning_point *p = &t->point[i];
         if (!usable(t, p)) continue;
         const double x = log(p->stiffness), y = log(p->position_deviation);
-        const double w = begun ? weight(excess(tuning, p)) : 1;
+        const double w = weight ? weight(excess(tuning, p)) : 1;
         n += w, sx += w * x, sy += w * y, sxx += w * x * x, sxy += w * x * y;
         points += w > 0;
     }
@@ -65,12 +66,22 @@ static bool fit(tune *t, double (*weight)(double excess), bool begun) {
 static double sturdy(double e) { return 1 / fmax(fabs(e), 0.01); }
 static double within(double e) { return fabs(e) <= log(off_trend); }
 
+/* where the last decade of points that can be used begins */
+static size_t last_decade(const tune *t) {
+    size_t first = t->tuning->points, used = 0;
+
+    while (first > 0 && used < TUNE_DECADE) used += usable(t, &t->point[--first]);
+    return first;
+}
+
+/* The line that large G tend to, and how far down it holds. */
 static void find_trend(tune *t) {
     gough_tuning *tuning = t->tuning;
-    bool found = fit(t, NULL, false);
+    const size_t first = last_decade(t);
+    bool found = fit(t, first, NULL);
 
-    for (int i = 0; i < SWEEPS && found; i++) found = fit(t, sturdy, true);
-    for (int i = 0; i < 3 && found; i++) found = fit(t, within, true);
+    for (int i = 0; i < SWEEPS && found; i++) found = fit(t, first, sturdy);
+    for (int i = 0; i < 3 && found; i++) found = fit(t, 0, within);
     if (!found) tuning->slope = tuning->scale = NAN;
     for (size_t i = 0; i < tuning->points; i++) {
         gough_tuning_point *p = &t->point[i];

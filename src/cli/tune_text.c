@@ -158,7 +158,7 @@ static void print_choice(FILE *stream, const tune_choice *choice, const unit_wor
     const gough_tuning *tuning = &choice->tuning;
     fprintf(stream, "\n%s feed-forward\n", choice->feedforward ? "With" : "Without");
     if (tuning->found) {
-        fprintf(stream, "  stiffness   G = %.5g%s in each leg\n", tuning->stiffness,
+        fprintf(stream, "  stiffness   G = %.10g%s in each leg\n", tuning->stiffness,
                 unit->stiffness);
         fprintf(stream, "  damping     D = %.9g%s, ratio of the least damped mode %.4g\n",
                 tuning->damping, unit->damping, tuning->damping_ratio);
