@@ -122,7 +122,8 @@ typedef struct gough_tuning {
 } gough_tuning;
 
 /** Checks the options and says how many bytes of memory gough_tune() needs, aligned to 64.
- *  @return GOUGH_OK or GOUGH_ERROR_INPUT: an option out of its range. */
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: an option out of its range, a period that the motion does not have;
+ *  GOUGH_ERROR_NUMERICAL: a singular home pose. */
 GOUGH_API gough_status gough_tune_size(const gough_model *model,
                                        const gough_tuning_options *options, size_t *bytes,
                                        gough_error *error);

@@ -41,8 +41,8 @@ static double excess(const gough_tuning *tuning, const gough_tuning_point *p) {
     return log(p->position_deviation / tuning->scale) - tuning->slope * log(p->stiffness);
 }
 
-/* least squares of ln deviation = ln scale + slope ln G over points from `first` on, of weight w(excess) once there is a line; false
- * where there are too few */
+/* least squares of ln deviation = ln scale + slope ln G over points from `first` on, of weight w(excess) once there is a line;
+ * false where there are too few */
 static bool fit(tune *t, size_t first, double (*weight)(double excess)) {
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     gough_tuning *tuning = t->tuning;

@@ -208,7 +208,8 @@ END_TEST
 
 /* ---- laws -------------------------------------------------------------------------------------------------------- */
 
-/* (tune-3): without feed-forward a leg is shorter by M g l/(6 h G), the platform lower by l/h of that. Well damped, nothing overshoots. */
+/* (tune-3): without feed-forward a leg is shorter by M g l/(6 h G), the platform lower by l/h of that. Well damped, nothing
+ * overshoots. */
 START_TEST(stiffness_without_feedforward_is_that_of_the_sag) {
     const double l2 = 1.49;
     search s = begin(2);
