@@ -39,7 +39,7 @@ static void print_thresholds(FILE *stream, const map_report *report) {
                            fabs(t->stiffness - t[-1].stiffness) <= 1e-9 * fabs(t->stiffness);
         if (again) continue;
         fprintf(stream, "  ");
-        stability_pad(stream, t->mode.name, 14);
+        stability_pad(stream, t->mode.name, 20);
         fprintf(stream, "%12.6g%s\n", t->stiffness, unit);
     }
 }
@@ -70,7 +70,7 @@ static void print_interval(FILE *stream, const gough_interval *i, bool resting) 
     char name[GOUGH_MODE_NAME + 16];
     snprintf(name, sizeof name, i->modes > 1 ? "%s ×%d" : "%s", i->mode.name, i->modes);
     fprintf(stream, "  ");
-    stability_pad(stream, name, 14);
+    stability_pad(stream, name, 20);
     print_cell(stream, i->from);
     print_cell(stream, i->to);
     fprintf(stream, "%c", i->cut ? '+' : ' ');
@@ -108,7 +108,7 @@ static void print_row(FILE *stream, const map_report *report, size_t r) {
     }
     const table_heading from = heading_of("from G", unit->stiffness),
                         rate = heading_of("rate", *unit->time ? " 1/s" : "");
-    fprintf(stream, "where a mode grows\n  %-14s%13s%13s %13s%13s%13s\n", "mode", from.text, "to",
+    fprintf(stream, "where a mode grows\n  %-20s%13s%13s %13s%13s%13s\n", "mode", from.text, "to",
             row->period.resting ? "" : "per period", rate.text, "at G");
     for (size_t i = 0; i < row->intervals; i++) {
         const gough_interval *one = &report->map.interval[r * report->options.intervals + i];

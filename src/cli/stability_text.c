@@ -152,13 +152,13 @@ static void print_thresholds(FILE *stream, const stability_report *report, const
                strcmp(rest->threshold[next].mode.name, t->mode.name) == 0)
             next++;
         fprintf(stream, "    ");
-        stability_pad(stream, t->mode.name, 16);
+        stability_pad(stream, t->mode.name, 20);
         fprintf(stream, "%12.6g%s", t->stiffness, unit->stiffness);
         if (next - i > 1) fprintf(stream, "   (%d modes)", next - i);
         if (!(t->stiffness > 0)) fprintf(stream, "   needs no feedback");
         fprintf(stream, "\n");
     }
-    fprintf(stream, "    %-16s%12.6g%s\n", "this study", least_gain(gain) / stiffness_unit,
+    fprintf(stream, "    %-20s%12.6g%s\n", "this study", least_gain(gain) / stiffness_unit,
             unit->stiffness);
 }
 

@@ -53,9 +53,10 @@ void stability_write_frame(const stability_pen *pen, const char *explanation) {
             quoted, stability_screen_x(pen->left), stability_screen_y(pen, 22),
             stability_size(pen, STABILITY_TITLE));
     fprintf(file,
-            "set label 2 '%s' at screen %.6f,screen %.6f left noenhanced font ',%.4g' textcolor "
+            "set label 2 '%s%s' at screen %.6f,screen %.6f left noenhanced font ',%.4g' textcolor "
             "rgb '%s'\n",
-            explanation, stability_screen_x(pen->left), stability_screen_y(pen, 42),
+            explanation, pen->top > STABILITY_TOP ? " · dashed: thresholds at rest" : "",
+            stability_screen_x(pen->left), stability_screen_y(pen, 42),
             stability_size(pen, STABILITY_SMALL), stability_ink);
 }
 
@@ -67,25 +68,55 @@ static double rate_step(double greatest) {
     return step;
 }
 
+static bool stands_apart(const stability_tic *tic, int count, double shade, double apart) {
+    for (int i = 0; i < count; i++)
+        if (fabs(tic[i].shade - shade) < apart) return false;
+    return true;
+}
+
+static void write_growth_number(char *text, size_t size, double growth) {
+    if (growth >= 1e3)
+        snprintf(text, size, "10^{%.0f}", log10(growth));
+    else
+        snprintf(text, size, "%.6g", growth);
+}
+
 int stability_list_tics(const field *f, double apart, stability_tic tic[STABILITY_TICS]) {
-    static const double growth[STABILITY_TICS] = {1,   1.01, 1.1,  1.5,  2,    3,   5,
-                                                  10,  30,   100,  1e3,  1e4,  1e5, 1e6,
-                                                  1e8, 1e10, 1e15, 1e20, 1e30, 1e50};
+    /* those wanted most first; what comes later fills gaps */
+    static const double growth[] = {1,    1.1, 1.5, 2,     3,    5,    10,    30,    100,   1e3,
+                                    1e4,  1e5, 1e6, 1e8,   1e10, 1e15, 1e20,  1e30,  1e50,  1e100,
+                                    1.01, 1.2, 1.3, 1.001, 1.02, 1.05, 1.002, 1.005, 1.0001};
+    enum { GROWTHS = sizeof growth / sizeof growth[0] };
     const double step = rate_step(f->greatest);
-    double last = -1;
     int count = 0;
-    for (int i = 0; i < STABILITY_TICS; i++) {
+    for (int i = 0; i < GROWTHS && count < STABILITY_TICS; i++) {
         const double level = f->resting ? i * step : log(growth[i]);
         const double shade = field_shade(f, level);
-        if (level > f->greatest * (1 + 1e-9) || shade - last < apart) continue;
-        last = shade;
+        if (level > f->greatest * (1 + 1e-9) || !stands_apart(tic, count, shade, apart)) continue;
         tic[count].shade = shade;
-        if (!f->resting && growth[i] >= 1e3)
-            snprintf(tic[count++].text, sizeof tic->text, "10^{%.0f}", log10(growth[i]));
+        if (f->resting)
+            snprintf(tic[count].text, sizeof tic->text, "%.3g", level);
         else
-            snprintf(tic[count++].text, sizeof tic->text, "%.3g", f->resting ? level : growth[i]);
+            write_growth_number(tic[count].text, sizeof tic->text, growth[i]);
+        count++;
     }
     return count;
+}
+
+/* A logarithmic axis of hardly more than a decade has numbers at 1, 2 and 5 times its powers. */
+void stability_write_scale(const stability_pen *pen, const char *axis, bool logarithmic, double low,
+                           double high, int most) {
+    sheet_write_scale(pen->file, axis, logarithmic, low, high, most);
+    if (!logarithmic || high / low > 30) return;
+    const char *joint = "";
+    fprintf(pen->file, "set format %s '%%g'\nset %stics (", axis, axis);
+    for (double decade = pow(10, floor(log10(low))); decade <= high; decade *= 10)
+        for (int digit = 1; digit <= 5; digit += digit == 1 ? 1 : 3) {
+            if (decade * digit < low * (1 - 1e-9) || decade * digit > high * (1 + 1e-9)) continue;
+            fprintf(pen->file, "%s%.9g", joint, decade * digit);
+            joint = ", ";
+        }
+    fprintf(pen->file, ")\n");
 }
 
 void stability_write_margins(const stability_pen *pen, int top, int height) {
@@ -106,8 +137,8 @@ static const char *stiffness_unit(const gough_units *units) {
 
 void stability_write_abscissa(const stability_pen *pen, bool titled) {
     const gough_map_range *range = &pen->field->options->stiffness;
-    sheet_write_scale(pen->file, "x", range->logarithmic, pen->view.low_x, pen->view.high_x,
-                      pen->panel_width / 60);
+    stability_write_scale(pen, "x", range->logarithmic, pen->view.low_x, pen->view.high_x,
+                          pen->panel_width / 60);
     if (titled)
         fprintf(pen->file,
                 "set xlabel 'stiffness of the feedback G%s' noenhanced offset character "
@@ -117,18 +148,46 @@ void stability_write_abscissa(const stability_pen *pen, bool titled) {
         fprintf(pen->file, "unset xlabel\nset format x ''\n");
 }
 
+/* "yaw 0.466"; the next of the list that is not the same again. */
+static int name_threshold(const gough_rest *rest, int i, char text[GOUGH_MODE_NAME + 32]) {
+    const gough_threshold *t = &rest->threshold[i];
+    const bool large = t->stiffness >= 1000 && t->stiffness < 1e6;
+    int next = i + 1;
+    while (next < 6 && strcmp(rest->threshold[next].mode.name, t->mode.name) == 0 &&
+           fabs(rest->threshold[next].stiffness - t->stiffness) <= 1e-9 * fabs(t->stiffness))
+        next++;
+    snprintf(text, GOUGH_MODE_NAME + 32, large ? "%s %.0f" : "%s %.3g", t->mode.name, t->stiffness);
+    return next;
+}
+
+static bool is_in_view(const stability_pen *pen, double stiffness) {
+    return stiffness > pen->view.low_x && stiffness < pen->view.high_x;
+}
+
+/* Below title and explanation, and the names of thresholds, which rise by 35 degrees. */
+static int top_of_panel(const stability_pen *pen) {
+    const gough_rest *rest = pen->figure->rest;
+    int longest = 0;
+    for (int i = 0, next; rest && i < 6; i = next) {
+        char text[GOUGH_MODE_NAME + 32];
+        int characters = 0;
+        next = name_threshold(rest, i, text);
+        for (const char *at = text; *at; at++) characters += ((unsigned char)*at & 0xC0) != 0x80;
+        if (is_in_view(pen, rest->threshold[i].stiffness) && characters > longest)
+            longest = characters;
+    }
+    return STABILITY_TOP + 4 * longest;
+}
+
 void stability_write_thresholds(const stability_pen *pen, int height) {
     const gough_rest *rest = pen->figure->rest;
     FILE *file = pen->file;
     double last = INFINITY;                          /* place of the name to the right */
     for (int i = 0, next; rest && i < 6; i = next) { /* by falling stiffness */
-        const gough_threshold *t = &rest->threshold[i];
-        next = i + 1;
-        while (next < 6 && strcmp(rest->threshold[next].mode.name, t->mode.name) == 0 &&
-               fabs(rest->threshold[next].stiffness - t->stiffness) <= 1e-9 * fabs(t->stiffness))
-            next++;
-        if (!(t->stiffness > pen->view.low_x) || !(t->stiffness < pen->view.high_x)) continue;
-        const double x = stability_place_x(pen, t->stiffness);
+        char text[GOUGH_MODE_NAME + 32];
+        next = name_threshold(rest, i, text);
+        if (!is_in_view(pen, rest->threshold[i].stiffness)) continue;
+        const double x = stability_place_x(pen, rest->threshold[i].stiffness);
         const double named = fmin(x, last - 21);
         last = named;
         fprintf(file,
@@ -137,10 +196,10 @@ void stability_write_thresholds(const stability_pen *pen, int height) {
                 stability_screen_x(x), stability_screen_y(pen, pen->top - 3), stability_screen_x(x),
                 stability_screen_y(pen, pen->top + height), threshold_colour);
         fprintf(file,
-                "set label '%s %.3g' at screen %.6f,screen %.6f left rotate by 35 noenhanced font "
+                "set label '%s' at screen %.6f,screen %.6f left rotate by 35 noenhanced font "
                 "',%.4g' textcolor rgb '%s'\n",
-                t->mode.name, t->stiffness, stability_screen_x(named),
-                stability_screen_y(pen, pen->top - 9), stability_size(pen, 10), threshold_colour);
+                text, stability_screen_x(named), stability_screen_y(pen, pen->top - 9),
+                stability_size(pen, 10), threshold_colour);
     }
 }
 
@@ -164,15 +223,13 @@ static gough_status write_picture(const void *content, sheet_format format, cons
                                   gough_error *error) {
     const picture *p = content;
     const gough_map_options *options = p->field->options;
-    stability_pen pen = {.folder = folder,
-                         .format = format,
-                         .figure = p->figure,
-                         .field = p->field,
-                         .top = STABILITY_TOP};
+    stability_pen pen = {
+        .folder = folder, .format = format, .figure = p->figure, .field = p->field};
     pen.view = (field_view){.low_x = options->stiffness.from,
                             .high_x = options->stiffness.to,
                             .low_y = options->second.from,
                             .high_y = options->second.to};
+    pen.top = top_of_panel(&pen);
     bool good = false;
     const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (plain != (locale_t)0) {

@@ -10,7 +10,7 @@ enum {
     STABILITY_TITLE = 14,
     STABILITY_TEXT = 12,
     STABILITY_SMALL = 11,
-    STABILITY_TOP = 112, /* of the panel: below title, explanation and the names of thresholds */
+    STABILITY_TOP = 68,  /* of a panel without thresholds: below title and explanation */
     STABILITY_BELOW = 62 /* numbers and title of the abscissa */
 };
 
@@ -27,7 +27,7 @@ typedef struct stability_pen {
 
 extern const char stability_ink[];
 
-/* Title, explanation, settings that hold for the whole sheet. */
+/* Title, explanation (that of the dashes is added), settings that hold for the whole sheet. */
 void stability_write_frame(const stability_pen *pen, const char *explanation);
 
 /* Margins of a plot: the panel's, or part of the sheet below it. */
@@ -52,6 +52,10 @@ typedef struct stability_tic {
 
 /* As many as stand apart by so much of the scale: growth per period, or growth rate where all rests. */
 int stability_list_tics(const field *field, double apart, stability_tic tic[STABILITY_TICS]);
+
+/* Scale and numbers of an axis "x" or "y", with at most so many intervals. */
+void stability_write_scale(const stability_pen *pen, const char *axis, bool logarithmic, double low,
+                           double high, int most);
 
 /* From value to pixel. */
 double stability_place_x(const stability_pen *pen, double value);

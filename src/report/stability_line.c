@@ -144,11 +144,9 @@ bool stability_write_line(stability_pen *pen) {
     pen->height =
         pen->top + PANEL_HEIGHT + LANES_GAP + LANE * stability_lanes(pen->field) + STABILITY_BELOW;
     stability_write_frame(
-        pen,
-        pen->field->resting
-            ? "at rest · bars: where a mode grows · dashed: thresholds"
-            : "bars: a mode grows, below its threshold (pale) or by resonance (full) · dashed: "
-              "thresholds at rest");
+        pen, pen->field->resting
+                 ? "at rest · bars: where a mode grows"
+                 : "bars: a mode grows, below its threshold (pale) or by resonance (full)");
     const bool good = write_growth(pen);
     plot_growth(pen);
     plot_lanes(pen);

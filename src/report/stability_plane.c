@@ -315,8 +315,8 @@ static void write_ordinate(const stability_pen *pen) {
     if (o->axis == GOUGH_MAP_DAMPING)
         title = pen->figure->units.dimensionless ? "damping of the feedback D, dimensionless"
                                                  : "damping of the feedback D (N s/m)";
-    sheet_write_scale(pen->file, "y", o->second.logarithmic, pen->view.low_y, pen->view.high_y,
-                      pen->panel_height / 40);
+    stability_write_scale(pen, "y", o->second.logarithmic, pen->view.low_y, pen->view.high_y,
+                          pen->panel_height / 40);
     fprintf(pen->file, "set ylabel '%s' noenhanced offset character 0.6,character 0\n", title);
 }
 
@@ -349,10 +349,8 @@ bool stability_write_plane(stability_pen *pen) {
     bool good = write_bytes(pen, "image", pixel, length) &&
                 write_scale_raster(pen, pen->view.height) && write_edges(pen);
 
-    stability_write_frame(
-        pen, f->resting ? "pale: nothing grows · colours: growth rate · dashed: thresholds at rest"
-                        : "pale: nothing grows · colours: growth in each period · dashed: "
-                          "thresholds at rest");
+    stability_write_frame(pen, f->resting ? "pale: nothing grows · colours: growth rate"
+                                          : "pale: nothing grows · colours: growth in each period");
     stability_write_margins(pen, pen->top, pen->panel_height);
     plot_raster(pen, "image", pen->view.width, pen->view.height);
     fprintf(pen->file, "unset label 1\nunset label 2\n");
