@@ -18,7 +18,7 @@ add_custom_command(OUTPUT ${GOUGH_PAGE_SOURCE}/packages.stamp
     COMMAND ${CMAKE_COMMAND} -E make_directory ${GOUGH_PAGE_SOURCE}
     COMMAND ${CMAKE_COMMAND} -E copy_if_different ${GOUGH_PAGE_PACKAGES} ${GOUGH_PAGE_SOURCE}
     COMMAND ${CMAKE_COMMAND} -E chdir ${GOUGH_PAGE_SOURCE}
-            ${GOUGH_PAGE_NPM} ci --ignore-scripts --no-audit --no-fund --no-progress --loglevel=error
+            ${GOUGH_PAGE_NPM} ci --ignore-scripts --prefer-offline --no-audit --no-fund --no-progress --loglevel=error
     COMMAND ${CMAKE_COMMAND} -E touch ${GOUGH_PAGE_SOURCE}/packages.stamp
     DEPENDS ${GOUGH_PAGE_PACKAGES}
     COMMENT "Installing the page's packages" VERBATIM)

@@ -116,6 +116,12 @@ test("scrubbing moves all cursors, and the numbers shown are those of the table"
     assert.notEqual(moved, before);
     before = moved;
   }
+  for (const id of ["rates", "drift", "condition"]) {
+    await byName(page, `curve-${id}`).scrollIntoViewIfNeeded();
+    await pictureDrawn(page);
+    const other = await byName(page, `cursor-${id}`).evaluate((line) => line.style.transform);
+    assert.equal(other, before, id);
+  }
   await page.close();
 });
 

@@ -33,6 +33,18 @@ export class Range {
 /** The height of a plot in pixels. */
 const HEIGHT = 210;
 
+/** Powers of ten between two numbers, not more than eight. */
+function decades(least, greatest) {
+  const [low, high] = [
+    Math.ceil(Math.log10(least) - 1e-9),
+    Math.floor(Math.log10(greatest) + 1e-9),
+  ];
+  const step = Math.max(1, Math.ceil((high - low) / 7));
+  const powersOfTen = [];
+  for (let power = low; power <= high; power += step) powersOfTen.push(10 ** power);
+  return powersOfTen;
+}
+
 export class Curve {
   /** @param spec {id, title, unit, note, limits: [{value, beyond}], lines: [{label, name, color, t, y, leg, dash, width, off}]}:
    *  arrays of a line are as long as its t; `off` lines are shown on demand. @param range common Range; @param onSeek called
@@ -275,11 +287,15 @@ export class Curve {
       },
       axes: [
         { ...axis, size: 30, values: (_, values) => ticks(values) },
-        {
-          ...axis,
-          size: 58,
-          values: (_, values) => (this.logarithmic ? powers(values) : ticks(values)),
-        },
+        this.logarithmic
+          ? {
+              ...axis,
+              size: 58,
+              splits: (_, __, least, greatest) => decades(least, greatest),
+              filter: (_, splits) => splits,
+              values: (_, values) => powers(values),
+            }
+          : { ...axis, size: 58, values: (_, values) => ticks(values) },
       ],
       series: [
         {},
@@ -294,6 +310,8 @@ export class Curve {
       hooks: {
         setSelect: [(plot) => this.select(plot)],
         drawAxes: [(plot) => this.drawLimits(plot)],
+        // uPlot knows its scales only when it draws, a moment after it was asked to
+        draw: [() => this.placeCursor()],
       },
     };
   }
@@ -386,9 +404,7 @@ export class Curve {
   setTime(time) {
     this.time = time;
     if (!this.visible || !this.plot) return;
-    const [from, to] = this.range.shown;
-    this.cursor.style.transform = `translateX(${this.plot.valToPos(time, "x").toFixed(1)}px)`;
-    this.cursor.style.visibility = time >= from && time <= to ? "visible" : "hidden";
+    this.placeCursor();
     this.spec.lines.forEach((line, index) => {
       const row = lowerBound(line.t, time + 1e-9 * Math.max(1, time)) - 1;
       const text =
@@ -397,6 +413,14 @@ export class Curve {
           : "–";
       if (this.values[index].textContent !== text) this.values[index].textContent = text;
     });
+  }
+
+  placeCursor() {
+    if (!this.cursor) return;
+    const [from, to] = this.range.shown;
+    const { time } = this;
+    this.cursor.style.transform = `translateX(${this.plot.valToPos(time, "x").toFixed(1)}px)`;
+    this.cursor.style.visibility = time >= from && time <= to ? "visible" : "hidden";
   }
 
   get name() {

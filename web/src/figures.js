@@ -320,6 +320,7 @@ export function figuresOfAll(studies) {
     ...(paper.length > 1 ? [{ ...figure4(paper), wide: true }] : []),
     {
       id: "all-deviation",
+      logarithmic: true,
       title: "Deviation of the position",
       note: "Distance of the top frame's origin from the program.",
       logable: true,
@@ -328,6 +329,7 @@ export function figuresOfAll(studies) {
     },
     {
       id: "all-angle",
+      logarithmic: true,
       title: "Deviation of the angles",
       note: "Root of the sum of squares of roll, pitch and yaw.",
       logable: true,
