@@ -110,10 +110,12 @@ void stability_write_scale(const stability_pen *pen, const char *axis, bool loga
     if (!logarithmic || high / low > 30) return;
     const char *joint = "";
     fprintf(pen->file, "set format %s '%%g'\nset %stics (", axis, axis);
-    for (double decade = pow(10, floor(log10(low))); decade <= high; decade *= 10)
+    const int first = (int)floor(log10(low)), last = (int)floor(log10(high));
+    for (int power = first; power <= last; power++)
         for (int digit = 1; digit <= 5; digit += digit == 1 ? 1 : 3) {
-            if (decade * digit < low * (1 - 1e-9) || decade * digit > high * (1 + 1e-9)) continue;
-            fprintf(pen->file, "%s%.9g", joint, decade * digit);
+            const double number = digit * pow(10, power);
+            if (number < low * (1 - 1e-9) || number > high * (1 + 1e-9)) continue;
+            fprintf(pen->file, "%s%.9g", joint, number);
             joint = ", ";
         }
     fprintf(pen->file, ")\n");
