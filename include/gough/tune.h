@@ -30,7 +30,7 @@ typedef struct gough_tuning_options {
     void *context; /**< handed to progress */
 } gough_tuning_options;
 
-/** A margin of 0.05, the model's damping, any angle; `deviation` is 0 and must be set. */
+/** A margin of 0.02, the model's damping, any angle; `deviation` is 0 and must be set. */
 GOUGH_API gough_tuning_options gough_tuning_options_default(void);
 
 /** A point of the curve: deviation against G. */

@@ -34,7 +34,7 @@ enum { MOST_LIFTS = 200, INSIDE = 3 };
 
 gough_tuning_options gough_tuning_options_default(void) {
     return (gough_tuning_options){
-        .angle_deviation = INFINITY, .damping_ratio = NAN, .margin = 0.05, .greatest = INFINITY};
+        .angle_deviation = INFINITY, .damping_ratio = NAN, .margin = 0.02, .greatest = INFINITY};
 }
 
 static gough_status check_options(const gough_tuning_options *o, gough_error *error) {

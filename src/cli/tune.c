@@ -21,7 +21,7 @@ static const struct argp_option option[] = {
     {"feedforward", OPTION_FEEDFORWARD, "program|none|both", 0,
      "with the program's forces fed forward, without, or each (default: both)", 0},
     {"margin", OPTION_MARGIN, "M", 0,
-     "no instability within this part of the stiffness below and above it (default: 0.05)", 0},
+     "no instability within this part of the stiffness below and above it (default: 0.02)", 0},
     {"stiffness", OPTION_STIFFNESS, "A:B", 0,
      "search between these; 0 for A: from a quarter of the threshold at rest on (default: from "
      "there to 1e6 M g/R_b)",

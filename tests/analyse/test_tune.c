@@ -274,6 +274,7 @@ START_TEST(stiffness_keeps_its_margin_from_the_threshold) {
     search s = begin(3);
 
     s.options.deviation = 1;
+    s.options.margin = 0.05;
     s.options.greatest = 20;
     tune_well(&s, true);
     ck_assert_msg(s.tuning.found, "%s", s.tuning.reason);
@@ -290,6 +291,7 @@ START_TEST(stiffness_is_lifted_over_a_tongue) {
 
     set_paper(&s);
     s.options.deviation = 1e-3;
+    s.options.margin = 0.05;
     s.options.least = 1.7;
     s.options.greatest = 2.3;
     tune_well(&s, true);
