@@ -8,6 +8,7 @@ import {
   byName,
   closeAll,
   example,
+  gough,
   open,
   picture,
   pictureDrawn,
@@ -440,6 +441,39 @@ test("a run that ended early says where and why", async () => {
   await pictureDrawn(page);
   await picture(page, "ended-early");
   assert.deepEqual(page.said, []);
+  await page.close();
+});
+
+test("stability and peaks stand as the command finds them", async () => {
+  const found = JSON.parse(gough("stability", example("paper-perturbed"), "--json", "-q"));
+  const page = await open(paper());
+  const shown = async (name, column) => {
+    const cells = byName(page, name).locator(`tbody td:nth-child(${column})`);
+    return (await cells.allTextContents()).map(read);
+  };
+  const sizes = found.multipliers
+    .filter(([, im]) => im >= 0)
+    .map((multiplier) => Math.hypot(...multiplier))
+    .sort((a, b) => b - a);
+  (await shown("multipliers", 2)).forEach((size, index) => {
+    assert.ok(Math.abs(size / sizes[index] - 1) < 1e-5, `${size} for ${sizes[index]}`);
+  });
+  const thresholds = await shown("thresholds", 2);
+  for (const { stiffness } of found.thresholds)
+    assert.ok(
+      thresholds.some((threshold) => Math.abs(threshold / stiffness - 1) < 1e-5),
+      `${stiffness}`,
+    );
+  assert.match(await byName(page, "stability").textContent(), /Some mode grows about the program/);
+  assert.match(
+    await byName(page, "stability").locator("svg").getAttribute("aria-label"),
+    new RegExp(`${sizes.filter((size) => size > 1).length} of 12 outside`),
+  );
+  const { legs } = JSON.parse(gough("simulate", example("paper-perturbed"), "--json", "-q"));
+  const speeds = await shown("legs-run", 4);
+  legs.forEach(({ speed }, leg) => assert.ok(Math.abs(speeds[leg] / speed - 1) < 1e-4));
+  await byName(page, "stability").scrollIntoViewIfNeeded();
+  await picture(page, "stability");
   await page.close();
 });
 

@@ -102,7 +102,7 @@ function legTable(study, summary, caption, testid) {
       leg.swing?.base,
       leg.swing?.top,
     ].map((value) => number(value, 5)),
-    ...(limited ? [number(leg.stroke_used, 3)] : []),
+    ...(limited ? [number(100 * leg.stroke_used, 3)] : []),
   ]);
   return table(caption, headings, rows, { class: "legs", "data-testid": testid });
 }
@@ -204,25 +204,21 @@ function stabilitySection(study) {
   const unitText = unitAfter(gainUnit(study, 0)).trim();
   const time = unitAfter(study.unit("t"));
   const rate = time ? " [1/s]" : "";
-  const grows = stability.multipliers?.length ? stability.growth_per_period : stability.growth_rate;
+  const periodic = stability.multipliers?.length > 0;
+  const about = periodic ? "about the program" : "at rest";
+  const verdict = `${stability.stable ? "No" : "Some"} mode grows ${about} under this feedback.`;
   const facts = factList([
-    [
-      "verdict",
-      element(
-        "strong",
-        { class: stability.stable ? "good" : "bad" },
-        stability.stable
-          ? "No mode grows under this feedback."
-          : "Some mode grows under this feedback.",
-      ),
-    ],
+    ["verdict", element("strong", { class: stability.stable ? "good" : "bad" }, verdict)],
     present(stability.growth_rate) && [
-      "fastest growth at rest",
-      `e^(${number(stability.growth_rate, 5)} t)`,
+      "greatest growth rate at rest",
+      `${number(stability.growth_rate, 5)}${time ? " 1/s" : ""}`,
     ],
-    present(stability.period) && ["period of the program", number(stability.period, 8), time],
-    present(stability.growth_per_period) && ["growth each period", `× ${number(grows, 5)}`],
-    !stability.multipliers?.length && ["Floquet multipliers", "none: the program has no period"],
+    periodic && ["period of the program", amount(stability.period, study.unit("t"), 8)],
+    periodic && ["growth each period", `× ${number(stability.growth_per_period, 5)}`],
+    !periodic && [
+      "Floquet multipliers",
+      `none: ${study.stability_message || "the program has no period"}`,
+    ],
   ]);
   const thresholds = thresholdsOf(stability);
   const multipliers = multipliersBySize(stability);

@@ -139,7 +139,10 @@ function glance(study) {
       `${number(Math.min(...lengths), 4)} … ${number(Math.max(...lengths), 4)}${unitAfter(study.unit("l1"))}`,
     ],
     ["condition, at most", number(simulate.condition, 4)],
-    stability && ["under this feedback", stability.stable ? "no mode grows" : "a mode grows"],
+    stability && [
+      stability.multipliers?.length ? "about the program" : "at rest",
+      stability.stable ? "no mode grows" : "a mode grows",
+    ],
   ];
   return element(
     "section",
