@@ -24,6 +24,9 @@ static const double most_phase = 700;
 /* nobody looks beyond that, in M g/R_b */
 static const double most_stiffness = 1e15;
 
+/* a search over more is a mistake, and its points would stand far apart */
+static const double most_range = 1e15;
+
 /* the threshold at rest over this is where the search begins */
 static const double below_threshold = 4;
 
@@ -151,7 +154,6 @@ static gough_status find_range(tune *t, gough_error *error) {
     const double unit = unit_of(&t->model->machine);
     const gough_tuning *tuning = t->tuning;
     const double longest = most_steps * turn_of_step / (t->simulation.duration * t->frequency);
-    const double decades = (double)GOUGH_TUNING_POINTS / TUNE_DECADE;
 
     t->least = t->options->least;
     t->greatest = t->options->greatest;
@@ -168,12 +170,16 @@ static gough_status find_range(tune *t, gough_error *error) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "stiffness is searched between two numbers, 0 < a < b, not %.9g and %.9g",
                           t->least, t->greatest);
+    if (t->greatest / t->least > most_range)
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "stiffness is searched over no more than 15 decades, not from %.9g to "
+                          "%.9g",
+                          t->least, t->greatest);
     if (t->greatest > longest * longest && longest * longest > t->least) {
         t->greatest = longest * longest;
         t->most_steps = true;
     }
-    t->whole = (size_t)ceil(fmin(log10(t->greatest / t->least), decades) * TUNE_DECADE) + 1;
-    if (t->whole > GOUGH_TUNING_POINTS) t->whole = GOUGH_TUNING_POINTS;
+    t->whole = (size_t)ceil(log10(t->greatest / t->least) * TUNE_DECADE) + 1;
     return GOUGH_OK;
 }
 

@@ -257,7 +257,7 @@ static void say_ends(tune *t, char *reason, size_t size) {
     else
         snprintf(reason, size,
                  "no run reaches its end: with G = %.6g it ends at t = %.6g because %s%s; the "
-                 "study's limits or its initial state must change",
+                 "study's program, limits or initial state must change",
                  last->stiffness, last->end_time, end_words(last->cause), leg);
 }
 

@@ -14,6 +14,9 @@ enum { PLACES = 5, DAMPED_PLACES = 2 };
 /* with this damping ratio a resonance that overcomes it is no narrow one, and no map is needed to meet it */
 static const double well_damped = 0.01;
 
+/* that part of the threshold at home is far below it */
+static const double far_below = 0.5;
+
 /* beyond an interval's edge, relative: the edge itself is known to less */
 static const double past_edge = 1e-6;
 
@@ -121,6 +124,7 @@ static void pass_over(gough_tuning_point *point, size_t points) {
     }
 }
 
+/* Where there is no map, as the program passes a singular pose say, the runs tell what there is to tell. */
 static gough_status growth_by_map(tune *t, double before, gough_tuning_point *point, size_t points,
                                   tune_growth *growth, size_t room, size_t *count,
                                   gough_error *error) {
@@ -128,6 +132,12 @@ static gough_status growth_by_map(tune *t, double before, gough_tuning_point *po
     const gough_status status =
         map_range(t, extra ? before : point[0].stiffness, point[points - 1].stiffness,
                   points + extra, growth, room, count, error);
+
+    if (status == GOUGH_ERROR_NUMERICAL) {
+        t->map_top = 0; /* nor will there be one further up */
+        pass_over(point, points);
+        return GOUGH_OK;
+    }
 
     for (size_t i = 0; i < points && status == GOUGH_OK; i++) {
         const gough_map_point *p = &t->map_point[i + extra];
@@ -143,11 +153,12 @@ gough_status tune_growth_of(tune *t, double before, gough_tuning_point *point, s
     const double from = before > 0 ? before : point[0].stiffness, to = point[points - 1].stiffness;
     const size_t all = points + (before > 0);
     gough_status status = GOUGH_OK;
-    bool grew = false;
+    bool grew = false, ran = false;
     gough_mode mode;
 
     *count = 0;
-    if (!t->period.resting && (!t->loop->control.feedforward || t->quiet)) {
+    for (size_t i = 0; i < points; i++) ran |= point[i].cause == GOUGH_END_DONE;
+    if (!t->period.resting && (!t->loop->control.feedforward || t->quiet || !ran)) {
         pass_over(point, points);
         return status;
     }
@@ -204,8 +215,10 @@ static gough_status clear_by_map(tune *t, double low, double high, const gough_t
     if (status != GOUGH_OK || count == 0) return status;
     if (can_map(t, low, 4 * high, TUNE_ROUND, point->damping))
         status = map_range(t, low, 4 * high, TUNE_ROUND, growth, TUNE_INTERVALS, &count, error);
-    if (status == GOUGH_OK)
-        *clear = pass(point->stiffness, t->options->margin, growth, count, blocked);
+    if (status != GOUGH_OK) return status;
+    *clear = pass(point->stiffness, t->options->margin, growth, count, blocked);
+    /* unstable all over, and still far below the threshold at home */
+    if (*clear >= 4 * high) *clear = fmax(*clear, far_below * t->tuning->threshold);
     return status;
 }
 
