@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# demo.sh: the paper's whole study with build/gough. Prints what the paper claims beside what is found; leaves results (HDF5, CSV)
-# and pictures (PNG, PDF) in out/ and names them. GOUGH and OUT choose another command and another folder.
+# demo.sh: the paper's whole study with build/gough. Prints what the paper claims beside what is found; leaves results (HDF5, CSV),
+# pictures (PNG, PDF) and a page (HTML) in out/ and names them. GOUGH and OUT choose another command and another folder.
 # shellcheck disable=SC2016  # awk programs stand between single quotes
 set -uo pipefail
 export LC_ALL=C
@@ -230,3 +230,10 @@ heading "Results"
 printf '   %s\n' "${made[@]}"
 heading "Pictures"
 printf '   %s\n' "${pictures[@]}"
+
+# ---- the page ----
+heading "The page"
+"$gough" report examples/paper-heave.yaml examples/paper-perturbed.yaml examples/paper-feedback.yaml -q -o "$out/paper.html" 2>"$scratch/said"
+(($? <= 1)) || fail "$(cat "$scratch/said")"
+say "   $out/paper.html"
+say "   Open it in a browser: the paper's three runs side by side, in 3D, with curves, numbers, and a live simulation."

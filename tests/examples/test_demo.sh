@@ -29,10 +29,11 @@ while read -r file; do
     case $file in
     *.png) claim 'as a PNG' same "$(head -c 4 "$file" | tail -c 3)" PNG ;;
     *.pdf) claim 'as a PDF' same "$(head -c 4 "$file")" '%PDF' ;;
+    *.html) claim 'as HTML, of three studies' same "$(grep -o '"title":"[^"]*"' "$file" | sort -u | grep -ciE 'heave|oscillation')" 3 ;;
     *.h5) claim 'as HDF5' same "$(head -c 4 "$file" | tail -c 3)" HDF ;;
     esac
     named=$((named + 1))
-done < <(sed -n '/^Results$/,$p' said.txt | sed -n 's/^   \(.*\)$/\1/p')
+done < <(sed -n '/^Results$/,$p' said.txt | sed -n 's/^   \([^ ]*\)$/\1/p')
 claim 'they are all named' same "$named" "$(find "$work/out" -type f | wc -l)"
 
 finish
