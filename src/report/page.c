@@ -52,8 +52,9 @@ gough_status gough_page_write(const gough_page_template *page, const char *data,
     const size_t head = sizeof element - 1, null = sizeof nothing - 1;
     const char *end = page->text + page->length;
     const char *place = find(page->text, page->length, element, head);
-    const char *rest = place ? place + head + null : NULL;
-    if (!place || rest > end || memcmp(place + head, nothing, null) != 0 ||
+    const bool whole = place && (size_t)(end - place) >= head + null;
+    const char *rest = whole ? place + head + null : end;
+    if (!whole || memcmp(place + head, nothing, null) != 0 ||
         find(rest, (size_t)(end - rest), element, head))
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "the template of the page has no place, or more than one, for the data");
