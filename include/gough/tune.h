@@ -89,7 +89,7 @@ enum { GOUGH_TUNING_EXCEPTIONS = 96, GOUGH_TUNING_POINTS = 320 };
 /** The choice. Numbers of a run are those of the run with the G and D named. */
 typedef struct gough_tuning {
     bool found;       /**< whether some G does it; else `reason` says why none does */
-    char reason[400]; /**< one sentence, or empty */
+    char reason[500]; /**< one sentence, or empty */
     double stiffness; /**< G, of five digits */
     double
         damping; /**< D, of nine digits; where legs differ in the model's damping that of leg 1 */

@@ -243,22 +243,22 @@ static const char *end_words(gough_cause cause) {
     }
 }
 
-static void say_ends(tune *t, char *reason, size_t size) {
+static void say_ends(tune *t, gough_error *why) {
     const gough_tuning *tuning = t->tuning;
     const gough_tuning_point *last = &t->point[tuning->points - 1];
     char leg[24] = "";
 
     if (last->leg) snprintf(leg, sizeof leg, " (leg %d)", last->leg);
     if (last->cause == GOUGH_END_INVALID)
-        snprintf(reason, size,
-                 "home is unstable with every G up to %.6g, and then no damping helps: search "
-                 "further, by --stiffness",
-                 last->stiffness);
+        gough_fail(why, GOUGH_OK,
+                   "home is unstable with every G up to %.6g, and then no damping helps: search "
+                   "further, by --stiffness",
+                   last->stiffness);
     else
-        snprintf(reason, size,
-                 "no run reaches its end: with G = %.6g it ends at t = %.6g because %s%s; the "
-                 "study's program, limits or initial state must change",
-                 last->stiffness, last->end_time, end_words(last->cause), leg);
+        gough_fail(why, GOUGH_OK,
+                   "no run reaches its end: with G = %.6g it ends at t = %.6g because %s%s; the "
+                   "study's program, limits or initial state must change",
+                   last->stiffness, last->end_time, end_words(last->cause), leg);
 }
 
 /* whether the run starts elsewhere than its program */
@@ -269,69 +269,73 @@ static bool starts_off(const gough_initial *initial) {
     return off;
 }
 
-static void say_floor(const tune *t, const gough_tuning_point *best, char *reason, size_t size) {
+static void say_floor(const tune *t, const gough_tuning_point *best, gough_error *why) {
     const bool damped = t->ratio ? t->options->damping_ratio > 0 : t->model->control.damping[0] > 0;
 
     if (!starts_off(&t->model->initial))
-        snprintf(reason, size,
-                 "the deviation stops falling with G: the least is %.3g, at G = %.6g; beyond, what "
-                 "excites the run does not get less",
-                 best->position_deviation, best->stiffness);
+        gough_fail(
+            why, GOUGH_OK,
+            "the deviation stops falling with G: the least is %.3g, at G = %.6g; beyond, what "
+            "excites the run does not get less",
+            best->position_deviation, best->stiffness);
     else if (damped)
-        snprintf(reason, size,
-                 "the deviation does not fall with G, it stays at %.3g or more: the run starts off "
-                 "its program, and its first swing is as large with any G; start nearer, or ask "
-                 "for less accuracy",
-                 best->position_deviation);
+        gough_fail(
+            why, GOUGH_OK,
+            "the deviation does not fall with G, it stays at %.3g or more: the run starts off "
+            "its program, and its first swing is as large with any G; start nearer, or ask "
+            "for less accuracy",
+            best->position_deviation);
     else
-        snprintf(reason, size,
-                 "the deviation does not fall with G, it stays at %.3g or more: the run starts off "
-                 "its program, and without damping that is kept for ever; start nearer, ask for "
-                 "--damping-ratio or for less accuracy",
-                 best->position_deviation);
+        gough_fail(
+            why, GOUGH_OK,
+            "the deviation does not fall with G, it stays at %.3g or more: the run starts off "
+            "its program, and without damping that is kept for ever; start nearer, ask for "
+            "--damping-ratio or for less accuracy",
+            best->position_deviation);
 }
 
-static void say_far(const tune *t, const gough_tuning_point *best, double slope, char *reason,
-                    size_t size) {
+static void say_far(const tune *t, const gough_tuning_point *best, double slope, gough_error *why) {
     const double wanted =
         best->stiffness * pow(t->options->deviation / best->position_deviation, 1 / slope);
 
-    snprintf(reason, size,
-             "up to G = %.6g the least deviation is %.3g; it falls as G^%.2f, so about G = %.2g "
-             "would be needed: %s",
-             t->point[t->tuning->points - 1].stiffness, best->position_deviation, slope, wanted,
-             t->most_steps ? "beyond, a run takes more than a million steps; shorten "
-                             "simulation.duration"
-                           : "search further, by --stiffness");
+    gough_fail(why, GOUGH_OK,
+               "up to G = %.6g the least deviation is %.3g; it falls as G^%.2f, so about G = %.2g "
+               "would be needed: %s",
+               t->point[t->tuning->points - 1].stiffness, best->position_deviation, slope, wanted,
+               t->most_steps ? "beyond, a run takes more than a million steps; shorten "
+                               "simulation.duration"
+                             : "search further, by --stiffness");
 }
 
 void tune_reason(tune *t) {
-    char *reason = t->tuning->reason;
-    const size_t size = sizeof t->tuning->reason;
+    gough_error sentence = {0}, *why = &sentence;
     const gough_tuning_point *best = best_point(t), *where;
     const double offset = tune_initial_offset(t), slope = last_slope(t);
 
     if (offset > t->options->deviation)
-        snprintf(reason, size,
-                 "no feedback can do it: the run starts %.3g off the program, which is more than "
-                 "the deviation asked for; start nearer, or ask for less accuracy",
-                 offset);
+        gough_fail(why, GOUGH_OK,
+                   "no feedback can do it: the run starts %.3g off the program, which is more than "
+                   "the deviation asked for; start nearer, or ask for less accuracy",
+                   offset);
     else if (!best)
-        say_ends(t, reason, size);
+        say_ends(t, why);
     else if (met_somewhere(t, &where))
-        snprintf(reason, size,
-                 "the deviation is met from G = %.6g on, but up to G = %.6g no G keeps a margin of "
-                 "%.3g %% from what makes a mode (%s) grow; ask for less --margin, or for "
-                 "--damping-ratio",
-                 where->stiffness, t->point[t->tuning->points - 1].stiffness,
-                 100 * t->options->margin, where->mode);
+        gough_fail(
+            why, GOUGH_OK,
+            "the deviation is met from G = %.6g on, but up to G = %.6g no G keeps a margin of "
+            "%.3g %% from what makes a mode (%s) grow; ask for less --margin, or for "
+            "--damping-ratio",
+            where->stiffness, t->point[t->tuning->points - 1].stiffness, 100 * t->options->margin,
+            where->mode[0] ? where->mode : "one of them");
     else if (best->position_deviation <= t->options->deviation)
-        snprintf(reason, size,
-                 "the angle asked for is not met: with G = %.6g, where the position is, it is %.3g "
-                 "degrees",
-                 best->stiffness, best->angle_deviation * 57.29577951308232);
+        gough_fail(
+            why, GOUGH_OK,
+            "the angle asked for is not met: with G = %.6g, where the position is, it is %.3g "
+            "degrees",
+            best->stiffness, best->angle_deviation * 57.29577951308232);
     else if (!(slope < flat))
-        say_floor(t, best, reason, size);
+        say_floor(t, best, why);
     else
-        say_far(t, best, slope, reason, size);
+        say_far(t, best, slope, why);
+    memcpy(t->tuning->reason, sentence.message, sizeof t->tuning->reason);
 }

@@ -115,7 +115,6 @@ static gough_status map_range(tune *t, double from, double to, size_t count, tun
     return GOUGH_OK;
 }
 
-/* After a round, a decade, in which nothing grew nothing is looked for any more along the curve: resonances only get narrower. */
 /* Points that nobody looked at count as stable where the run reaches its end; one that grows shows in its deviation. */
 static void pass_over(gough_tuning_point *point, size_t points) {
     for (size_t i = 0; i < points; i++) {
@@ -148,6 +147,7 @@ static gough_status growth_by_map(tune *t, double before, gough_tuning_point *po
     return status;
 }
 
+/* After a round, a decade, in which nothing grew nothing is looked for any more along the curve: resonances only get narrower. */
 gough_status tune_growth_of(tune *t, double before, gough_tuning_point *point, size_t points,
                             tune_growth *growth, size_t room, size_t *count, gough_error *error) {
     const double from = before > 0 ? before : point[0].stiffness, to = point[points - 1].stiffness;

@@ -74,6 +74,7 @@ static const char *end_words(gough_cause cause) {
 }
 
 static void print_binding(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+    const char *mode = *tuning->mode.name ? tuning->mode.name : "a mode";
     fprintf(stream, "  binds       ");
     switch (tuning->binding) {
     case GOUGH_TUNING_POSITION:
@@ -88,10 +89,10 @@ static void print_binding(FILE *stream, const gough_tuning *tuning, const unit_w
         fprintf(stream, "with less the run ends early: %s", end_words(tuning->cause));
         break;
     case GOUGH_TUNING_THRESHOLD:
-        fprintf(stream, "stability: with less, %s grows at rest", tuning->mode.name);
+        fprintf(stream, "stability: with less, %s grows at rest", mode);
         break;
     case GOUGH_TUNING_TONGUE:
-        fprintf(stream, "stability: just below, the motion pumps %s", tuning->mode.name);
+        fprintf(stream, "stability: just below, the motion pumps %s", mode);
         break;
     case GOUGH_TUNING_SEARCH:
         fprintf(stream, "nothing: it is the least G of the search");

@@ -1,4 +1,5 @@
 /* The choice of the feedback against closed forms, free runs and runs of its own naming. */
+#include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -319,7 +320,9 @@ START_TEST(no_stiffness_undoes_an_initial_offset) {
     s.model->initial.given[GOUGH_HEAVE] = true;
     s.options.deviation = 1e-3;
     s.options.greatest = 50;
+    setlocale(LC_ALL, "de_DE.UTF-8"); /* where it is installed: a point all the same */
     finds_none(&s, true, "starts 0.002 off the program");
+    setlocale(LC_ALL, "C");
     end(&s);
 }
 END_TEST
