@@ -86,5 +86,5 @@ endforeach()
 target_link_libraries(gough_shared PRIVATE $<BUILD_INTERFACE:gough_flags> ${GOUGH_MATH})
 target_link_libraries(gough_analyse_shared PUBLIC gough_shared
     PRIVATE $<BUILD_INTERFACE:gough_flags> $<BUILD_INTERFACE:PkgConfig::LAPACKE> ${GOUGH_MATH})
-target_link_libraries(gough_files_shared PUBLIC gough_shared
+target_link_libraries(gough_files_shared PUBLIC gough_analyse_shared
     PRIVATE $<BUILD_INTERFACE:gough_flags> $<BUILD_INTERFACE:PkgConfig::LIBFYAML> $<BUILD_INTERFACE:PkgConfig::HDF5> ${GOUGH_MATH})
