@@ -125,9 +125,9 @@ gough_status map_row_accuracy(map_worker *w, double finer, double *change, gough
         for (int e = 0; e < MATRIX; e++) {
             apart = fmax(apart, fabs(phi[1][0][e] - phi[0][0][e]));
             most = fmax(most, fabs(phi[1][0][e]));
-            if (isnan(phi[1][0][e])) apart = INFINITY;
+            if (!isfinite(phi[1][0][e])) apart = INFINITY;
         }
-        *change = fmax(*change, apart / most);
+        *change = fmax(*change, isfinite(apart) ? apart / most : INFINITY);
     }
     return GOUGH_OK;
 }

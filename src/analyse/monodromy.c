@@ -258,14 +258,14 @@ static gough_status stuck(const passage *p, gough_error *error) {
     if (p->wrong != NULL)
         return gough_fail(error, GOUGH_ERROR_INPUT, "%s is not finite near t = %.9g", p->wrong,
                           p->t);
-    if (p->m->steps >= MOST_STEPS)
-        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "one period needs more than %d steps: the legs are so stiff that the "
-                          "platform swings very often in it; a larger tolerance or less stiffness "
-                          "would do",
-                          MOST_STEPS);
     if (!(condition_now(p, NULL) <= hindering_condition))
         return say_singular(p, condition_now(p, NULL), error);
+    if (p->m->steps >= MOST_STEPS)
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "one period needs more than %d steps: it is so long, or the legs are so "
+                          "stiff, that the platform swings very often in it; a shorter period or "
+                          "less stiffness would do",
+                          MOST_STEPS);
     return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                       "at t = %.9g no step meets the tolerance: the motion is not smooth there, or "
                       "a leg has no length; a larger tolerance may do",

@@ -21,7 +21,7 @@ static const double most_parts = 400, most_steps = 10000;
 /* of a step: the phase of the fastest mode, and what it decays by, the method being stable up to 5; then the least number of
  * steps in a period, for the program's own harmonics */
 static const double step_phase = 0.5, step_decay = 2;
-enum { LEAST_STEPS = 32, LOOKS = 16, WORK = 12 * GOUGH_LINEAR };
+enum { LEAST_STEPS = 32, LOOKS = 16, SIDES = 256, WORK = 12 * GOUGH_LINEAR };
 
 static gough_control control_of(const linear_loop *loop, double stiffness, int damped) {
     gough_control control = *loop->control;
@@ -49,6 +49,28 @@ static void rates_of(linear_matrix A, double *size, double *growth) {
     }
 }
 
+/* Through a singular pose the steps would be made finer without end. The sign of det J tells the side of it, between the looks
+ * at the condition too. */
+static gough_status check_side(const linear_loop *loop, const gough_period *period,
+                               gough_error *error) {
+    double first = 0, side;
+    gough_acceleration none;
+    gough_state state;
+
+    for (int i = 0; i < SIDES; i++) {
+        const double t = period->start + period->period * i / SIDES;
+        gough_program(loop->machine, loop->motion, t, &state, &none);
+        gough_conditioning(loop->machine, &state, NULL, &side);
+        if (i == 0) first = side;
+        if (side * first > 0) continue;
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "by t = %.9g the program has come to a singular pose or passed it: "
+                          "choose a motion that keeps away from it",
+                          t);
+    }
+    return GOUGH_OK;
+}
+
 gough_status transition_divide(const linear_loop *loop, const gough_period *period, double top,
                                division *d, gough_error *error) {
     enum { LOOSE, STIFF, DAMPED, KINDS };
@@ -68,6 +90,7 @@ gough_status transition_divide(const linear_loop *loop, const gough_period *peri
             rates_of(A, &size[k], &growth[k]);
         }
     }
+    if (check_side(loop, period, error) != GOUGH_OK) return GOUGH_ERROR_NUMERICAL;
     parts = fmax(1, ceil(T * fmax(growth[LOOSE] / part_growth, size[STIFF] / part_phase)));
     steps = ceil(T * fmax(size[STIFF] / step_phase, size[DAMPED] / step_decay) / parts);
     if (!(parts <= most_parts && parts * steps <= most_steps)) {

@@ -40,6 +40,7 @@ static bool refuse_component(const char *name, size_t length, gough_error *error
 }
 
 bool read_pose(const char *text, double pose[GOUGH_COMPONENTS], gough_error *error) {
+    bool given[GOUGH_COMPONENTS] = {false};
     for (const char *at = text;; at++) {
         const char *end = at + strcspn(at, ","), *equal = memchr(at, '=', (size_t)(end - at));
         double value;
@@ -57,6 +58,12 @@ bool read_pose(const char *text, double pose[GOUGH_COMPONENTS], gough_error *err
                        gough_component_name(c), (int)(end - equal - 1), equal + 1);
             return false;
         }
+        if (given[c]) {
+            gough_fail(error, GOUGH_ERROR_INPUT, "--pose: %s is given twice; give it once",
+                       gough_component_name(c));
+            return false;
+        }
+        given[c] = true;
         pose[c] = value;
         at = end;
         if (!*at) return true;

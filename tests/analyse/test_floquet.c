@@ -456,6 +456,9 @@ START_TEST(says_what_is_wrong) {
     set_formula(&model->motion.formula[GOUGH_HEAVE], "0");
     set_formula(&model->motion.formula[GOUGH_YAW], "2*sin(t)");
     refuses(model, NULL, 0, GOUGH_ERROR_NUMERICAL, "singular pose");
+    /* just up to it: steps get short without end */
+    set_formula(&model->motion.formula[GOUGH_YAW], "1.5707963267948966*sin(t)");
+    refuses(model, NULL, 0, GOUGH_ERROR_NUMERICAL, "singular pose");
     free(model);
 }
 END_TEST

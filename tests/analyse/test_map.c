@@ -205,6 +205,15 @@ START_TEST(rows_without_values_say_why) {
     ck_assert(isnan(a.map.point[3].rate) && !a.map.point[3].stable);
     map_drop(&a);
 
+    /* through it and back between the looks at the condition */
+    set_formula(&model->motion.formula[GOUGH_HEAVE], "1.01*sin(t + 0.2)");
+    o = map_over(0, 2, 3);
+    map_find(&a, model, &o);
+    ck_assert(a.status == GOUGH_OK && a.map.row[0].error.status == GOUGH_ERROR_NUMERICAL);
+    ck_assert_msg(strstr(a.map.row[0].error.message, "singular") != NULL, "%s",
+                  a.map.row[0].error.message);
+    map_drop(&a);
+
     set_formula(&model->motion.formula[GOUGH_YAW], "0.1*t");
     o = map_over(0, 2, 3);
     map_find(&a, model, &o);

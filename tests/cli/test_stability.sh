@@ -119,6 +119,7 @@ expect_code 1 "no rest without any force"
 refused "is 'heave' meant?" stability heave.yaml --pose heav=0.1
 refused "lengths and degrees" stability heave.yaml --pose heave
 refused "takes a number" stability heave.yaml --pose heave=0.1x
+refused "given twice" stability heave.yaml --pose heave=0.1,heave=0.2
 refused "give both" stability heave.yaml --at 1
 refused "give one of them" stability heave.yaml --matrix --at 1 --pose yaw=1
 refused "from:to:count" stability heave.yaml --sweep-stiffness 0:2
