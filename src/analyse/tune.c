@@ -462,6 +462,10 @@ gough_status gough_tune(const gough_model *model, const gough_simulation *simula
 
     tuning->found = h.found;
     tune_curve(t);
+    if (h.found && tuning->periodic && !tune_follows(t, tuning->stiffness)) {
+        tuning->periodic = false;
+        strcpy(tuning->unchecked, "in one period of the program the platform swings too often");
+    }
     if (h.found) return tune_detail(t, error);
     tune_reason(t);
     return GOUGH_OK;

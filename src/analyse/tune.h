@@ -81,6 +81,9 @@ gough_status tune_growth_of(tune *t, double before, gough_tuning_point *point, s
 gough_status tune_clear(tune *t, const gough_tuning_point *point, double *clear,
                         tune_growth *blocked, gough_error *error);
 
+/* whether the platform can be followed through a period of the program, with its swings in it */
+bool tune_follows(const tune *t, double stiffness);
+
 /* Looks anew at points off the trend, where growth was not looked at: whether some turn out to be unstable. */
 bool tune_look_again(tune *t);
 

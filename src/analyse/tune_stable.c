@@ -14,6 +14,10 @@ enum { PLACES = 5, DAMPED_PLACES = 2 };
 /* with this damping ratio a resonance that overcomes it is no narrow one, and no map is needed to meet it */
 static const double well_damped = 0.01;
 
+/* Where the fastest mode turns by more than this in a period, in radians, one look takes seconds, and further up none succeeds:
+ * then rest is looked at. */
+static const double most_followed = 4000;
+
 /* that part of the threshold at home is far below it */
 static const double far_below = 0.5;
 
@@ -25,6 +29,10 @@ static void set_gains(tune *t, double stiffness, double damping) {
         t->steady->control.stiffness[v] = stiffness;
         t->steady->control.damping[v] = t->ratio ? damping : t->model->control.damping[v];
     }
+}
+
+bool tune_follows(const tune *t, double stiffness) {
+    return t->period.period * t->frequency * sqrt(stiffness) <= most_followed;
 }
 
 /* ---- at one G ----------------------------------------------------------------------------------------------------- */
@@ -60,7 +68,7 @@ static void look_at(tune *t, gough_tuning_point *point, gough_mode *mode) {
         point->stable = false;
     } else {
         set_gains(t, point->stiffness, point->damping);
-        if (t->period.resting)
+        if (t->period.resting || !tune_follows(t, point->stiffness))
             look_at_rest(t, point, mode);
         else
             look_along(t, point, mode);

@@ -287,6 +287,22 @@ START_TEST(stiffness_keeps_its_margin_from_the_threshold) {
 }
 END_TEST
 
+/* some thirty thousand swings in a period: its multipliers would take longer than anyone waits */
+START_TEST(a_period_too_long_to_follow_is_said) {
+    search s = begin(5);
+
+    set_formula(&s.model->motion.formula[GOUGH_HEAVE], "0.1*sin(t/10000)");
+    s.options.deviation = 0.01;
+    tune_well(&s, true);
+    ck_assert_msg(s.tuning.found, "%s", s.tuning.reason);
+    ck_assert(!s.tuning.periodic);
+    ck_assert_str_eq(s.tuning.unchecked,
+                     "in one period of the program the platform swings too often");
+    ck_assert(s.tuning.stiffness >= s.tuning.threshold && s.tuning.stiffness < 1e3);
+    end(&s);
+}
+END_TEST
+
 START_TEST(stiffness_is_lifted_over_a_tongue) {
     search s = begin(10);
 
@@ -400,7 +416,8 @@ int main(void) {
         a_free_run_decays_by_the_ratio, stiffness_without_feedforward_is_that_of_the_sag,
         stiffness_against_a_slow_disturbance_is_the_quasistatic_one,
         deviation_without_feedforward_falls_as_the_inverse_of_the_stiffness,
-        stiffness_keeps_its_margin_from_the_threshold, stiffness_is_lifted_over_a_tongue,
-        no_stiffness_undoes_an_initial_offset, a_limit_of_the_legs_may_forbid_every_stiffness,
-        too_narrow_a_search_says_where_to_go, refuses_what_cannot_be);
+        stiffness_keeps_its_margin_from_the_threshold, a_period_too_long_to_follow_is_said,
+        stiffness_is_lifted_over_a_tongue, no_stiffness_undoes_an_initial_offset,
+        a_limit_of_the_legs_may_forbid_every_stiffness, too_narrow_a_search_says_where_to_go,
+        refuses_what_cannot_be);
 }
