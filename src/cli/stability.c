@@ -180,7 +180,8 @@ gough_status stability_find(stability_report *report, gough_error *error) {
     report->arm = report->study->model->machine.base_radius;
     report->damped = is_damped(&report->study->model->control);
     gough_status status = report->posed ? GOUGH_OK : find_about_program(report, error);
-    if (status == GOUGH_ERROR_INPUT) {
+    const bool fed = report->study->model->control.feedforward;
+    if (status == GOUGH_ERROR_INPUT || (status == GOUGH_ERROR_NUMERICAL && fed)) {
         gough_error cause = *error;
         gough_fail(error, status, "%s. Or ask about rest alone, by --pose surge=0", cause.message);
     }

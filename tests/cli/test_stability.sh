@@ -112,6 +112,7 @@ expect_code 1 "a singular pose"
 grep -q singular err || fail "a singular pose: $(cat err)"
 run stability heave.yaml --set motion.heave='0.2*sin(t)' --set motion.yaw='100*sin(t)'
 expect_code 1 "a program through a singular pose"
+grep -q 'by --pose surge=0' err || fail "rest alone may be asked for: $(cat err)"
 run stability heave.yaml --set control.feedforward=none
 expect_code 1 "no rest without any force"
 
