@@ -19,7 +19,7 @@ static gough_status check_condition(const gough_machine *machine, double t,
         error, GOUGH_ERROR_NUMERICAL,
         "at t = %.9g the program is in a singular pose or nearly so (condition %.3g): "
         "no leg forces hold it there; choose a motion that keeps away from it",
-        t, condition);
+        t, fabs(condition));
 }
 
 static gough_status check_legs(const gough_machine *machine, double t, const gough_state *state,
