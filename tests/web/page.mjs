@@ -128,6 +128,7 @@ test("scrubbing moves all cursors, and the numbers shown are those of the table"
 
 test("pointing into a curve moves the scene to that moment", async () => {
   const page = await open(paper());
+  await byName(page, "curve-forces").scrollIntoViewIfNeeded(); // it is drawn when it comes near
   const plot = byName(page, "curve-forces").locator(".u-over");
   await plot.scrollIntoViewIfNeeded();
   const box = await plot.boundingBox();
@@ -329,6 +330,20 @@ test("a narrow window lays out without overflow", async () => {
     await picture(page, `narrow-${width}-${files.length}`);
     await page.close();
   }
+});
+
+test("figures that are drawn late have their room from the beginning", async () => {
+  const page = await open(paper(), { width: 1400, height: 900 });
+  const height = () => page.evaluate(() => document.documentElement.scrollHeight);
+  const before = await height();
+  assert.ok(before > 3000, "there is something below the window");
+  for (let y = 0; y < before; y += 600) {
+    await page.evaluate((y) => scrollTo(0, y), y);
+    await page.waitForTimeout(50);
+  }
+  // lines of numbers in a key may still wrap
+  assert.ok(Math.abs((await height()) - before) < 60, `${before} becomes ${await height()}`);
+  await page.close();
 });
 
 test("light and dark follow the system and the button", async () => {
