@@ -6,7 +6,7 @@ import test from "node:test";
 import { csv } from "../../web/src/csv.js";
 import { decode, Table } from "../../web/src/data.js";
 import { legWork, loadEnergy } from "../../web/src/energy.js";
-import { amount, fixed, number, ticks, unit } from "../../web/src/format.js";
+import { amount, fixed, number, ticks, unit, shower } from "../../web/src/format.js";
 import { equalEllipsoid, symmetricEigen } from "../../web/src/inertia.js";
 import { legsOf, poseOf } from "../../web/src/pose.js";
 import { holdsFrom, thresholdsOf } from "../../web/src/stability.js";
@@ -276,4 +276,12 @@ test("thresholds are told once for each value, and a mode holds from its greates
     { mode: "sway–tilt", stiffness: 0.894 },
   ]);
   assert.deepEqual(holdsFrom(null), []);
+});
+
+test("changing numbers fit their place for machines of any size", () => {
+  assert.equal(shower(0.2657)(0.2034426), "0.20344");
+  assert.equal(shower(80)(-15.75612), "\u221215.756");
+  assert.equal(shower(1.9e12)(1878355390555), "1.8784·10¹²");
+  assert.equal(shower(1e-12)(3.14159e-13), "3.1416·10⁻¹³");
+  assert.equal(shower(1, 6)(1.0249149), "1.02491");
 });

@@ -37,6 +37,14 @@ export function fixed(value, decimals) {
   return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", MINUS);
 }
 
+/** How numbers of a quantity of this size are shown while they change: fixed decimals, about `digits` of them telling; powers of
+ *  ten where the size is far from 1. */
+export function shower(size, digits = 5) {
+  if (!(size >= 1e-3 && size < 1e6)) return (value) => number(value, digits);
+  const decimals = Math.max(0, Math.min(9, digits - 1 - Math.floor(Math.log10(size))));
+  return (value) => fixed(value, decimals);
+}
+
 /** A unit of the tables as it is printed: "m/s2" gives "m/s²", "degree" gives "°"; "" for the bare number. */
 export function unit(text) {
   if (!text || text === "1") return "";

@@ -5,7 +5,9 @@ import { byId, element } from "./dom.js";
 function listen(actions) {
   addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+    if (document.querySelector("dialog[open]")) return;
     const { target } = event;
+    if (/^(Arrow|Home|End)/.test(event.key) && target.closest?.(".scroll, pre")) return;
     const tag = target.tagName;
     if (
       tag === "TEXTAREA" ||

@@ -1,20 +1,16 @@
 // The panel beside the scene for recorded runs: pose and leg forces of the moment; for several studies a line each.
 import { forceCss, LEGS, studyColor } from "./color.js";
 import { element } from "./dom.js";
-import { causeWords, fixed, number, unit, unitAfter } from "./format.js";
+import { causeWords, fixed, number, shower, unit, unitAfter } from "./format.js";
 
 const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
-
-/** Decimals that show about five digits of a quantity of this size. */
-const decimalsFor = (size) =>
-  Math.max(0, Math.min(9, 4 - Math.floor(Math.log10(Math.max(size, 1e-6)))));
 
 /** Bars of the six leg forces about zero, with the limit and the program's force marked. */
 export class ForceBars {
   constructor(unitText, peak, limit) {
     this.peak = Math.max(peak, limit && limit < 4 * peak ? limit : 0) || 1;
     this.colorPeak = peak || 1;
-    this.decimals = decimalsFor(peak);
+    this.say = shower(peak);
     this.rows = LEGS.map((color, index) => {
       const bar = element("i", { class: "bar" });
       const plan = element("i", { class: "plan" });
@@ -60,14 +56,16 @@ export class ForceBars {
       needle.style.display = Number.isFinite(wanted) ? "" : "none";
       if (Number.isFinite(wanted))
         needle.style.left = `${50 + 50 * Math.max(-1, Math.min(1, wanted / this.peak))}%`;
-      value.textContent = fixed(force, this.decimals);
+      value.textContent = this.say(force);
     });
   }
 }
 
 /** The pose and how far it is from the program. */
 export class PoseTable {
-  constructor(lengthUnit, angleUnit) {
+  constructor(lengthUnit, angleUnit, size) {
+    const say = [shower(size, 6), (angle) => fixed(angle, 4)];
+    this.say = (value, index) => say[index < 3 ? 0 : 1](value);
     this.cells = POSE.map((name) => ({
       name,
       actual: element("td", { "data-testid": `pose-${name}` }),
@@ -112,7 +110,7 @@ export class PoseTable {
 
   show(values, deviations) {
     this.cells.forEach(({ actual, off }, index) => {
-      actual.textContent = fixed(values[index], index < 3 ? 5 : 4);
+      actual.textContent = this.say(values[index], index);
       off.textContent = number(deviations[index], 3);
     });
   }
@@ -162,7 +160,7 @@ function glance(study) {
 export class StudyPanel {
   constructor(study) {
     this.study = study;
-    this.pose = new PoseTable(study.unit("x"), study.unit("roll"));
+    this.pose = new PoseTable(study.unit("x"), study.unit("roll"), study.machine.base_radius);
     this.bars = new ForceBars(study.unit("f1"), study.peakForce, study.machine.limits?.force);
     this.node = element("div", {}, this.bars.node, this.pose.node, glance(study));
   }

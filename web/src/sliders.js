@@ -88,7 +88,7 @@ export class Slider {
     this.range.value = String(Math.round(STEPS * Math.min(Math.max(this.shareOf(value), 0), 1)));
     this.range.style.setProperty("--done", `${Number(this.range.value) / 10}%`);
     this.range.setAttribute("aria-valuetext", number(value, 4));
-    this.box.value = number(value, 4).replace("−", "-");
+    this.box.value = String(Number(value.toPrecision(4)));
   }
 
   take(value) {
