@@ -2,6 +2,7 @@
 #include "analyse/linear.h"
 
 #include <math.h>
+#include <string.h>
 
 /* as in a run: beyond it a pose is called nearly singular */
 static const double greatest_condition = 1e8;
@@ -46,6 +47,22 @@ static gough_status check_matrix(double t, linear_matrix matrix, gough_error *er
         }
     }
     return GOUGH_OK;
+}
+
+void linear_inertia(const gough_machine *machine, const gough_state *state, double inertia[3][3]) {
+    memset(inertia, 0, sizeof(double[3][3]));
+    for (int a = 0; a < 3; a++) {
+        const double moment =
+            machine->second_moments[(a + 1) % 3] + machine->second_moments[(a + 2) % 3];
+        double e[3] = {0, 0, 0};
+        for (int r = 0; r < 3; r++) {
+            for (int c = 0; c < 3; c++)
+                e[r] += state->rotation[r][c] * machine->principal_axes[c][a];
+        }
+        for (int r = 0; r < 3; r++) {
+            for (int c = 0; c < 3; c++) inertia[r][c] += moment * e[r] * e[c];
+        }
+    }
 }
 
 gough_status linear_check(const linear_loop *loop, double t, const gough_state *state,

@@ -36,6 +36,9 @@ struct linear_complex {
 
 extern const struct linear_complex linear_complex;
 
+/* J = Σ_a (I_b + I_c) e_a e_aᵀ in base axes, with e = R P and the second moments that the equations of motion use */
+void linear_inertia(const gough_machine *machine, const gough_state *state, double inertia[3][3]);
+
 /* The sentence for a matrix that could not be found: `wrong` as returned above, a singular pose, a number not finite. */
 gough_status linear_check(const linear_loop *loop, double t, const gough_state *state,
                           linear_matrix matrix, const char *wrong, gough_error *error);

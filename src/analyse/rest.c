@@ -37,22 +37,16 @@ typedef struct {
     double mass[FREEDOMS][FREEDOMS]; /* M, and the inertia about the centre of mass in base axes */
 } at_rest;
 
-/* J = Σ_a (I_b + I_c) e_a e_aᵀ, with e = R P and the second moments that the equations of motion use */
+/* the mass matrix on (δv, δω): M and J */
 static void mass_matrix(const gough_machine *machine, const gough_state *state,
                         double mass[FREEDOMS][FREEDOMS]) {
+    double inertia[3][3];
+
+    linear_inertia(machine, state, inertia);
     memset(mass, 0, sizeof(double[FREEDOMS][FREEDOMS]));
-    for (int a = 0; a < 3; a++) {
-        const double moment =
-            machine->second_moments[(a + 1) % 3] + machine->second_moments[(a + 2) % 3];
-        double e[3] = {0, 0, 0};
-        for (int r = 0; r < 3; r++) {
-            for (int c = 0; c < 3; c++)
-                e[r] += state->rotation[r][c] * machine->principal_axes[c][a];
-        }
-        for (int r = 0; r < 3; r++) {
-            for (int c = 0; c < 3; c++) mass[3 + r][3 + c] += moment * e[r] * e[c];
-        }
-        mass[a][a] = machine->load.mass;
+    for (int r = 0; r < 3; r++) {
+        mass[r][r] = machine->load.mass;
+        for (int c = 0; c < 3; c++) mass[3 + r][3 + c] = inertia[r][c];
     }
 }
 

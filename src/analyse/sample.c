@@ -35,19 +35,7 @@ typedef struct {
 
 void symplectic_at(const gough_machine *machine, const gough_state *state, symplectic *form) {
     form->mass = machine->load.mass;
-    memset(form->inertia, 0, sizeof form->inertia);
-    for (int a = 0; a < 3; a++) {
-        const double moment =
-            machine->second_moments[(a + 1) % 3] + machine->second_moments[(a + 2) % 3];
-        double e[3] = {0, 0, 0};
-        for (int r = 0; r < 3; r++) {
-            for (int c = 0; c < 3; c++)
-                e[r] += state->rotation[r][c] * machine->principal_axes[c][a];
-        }
-        for (int r = 0; r < 3; r++) {
-            for (int c = 0; c < 3; c++) form->inertia[r][c] += moment * e[r] * e[c];
-        }
-    }
+    linear_inertia(machine, state, form->inertia);
     for (int r = 0; r < 3; r++) {
         form->velocity[r] = state->angular_velocity[r];
         form->momentum[r] = 0;
