@@ -33,7 +33,9 @@ typedef struct gough_outcome {
     double angle_deviation;     /**< largest angle from the program */
     double force;               /**< largest |leg force| */
     double speed;               /**< largest |leg rate| */
-    double power;               /**< largest power of a leg, positive */
+    double power;               /**< largest power that a leg delivers; 0 if none delivers any */
+    double power_least;         /**< least power of any leg; below 0 a leg brakes */
+    double power_greatest;      /**< greatest power of any leg */
     double energy;              /**< net work of all legs */
     double drift;               /**< largest violation of (1.2) before projection */
     double rows;                /**< output times met */
@@ -48,7 +50,6 @@ typedef struct gough_batch_options {
     void *context; /**< handed to progress */
 } gough_batch_options;
 
-/** The widest lanes, all processors, no progress. */
 /** Widest lanes, all processors, no progress. */
 GOUGH_API gough_batch_options gough_batch_options_default(void);
 

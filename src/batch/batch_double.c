@@ -43,6 +43,12 @@ static void listen_begin(listener *l, const batch_job *job, size_t which) {
     gough_summary_begin(&l->summary);
 }
 
+void batch_put_power(gough_outcome *outcome, double least, double greatest) {
+    outcome->power_least = least;
+    outcome->power_greatest = greatest;
+    outcome->power = greatest > 0 ? greatest : 0;
+}
+
 static void listen_end(listener *l, const gough_end *end) {
     gough_outcome *out = l->outcome;
 
@@ -54,13 +60,16 @@ static void listen_end(listener *l, const gough_end *end) {
     out->position_deviation = l->summary.position_deviation;
     out->angle_deviation = l->summary.angle_deviation;
     out->drift = l->summary.drift;
+    double least = HUGE_VAL, greatest = -HUGE_VAL;
     for (int v = 0; v < LEGS; v++) {
         const gough_leg_summary *leg = &l->summary.leg[v];
         out->force = fmax(out->force, fmax(fabs(leg->force_min), fabs(leg->force_max)));
         out->speed = fmax(out->speed, leg->speed);
-        out->power = fmax(out->power, leg->power_max);
+        least = fmin(least, leg->power_min);
+        greatest = fmax(greatest, leg->power_max);
         out->energy += leg->energy;
     }
+    batch_put_power(out, least, greatest);
 }
 
 void batch_alone(const batch_job *job, size_t which) {

@@ -35,7 +35,8 @@ typedef struct {
     number drift;
     /* since the beginning, at rows */
     number last[STATE];
-    number distance2, force, speed, power, worst_drift;
+    number distance2, force, speed, worst_drift;
+    number power, braking; /* greatest of p and of −p, of any leg */
     number window[QUADRATURE_ROWS], energy;
     double angle[NUMBER_WIDTH];
 } group;
@@ -163,6 +164,7 @@ static inline void group_row(group *g, const stage *s, const instant *m) {
         g->speed =
             group_heard(g, number_larger(g->speed, number_magnitude(m->g.rate[v])), g->speed);
         g->power = group_heard(g, number_larger(g->power, p), g->power);
+        g->braking = group_heard(g, number_larger(g->braking, -p), g->braking);
     }
     g->worst_drift = group_heard(g, number_larger(g->worst_drift, g->drift), g->worst_drift);
     g->drift = number_of(0);
@@ -214,7 +216,7 @@ static inline void group_write(const group *g, const batch_job *job, int lane) {
     out->angle_deviation = g->angle[lane];
     out->force = number_lane(g->force, lane);
     out->speed = number_lane(g->speed, lane);
-    out->power = number_lane(g->power, lane);
+    batch_put_power(out, -number_lane(g->braking, lane), number_lane(g->power, lane));
     out->drift = number_lane(g->worst_drift, lane);
     out->rows = g->rows;
     out->energy = group_work(g, lane, g->rows);
@@ -241,7 +243,8 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
     g->rows = 0;
     g->watchful = 1;
     g->going_mask = g->determinant = g->drift = g->energy = number_of(0);
-    g->distance2 = g->force = g->speed = g->power = g->worst_drift = number_of(0);
+    g->distance2 = g->force = g->speed = g->worst_drift = number_of(0);
+    g->power = g->braking = number_of(-HUGE_VAL);
     for (int i = 0; i < QUADRATURE_ROWS; i++) g->window[i] = number_of(0);
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         double state[STATE], side[2];

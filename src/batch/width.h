@@ -47,6 +47,9 @@ int batch_locate(const batch_job *job, size_t run, const batch_step *step);
 /* pose and velocities of the last row, from its state */
 void batch_last_row(const batch_job *job, size_t run, const double state[24]);
 
+/* the least and the greatest power of a leg into an outcome */
+void batch_put_power(gough_outcome *outcome, double least, double greatest);
+
 /* one run by the driver of gough_simulate(), for adaptive steps and quadruple precision */
 void batch_alone(const batch_job *job, size_t run);
 

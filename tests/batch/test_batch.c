@@ -227,7 +227,7 @@ START_TEST(outcomes_are_summaries) {
     for (int i = 0; i < RUNS; i += 6) {
         summing sum = {.machine = f->run[i].machine};
         gough_model *model = malloc(sizeof *model);
-        double force = 0, speed = 0, power = 0, energy = 0;
+        double force = 0, speed = 0, power = 0, braking = 0, energy = 0;
         gough_end end;
         *model = f->model;
         model->control = f->control[i];
@@ -240,6 +240,7 @@ START_TEST(outcomes_are_summaries) {
             force = fmax(force, fmax(fabs(leg->force_min), fabs(leg->force_max)));
             speed = fmax(speed, leg->speed);
             power = fmax(power, leg->power_max);
+            braking = fmin(braking, leg->power_min);
             energy += leg->energy;
         }
         const gough_outcome *out = &f->outcome[i];
@@ -248,6 +249,9 @@ START_TEST(outcomes_are_summaries) {
         ck_assert(fabs(out->force - force) <= 1e-15);
         ck_assert(fabs(out->speed - speed) <= 1e-15);
         ck_assert(fabs(out->power - power) <= 1e-15);
+        ck_assert(power > 0.01 && braking < -0.01);
+        ck_assert(fabs(out->power_greatest - power) <= 1e-15);
+        ck_assert(fabs(out->power_least - braking) <= 1e-15);
         ck_assert(fabs(out->energy - energy) <= 1e-13);
         ck_assert(fabs(out->drift - sum.summary.drift) <= 0);
         ck_assert(fabs(out->rows - 31) <= 0);
