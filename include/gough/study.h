@@ -20,7 +20,9 @@ typedef struct gough_study {
     gough_model *model;          /**< validated */
     gough_simulation simulation; /**< how to run it */
     bool swept;                  /**< it has a section `sweep`, see sweep.h */
-    void *memory_;               /**< private: samples, moves */
+    bool
+        noise_run_given; /**< it has disturbance.noise.run, be it 0: one noise for all runs of a sweep */
+    void *memory_;       /**< private: samples, moves */
 } gough_study;
 
 /** One override, as from `--set control.stiffness=50`. */

@@ -87,7 +87,7 @@ GOUGH_API gough_sweep_maker *gough_sweep_maker_new(const gough_sweep *sweep);
 GOUGH_API gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run,
                                         const gough_study **study, gough_error *error);
 
-/** The number that the noise of a run goes by: disturbance.noise.run of its study if that is not 0, else @p run. */
+/** Number that selects the noise of a run: disturbance.noise.run if its study gives it (0 counts), else @p run. */
 GOUGH_API uint64_t gough_sweep_noise_run(const gough_study *study, size_t run);
 
 /** Frees a maker; NULL is allowed. */
@@ -157,6 +157,10 @@ typedef struct gough_sweep_summary {
     size_t greatest_position_run; /**< likewise */
     size_t least_angle_run;       /**< likewise */
     size_t greatest_angle_run;    /**< likewise */
+    double least_power;           /**< least power of any leg; below 0 it brakes */
+    double greatest_power;        /**< greatest power of any leg */
+    size_t least_power_run;       /**< in which run */
+    size_t greatest_power_run;    /**< likewise */
 } gough_sweep_summary;
 
 /** Where a sweep goes. */

@@ -92,17 +92,6 @@ static double seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static bool has_noise(const gough_study *study) {
-    return study->model->disturbance.noise.interval > 0;
-}
-
-/* A run of a sweep has noise of its own, by its number. */
-static void print_noise_run(const gough_study *study, size_t run) {
-    if (has_noise(study))
-        printf(" --set disturbance.noise.run=%ju", (uintmax_t)gough_sweep_noise_run(study, run));
-    printf("\n");
-}
-
 /* "--set load.mass=2 --set …", or the same as JSON. */
 static gough_status print_run(const command_line *line, const gough_sweep *sweep) {
     size_t keys;
@@ -127,7 +116,9 @@ static gough_status print_run(const command_line *line, const gough_sweep *sweep
             gough_sweep_print(value[k], text);
             printf("%s--set %s=%s", k ? " " : "", key[k].path, text);
         }
-    if (!line->json) print_noise_run(gough_sweep_study(sweep), line->one_run);
+    if (!line->json && sweep_numbers_noise(sweep))
+        printf(" --set disturbance.noise.run=%zu", line->one_run);
+    if (!line->json) putchar('\n');
     free(value);
     return failed ? GOUGH_ERROR_FILE : GOUGH_OK;
 }

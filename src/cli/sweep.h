@@ -25,6 +25,9 @@ int sweep_print_run_json(const gough_sweep *sweep, size_t run, const double *val
 /* "control.stiffness=10, load.mass=2" of a run. */
 void sweep_name_values(const gough_sweep *sweep, size_t run, char *text, size_t size);
 
+/* Whether the noise of a run is selected by its number, so that the run alone needs to be told it. */
+bool sweep_numbers_noise(const gough_sweep *sweep);
+
 /* What a study would run, for gough check. */
 void sweep_describe(const gough_sweep *sweep);
 json_t *sweep_object(const gough_sweep *sweep);

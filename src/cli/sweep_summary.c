@@ -59,6 +59,12 @@ static const char *cause_words(gough_cause cause) {
     return "ended";
 }
 
+/* One unit of power of the output in units of the run. */
+static double power_unit(const gough_units *units) {
+    const double speed = units->length / units->time;
+    return units->mass * speed * speed / units->time;
+}
+
 static void print_extreme(FILE *stream, const sweep_report *report, const char *what, double value,
                           const char *unit, size_t run) {
     if (run == 0) return;
@@ -74,7 +80,7 @@ static void print_extreme(FILE *stream, const sweep_report *report, const char *
 void sweep_print(FILE *stream, const sweep_report *report) {
     const gough_sweep_summary *s = &report->summary;
     const unit_words *unit = unit_words_of(&report->units);
-    const double length = report->units.length;
+    const double length = report->units.length, power = power_unit(&report->units);
     if (report->title && *report->title) fprintf(stream, "%s\n", report->title);
     fprintf(stream, "%zu run%s", s->runs, s->runs == 1 ? "" : "s");
     if (s->resumed) fprintf(stream, ", %zu of them done before", s->resumed);
@@ -86,16 +92,21 @@ void sweep_print(FILE *stream, const sweep_report *report) {
         if (s->ended[c] || c == GOUGH_END_DONE)
             fprintf(stream, "  %-30s %zu\n", cause_words((gough_cause)c), s->ended[c]);
     if (s->least_position_run) {
-        fprintf(stream, "  greatest deviation of position, of those that reached their end\n");
+        fprintf(stream, "  largest deviation of position (runs that reached their end)\n");
         print_extreme(stream, report, "least", s->least_position / length, unit->length,
                       s->least_position_run);
         print_extreme(stream, report, "greatest", s->greatest_position / length, unit->length,
                       s->greatest_position_run);
-        fprintf(stream, "  greatest deviation of angle\n");
+        fprintf(stream, "  largest deviation of angle\n");
         print_extreme(stream, report, "least", s->least_angle * DEGREES, " deg",
                       s->least_angle_run);
         print_extreme(stream, report, "greatest", s->greatest_angle * DEGREES, " deg",
                       s->greatest_angle_run);
+        fprintf(stream, "  power of a leg (below 0 the leg brakes)\n");
+        print_extreme(stream, report, "least", s->least_power / power, unit->power,
+                      s->least_power_run);
+        print_extreme(stream, report, "greatest", s->greatest_power / power, unit->power,
+                      s->greatest_power_run);
     }
     if (report->output) fprintf(stream, "wrote %s\n", report->output);
 }
@@ -135,6 +146,16 @@ void sweep_describe(const gough_sweep *sweep) {
     }
 }
 
+bool sweep_numbers_noise(const gough_sweep *sweep) {
+    const gough_study *study = gough_sweep_study(sweep);
+    bool noisy = study->model->disturbance.noise.interval > 0;
+    size_t keys;
+    const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
+    for (size_t k = 0; k < keys; k++)
+        noisy = noisy || strncmp(key[k].path, "disturbance.noise.", 18) == 0;
+    return noisy && !study->noise_run_given;
+}
+
 /* ---- as JSON ------------------------------------------------------------------------------------------------------ */
 
 json_t *sweep_object(const gough_sweep *sweep) {
@@ -163,10 +184,8 @@ int sweep_print_run_json(const gough_sweep *sweep, size_t run, const double *val
     const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
     json_t *object = json_object(), *set = json_object();
     for (size_t k = 0; k < keys; k++) json_object_set_new(set, key[k].path, json_number(value[k]));
-    if (gough_sweep_study(sweep)->model->disturbance.noise.interval > 0)
-        json_object_set_new(
-            set, "disturbance.noise.run",
-            json_integer((json_int_t)gough_sweep_noise_run(gough_sweep_study(sweep), run)));
+    if (sweep_numbers_noise(sweep))
+        json_object_set_new(set, "disturbance.noise.run", json_integer((json_int_t)run));
     json_object_set_new(object, "run", json_integer((json_int_t)run));
     json_object_set_new(object, "set", set);
     return json_print(object);
@@ -188,7 +207,8 @@ static json_t *extremes(double least, size_t least_run, double greatest, size_t 
 
 int sweep_print_json(const sweep_report *report) {
     const gough_sweep_summary *s = &report->summary;
-    const double length = report->units.length, made = (double)(s->runs - s->resumed);
+    const double length = report->units.length, power = power_unit(&report->units);
+    const double made = (double)(s->runs - s->resumed);
     const bool timed = report->sweep && report->time > 0;
     json_t *object = json_object(), *ended = json_object();
     for (int c = 1; c <= GOUGH_END_INVALID; c++)
@@ -207,6 +227,9 @@ int sweep_print_json(const sweep_report *report) {
     json_object_set_new(object, "angle_deviation",
                         extremes(s->least_angle * DEGREES, s->least_angle_run,
                                  s->greatest_angle * DEGREES, s->greatest_angle_run));
+    json_object_set_new(object, "power",
+                        extremes(s->least_power / power, s->least_power_run,
+                                 s->greatest_power / power, s->greatest_power_run));
     json_object_set_new(object, "time", json_number(timed ? report->time : NAN));
     json_object_set_new(object, "rate", json_number(timed ? made / report->time : NAN));
     return json_print(object);

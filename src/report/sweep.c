@@ -83,6 +83,8 @@ static const char *heading_of(const char *name) {
         {"force", "Largest leg force"},
         {"speed", "Largest leg speed"},
         {"power", "Largest leg power"},
+        {"power_least", "Least leg power (below 0 a leg brakes)"},
+        {"power_greatest", "Greatest leg power"},
         {"energy", "Net work of the legs"},
         {"drift", "Largest constraint drift"},
         {"end_time", "Time of the end"}};

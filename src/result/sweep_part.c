@@ -14,7 +14,7 @@
 
 #include "sweep_bytes.h"
 
-enum { OUTCOME_NUMBERS = 21 };
+enum { OUTCOME_NUMBERS = 23 };
 static const double SYNC_EVERY = 1; /* seconds: what a loss of power may cost */
 
 /* An outcome as numbers in the order of the file; cause and leg stand apart. */
@@ -30,6 +30,8 @@ static void outcome_numbers(gough_outcome *o, double *number[OUTCOME_NUMBERS]) {
     *at++ = &o->force;
     *at++ = &o->speed;
     *at++ = &o->power;
+    *at++ = &o->power_least;
+    *at++ = &o->power_greatest;
     *at++ = &o->energy;
     *at++ = &o->drift;
     *at++ = &o->rows;

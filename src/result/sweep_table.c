@@ -11,20 +11,23 @@
 
 #include "result.h"
 
-enum { STRETCH = 512 /* records */, STATE = 12, PEAKS = 7, ENDS = 3, NUMBER = 32 };
+enum { STRETCH = 512 /* records */, STATE = 12, PEAKS = 7, ENDS = 3, POWERS = 2, NUMBER = 32 };
 
 /* Columns after the state: units by exponents, and as SI calls them. */
 static const struct {
     const char *name, *long_name, *si;
     int length, mass, time, angle;
-} peak[PEAKS] = {
+} peak[PEAKS + POWERS] = {
     {"position_deviation", "largest deviation of the position from the program", "m", 1, 0, 0, 0},
     {"angle_deviation", "largest angle between the top and the program's", "degree", 0, 0, 0, 1},
     {"force", "largest leg force, pushing or pulling", "N", 1, 1, -2, 0},
     {"speed", "largest rate of a leg's length", "m/s", 1, 0, -1, 0},
-    {"power", "largest power of a leg", "W", 2, 1, -3, 0},
+    {"power", "largest power that a leg delivers", "W", 2, 1, -3, 0},
     {"energy", "net work of all legs", "J", 2, 1, -2, 0},
-    {"drift", "largest constraint violation before projection", "1", 0, 0, 0, 0}};
+    {"drift", "largest constraint violation before projection", "1", 0, 0, 0, 0},
+    /* in the table behind the end of the run */
+    {"power_least", "least power of any leg, below 0 where it brakes", "W", 2, 1, -3, 0},
+    {"power_greatest", "greatest power of any leg", "W", 2, 1, -3, 0}};
 
 typedef struct table {
     const sweep_part *part;
@@ -48,6 +51,12 @@ static void add_column(table *t, const char *name, const char *unit, const char 
     t->factor[t->columns++] = factor;
 }
 
+static void add_peak(table *t, int i, const result_scale *scale, bool none) {
+    add_column(
+        t, peak[i].name, none && !peak[i].angle ? "1" : peak[i].si, peak[i].long_name,
+        (double)result_factor(scale, peak[i].length, peak[i].mass, peak[i].time, peak[i].angle));
+}
+
 static void list_columns(table *t) {
     const sweep_head *head = t->part[0].head;
     const bool none = head->units.dimensionless;
@@ -63,10 +72,7 @@ static void list_columns(table *t) {
             t, info->name, t->unit[i], info->long_name,
             (double)result_factor(&scale, info->length, info->mass, info->time, info->angle));
     }
-    for (int i = 0; i < PEAKS; i++)
-        add_column(t, peak[i].name, none && !peak[i].angle ? "1" : peak[i].si, peak[i].long_name,
-                   (double)result_factor(&scale, peak[i].length, peak[i].mass, peak[i].time,
-                                         peak[i].angle));
+    for (int i = 0; i < PEAKS; i++) add_peak(t, i, &scale, none);
     for (int c = 0; c <= GOUGH_END_INVALID; c++) {
         if (c) strcat(t->flags, " ");
         strcat(t->flags, gough_cause_name((gough_cause)c));
@@ -79,6 +85,7 @@ static void list_columns(table *t) {
     t->column[t->columns - 1].whole = true;
     add_column(t, "end_time", none ? "1" : "s", "time of the end",
                (double)result_factor(&scale, 0, 0, 1, 0));
+    for (int i = PEAKS; i < PEAKS + POWERS; i++) add_peak(t, i, &scale, none);
 }
 
 /* All numbers of a row in the units of the output. A run that has no row of its own has no state. */
@@ -103,12 +110,14 @@ static void take_row(const table *t, const void *record) {
     *at++ = o->cause;
     *at++ = o->leg;
     *at++ = o->time;
+    *at++ = none ? NAN : o->power_least;
+    *at++ = none ? NAN : o->power_greatest;
     for (int i = 0; i < t->columns; i++) t->number[i] *= t->factor[i];
 }
 
 static gough_status open_table(table *t, const sweep_part *part, size_t parts, gough_error *error) {
     *t = (table){.part = part, .parts = parts, .keys = part[0].head->keys};
-    const size_t columns = 1 + t->keys + STATE + PEAKS + ENDS;
+    const size_t columns = 1 + t->keys + STATE + PEAKS + ENDS + POWERS;
     for (size_t p = 0; p < parts; p++) t->rows += part[p].done;
     t->column = calloc(columns, sizeof *t->column);
     t->factor = calloc(columns, sizeof *t->factor);
@@ -288,6 +297,10 @@ static bool sum_record(void *context, const void *record) {
           &s->greatest_position, &s->greatest_position_run);
     widen(o->angle_deviation, row.run, &s->least_angle, &s->least_angle_run, &s->greatest_angle,
           &s->greatest_angle_run);
+    if (!(o->power_least >= s->least_power))
+        s->least_power = o->power_least, s->least_power_run = row.run;
+    if (!(o->power_greatest <= s->greatest_power))
+        s->greatest_power = o->power_greatest, s->greatest_power_run = row.run;
     return true;
 }
 
@@ -295,8 +308,12 @@ gough_status sweep_table_sum(const sweep_part *part, size_t parts, gough_sweep_s
                              gough_error *error) {
     table t;
     gough_status status = open_table(&t, part, parts, error);
-    *summary = (gough_sweep_summary){
-        .least_position = NAN, .greatest_position = NAN, .least_angle = NAN, .greatest_angle = NAN};
+    *summary = (gough_sweep_summary){.least_position = NAN,
+                                     .greatest_position = NAN,
+                                     .least_angle = NAN,
+                                     .greatest_angle = NAN,
+                                     .least_power = NAN,
+                                     .greatest_power = NAN};
     adding a = {&t, summary};
     if (status == GOUGH_OK && !each_record(&t, sum_record, &a)) status = fail_reading(part, error);
     close_table(&t);

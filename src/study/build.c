@@ -226,7 +226,9 @@ static void build_disturbance(study_build *build) {
     disturbance->vertical_force = study_formula(study_node_child(node, "vertical_force"));
     read_formulas(study_node_child(node, "force"), disturbance->force, 3);
     read_formulas(study_node_child(node, "moment"), disturbance->moment, 3);
-    disturbance->noise = read_noise(study_node_child(node, "noise"));
+    const study_node *noise = study_node_child(node, "noise");
+    disturbance->noise = read_noise(noise);
+    build->study->noise_run_given = study_node_child(noise, "run") != NULL;
 }
 
 static void build_control(study_build *build) {

@@ -256,6 +256,5 @@ gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run, const gough_
 }
 
 uint64_t gough_sweep_noise_run(const gough_study *study, size_t run) {
-    const uint64_t given = study->model->disturbance.noise.run;
-    return given ? given : (uint64_t)run;
+    return study->noise_run_given ? study->model->disturbance.noise.run : (uint64_t)run;
 }

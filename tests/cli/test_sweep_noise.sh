@@ -26,10 +26,16 @@ for run in 1 3 4; do
     [[ $alone == "${pose[run - 1]}" ]] || fail "run $run alone ends at $alone, in the sweep at ${pose[run - 1]}"
 done
 
-"$GOUGH" sweep "$scratch/noise.yaml" -q --set disturbance.noise.run=9 -o "$scratch/same.csv" || fail "one noise for all fails"
-mapfile -t pose < <(awk -F, 'NR > 1 { print $3 "," $4 "," $5 }' "$scratch/same.csv")
-[[ ${pose[0]} == "${pose[1]}" && ${pose[1]} == "${pose[2]}" && ${pose[2]} != "${pose[3]}" ]] ||
-    fail "a number of the noise that is given is not the same in all runs"
+for given in 0 9; do
+    "$GOUGH" sweep "$scratch/noise.yaml" -q --set disturbance.noise.run=$given -o "$scratch/same.csv" || fail "one noise for all fails"
+    mapfile -t pose < <(awk -F, 'NR > 1 { print $3 "," $4 "," $5 }' "$scratch/same.csv")
+    [[ ${#pose[@]} == 4 && ${pose[0]} == "${pose[1]}" && ${pose[1]} == "${pose[2]}" && ${pose[2]} != "${pose[3]}" ]] ||
+        fail "disturbance.noise.run=$given is given, but the noise is not the same in all runs"
+    "$GOUGH" simulate "$scratch/noise.yaml" -q --set disturbance.noise.run=$given --set control.damping=2 -o "$scratch/alone.csv"
+    [[ $(tail -1 "$scratch/alone.csv" | cut -d, -f2-4) == "${pose[3]}" ]] || fail "run $given alone is another"
+    run sweep "$scratch/noise.yaml" --set disturbance.noise.run=$given --run 3
+    [[ $(cat "$scratch/out") == "--set control.damping=1" ]] || fail "--run 3 with a given number says $(cat "$scratch/out")"
+done
 "$GOUGH" sweep "$scratch/noise.yaml" -q --threads 3 --lanes 2 -o "$scratch/again.csv" || fail "the sweep fails with 3 threads"
 cmp -s "$scratch/sweep.csv" "$scratch/again.csv" || fail "threads and lanes change the noise"
 finish
