@@ -4,6 +4,9 @@
 #ifndef GOUGH_STATUS_H
 #define GOUGH_STATUS_H
 
+#include <stdarg.h>
+#include <stddef.h>
+
 #if defined(GOUGH_SHARED) && defined(__GNUC__)
 #define GOUGH_API __attribute__((visibility("default")))
 #else
@@ -34,6 +37,14 @@ typedef struct gough_error {
 GOUGH_API gough_status gough_fail(gough_error *error, gough_status status, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 3, 4)))
+#endif
+    ;
+
+/** Writes a printf-style sentence, cut to @p size bytes, with a decimal point in every locale: what gough_fail() does.
+ *  Known conversions: c d i u x s e f g %, the lengths l and z, flags, width and precision. */
+GOUGH_API void gough_sentence(char *text, size_t size, const char *format, va_list arguments)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 3, 0)))
 #endif
     ;
 

@@ -34,7 +34,10 @@ double gough_map_value(const gough_map_range *range, size_t i) {
 
     if (i == 0) return range->from;
     if (i + 1 >= range->count) return range->to;
-    if (range->logarithmic) return range->from * pow(range->to / range->from, part);
+    const double ratio = range->to / range->from;
+    if (range->logarithmic && isnormal(ratio)) return range->from * pow(ratio, part);
+    if (range->logarithmic) /* more than a double's range apart */
+        return exp(log(range->from) * (1 - part) + log(range->to) * part);
     return range->from + part * (range->to - range->from);
 }
 

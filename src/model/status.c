@@ -90,14 +90,11 @@ static const char *append_conversion(sentence *s, const char *format, va_list *a
     return at + 1;
 }
 
-gough_status gough_fail(gough_error *error, gough_status status, const char *format, ...) {
-    if (error == NULL) return status;
-    error->status = status;
-    error->message[0] = '\0';
-    sentence s = {error->message, sizeof error->message, 0};
-
+void gough_sentence(char *text, size_t size, const char *format, va_list list) {
+    sentence s = {text, size, 0};
     va_list arguments;
-    va_start(arguments, format);
+    text[0] = '\0';
+    va_copy(arguments, list);
     while (*format != '\0') {
         if (*format == '%') {
             format = append_conversion(&s, format, &arguments);
@@ -114,6 +111,15 @@ gough_status gough_fail(gough_error *error, gough_status status, const char *for
         while (end > 0 && (s.text[end - 1] & 0xc0) == 0x80) end--;
         if (end > 0 && (s.text[end - 1] & 0x80) != 0) s.text[end - 1] = '\0';
     }
+}
+
+gough_status gough_fail(gough_error *error, gough_status status, const char *format, ...) {
+    if (error == NULL) return status;
+    va_list arguments;
+    error->status = status;
+    va_start(arguments, format);
+    gough_sentence(error->message, sizeof error->message, format, arguments);
+    va_end(arguments);
     return status;
 }
 

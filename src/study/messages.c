@@ -90,7 +90,7 @@ void study_say(study_messages *messages, gough_status status, study_place place,
     char sentence[1200];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(sentence, sizeof sentence, format, arguments);
+    gough_sentence(sentence, sizeof sentence, format, arguments);
     va_end(arguments);
     study_message *message = study_arena_take(messages->arena, sizeof *message);
     if (!message) return;

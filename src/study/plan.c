@@ -204,14 +204,33 @@ bool study_plan_make(study_messages *messages, study_node *root, study_plan *pla
 
 /* ---- values ------------------------------------------------------------------------------------------------------ */
 
+/* a·10^e, which is within a double's range where 10^e alone may not be: 1e-200·10^300. */
+static double scaled(double a, double e) {
+    enum { PIECE = 300 };
+    for (; e > PIECE; e -= PIECE) a *= 1e300;
+    for (; e < -PIECE; e += PIECE) a *= 1e-300;
+    return a * pow(10, e);
+}
+
+/* from + (to − from) x, whose difference may be beyond the range of a double. */
+static double between(double from, double to, double x) {
+    const double difference = to - from;
+    return isfinite(difference) ? from + difference * x : from * (1 - x) + to * x;
+}
+
 /* Both ends exactly; equal ratios through powers of ten, so that decades come out as they are written. */
 static double grid_value(const gough_sweep_key *key, size_t n) {
     if (n == 0) return key->least;
     if (n == key->count - 1) return key->greatest;
     const double part = (double)n, whole = (double)(key->count - 1);
-    if (key->logarithmic)
-        return key->least * pow(10, log10(key->greatest / key->least) * part / whole);
-    return key->least + (key->greatest - key->least) * part / whole;
+    if (!key->logarithmic) {
+        const double difference = key->greatest - key->least;
+        if (isfinite(difference)) return key->least + difference * part / whole;
+        return between(key->least, key->greatest, part / whole);
+    }
+    const double ratio = key->greatest / key->least;
+    if (isnormal(ratio)) return key->least * pow(10, log10(ratio) * part / whole);
+    return scaled(key->least, (log10(key->greatest) - log10(key->least)) * part / whole);
 }
 
 static double axis_value(const study_plan *plan, const study_axis *axis, size_t run, size_t n) {
@@ -222,8 +241,8 @@ static double axis_value(const study_plan *plan, const study_axis *axis, size_t 
     case GOUGH_SWEEP_LIST:
         return axis->list[n];
     case GOUGH_SWEEP_UNIFORM:
-        return key->least +
-               (key->greatest - key->least) * gough_random_uniform(plan->seed, run, axis->draw);
+        return between(key->least, key->greatest,
+                       gough_random_uniform(plan->seed, run, axis->draw));
     case GOUGH_SWEEP_NORMAL:
         return key->least + key->greatest * gough_random_normal(plan->seed, run, axis->draw);
     }

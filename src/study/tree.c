@@ -94,7 +94,7 @@ void study_node_say(study_messages *messages, study_node *node, study_place plac
     char sentence[1000];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(sentence, sizeof sentence, format, arguments);
+    gough_sentence(sentence, sizeof sentence, format, arguments);
     va_end(arguments);
     study_say(messages, GOUGH_ERROR_INPUT, place, "%s", sentence);
     study_node_mark(node);

@@ -1,8 +1,11 @@
 /* A locale with a decimal comma changes nothing: neither what is read nor what is said. */
+#define _XOPEN_SOURCE 700
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "gough/sweep.h"
 #include "study/helpers.h"
 #include "support/suite.h"
 
@@ -59,10 +62,50 @@ START_TEST(messages_are_the_same) {
 }
 END_TEST
 
+START_TEST(messages_of_sweeps_are_the_same) {
+    static const char machine[] =
+        "platform: {base: {radius: 1, half_angle: 10}, top: {radius: 0.6, half_angle: 15},"
+        " height: 1}\nload: {mass: 1, inertia: [0.1, 0.1, 0.1]}\n";
+    static const char *const wrong[] = {
+        "load.mass: {from: 1, to: 2, steps: 16000}, control.damping: {from: 1, to: 2, steps: "
+        "16000}",
+        "load.mass: [1.5, -2.5]", "load.mass: {normal: [1.5, -0.25]}", "load.mass: [-0.25, 1.5]",
+        "simulation.tolerance: [1e-9, -1.5]"};
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        char text[800], *said[2] = {NULL, NULL};
+        snprintf(text, sizeof text, "%ssweep: {keys: {%s}}\n", machine, wrong[i]);
+        for (int comma = 0; comma < 2; comma++) {
+            gough_sweep *sweep = NULL;
+            if (comma) use_comma_locale();
+            const gough_status status =
+                gough_sweep_parse("study.yaml", text, strlen(text), NULL, 0, &sweep, &said[comma]);
+            gough_error error = {GOUGH_OK, ""};
+            if (status == GOUGH_OK) { /* the sentence comes with the run */
+                gough_sweep_maker *maker = gough_sweep_maker_new(sweep);
+                const gough_study *study;
+                for (size_t run = 1; run <= gough_sweep_runs(sweep) && !*error.message; run++)
+                    (void)gough_sweep_make(maker, run, &study, &error);
+                gough_sweep_maker_free(maker);
+                gough_sweep_free(sweep);
+                said[comma] = strdup(error.message);
+            }
+            use_plain_locale();
+            ck_assert_ptr_nonnull(said[comma]);
+            ck_assert_uint_gt(strlen(said[comma]), 10);
+        }
+        ck_assert_str_eq(said[1], said[0]);
+        if (i == 0) ck_assert_ptr_nonnull(strstr(said[0], "2.56e+08"));
+        free(said[0]);
+        free(said[1]);
+    }
+}
+END_TEST
+
 int main(void) {
     make_comma_locale();
-    const int status = SUITE_RUN("study/locale", 60, numbers_and_formulas_are_read_alike,
-                                 samples_are_read_alike, messages_are_the_same);
+    const int status =
+        SUITE_RUN("study/locale", 60, numbers_and_formulas_are_read_alike, samples_are_read_alike,
+                  messages_are_the_same, messages_of_sweeps_are_the_same);
     forget_comma_locale();
     return status;
 }

@@ -69,6 +69,38 @@ START_TEST(logarithmic_grids_have_equal_ratios_and_clean_decades) {
 }
 END_TEST
 
+/* ends whose ratio or difference is beyond the range of a double */
+START_TEST(wide_grids_do_not_overflow) {
+    static const struct {
+        const char *ends;
+        double first, last;
+    } grid[] = {{"{from: 1e-200, to: 1e200, steps: 5, scale: log}", -200, 200},
+                {"{from: 1e200, to: 1e-200, steps: 5, scale: log}", 200, -200},
+                {"{from: 1e-305, to: 1e305, steps: 62, scale: log}", -305, 305}};
+    char text[200];
+    for (size_t i = 0; i < sizeof grid / sizeof grid[0]; i++) {
+        snprintf(text, sizeof text, "sweep: {keys: {control.stiffness: %s}}\n", grid[i].ends);
+        gough_sweep *sweep = sweep_of(text);
+        const size_t runs = gough_sweep_runs(sweep);
+        for (size_t n = 1; n <= runs; n++) {
+            const double part = (double)(n - 1) / (double)(runs - 1);
+            const double decade = grid[i].first + (grid[i].last - grid[i].first) * part;
+            /* an exponent near 400 has an absolute error of 1e-13 */
+            ck_assert(fabs(log10(value_of(sweep, n, 0)) - decade) <= 1e-12);
+        }
+        gough_sweep_free(sweep);
+    }
+    gough_sweep *sweep =
+        sweep_of("sweep: {keys: {initial.surge: {from: -1.6e308, to: 1.6e308, steps: 5}}}\n");
+    for (size_t n = 1; n <= 5; n++)
+        ck_assert(fabs(value_of(sweep, n, 0) - 0.8e308 * ((double)n - 3)) <= 1e293);
+    gough_sweep_free(sweep);
+    sweep = sweep_of("sweep: {runs: 20, keys: {initial.yaw: {uniform: [-1.6e308, 1.6e308]}}}\n");
+    for (size_t n = 1; n <= 20; n++) ck_assert(fabs(value_of(sweep, n, 0)) <= 1.6e308);
+    gough_sweep_free(sweep);
+}
+END_TEST
+
 START_TEST(products_change_the_last_key_fastest) {
     gough_sweep *sweep = sweep_of("sweep:\n  keys:\n    load.mass: [1, 2]\n"
                                   "    initial.yaw: {uniform: [0, 1]}\n"
@@ -328,13 +360,14 @@ END_TEST
 
 int main(void) {
     make_comma_locale();
-    const int status = SUITE_RUN(
-        "study/sweep", 60, grids_have_their_ends_exactly,
-        logarithmic_grids_have_equal_ratios_and_clean_decades, products_change_the_last_key_fastest,
-        zipped_keys_go_side_by_side, draws_are_of_seed_run_and_key,
-        values_are_printed_so_that_they_read_back, study_of_a_run_is_the_one_read_with_its_settings,
-        says_what_is_wrong_with_a_sweep, a_key_that_goes_not_with_the_file_is_an_error,
-        settings_change_a_sweep, rows_come_in_order_and_can_be_stopped);
+    const int status =
+        SUITE_RUN("study/sweep", 60, grids_have_their_ends_exactly,
+                  logarithmic_grids_have_equal_ratios_and_clean_decades, wide_grids_do_not_overflow,
+                  products_change_the_last_key_fastest, zipped_keys_go_side_by_side,
+                  draws_are_of_seed_run_and_key, values_are_printed_so_that_they_read_back,
+                  study_of_a_run_is_the_one_read_with_its_settings, says_what_is_wrong_with_a_sweep,
+                  a_key_that_goes_not_with_the_file_is_an_error, settings_change_a_sweep,
+                  rows_come_in_order_and_can_be_stopped);
     forget_comma_locale();
     return status;
 }
