@@ -9,7 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ranges.h"
 #include "sheet.h"
+#include "ticks.h"
 
 /* Okabe and Ito's colours, told apart by colour-blind readers too; their yellow is too pale for a line. */
 static const char *const palette[] = {"#0072b2", "#d55e00", "#009e73",
@@ -24,38 +26,80 @@ enum {
     MARGIN_RIGHT = 26,
     TITLE_HEIGHT = 34,
     KEY_LINE = 18,
-    KEY_TEXT = 60,  /* characters of a table's name */
-    HEADING = 30,   /* above each panel */
-    TICS = 22,      /* numbers below an abscissa */
-    ABSCISSA = 24,  /* its name */
-    MAP_LEFT = 22,  /* more at the left of a map, for the name of its ordinate */
-    MAP_RIGHT = 66, /* and at its right, for the scale of its colours */
+    KEY_TEXT = 60,   /* characters of a table's name */
+    HEADING = 30,    /* above each panel */
+    TICS = 22,       /* numbers below an abscissa */
+    ABSCISSA = 24,   /* its name */
+    MAP_LEFT = 22,   /* more at the left of a map, for the name of its ordinate */
+    MAP_RIGHT = 66,  /* and at its right, for the scale of its colours */
+    COLOUR_GAP = 14, /* between the map and that scale */
+    COLOUR_WIDTH = 14,
     COLOURS = 12,   /* steps of that scale */
+    LABEL_GAP = 14, /* of numbers from their axis, its ticks between */
     TEXT = 12,      /* sizes of text */
     SMALL_TEXT = 11,
     TITLE_TEXT = 14
 };
 
 typedef struct layout {
-    int width, height, panel_width, panel_height, top, rows, key_columns;
+    int width, height, left, right, panel_width, panel_height, top, rows, key_columns;
 } layout;
-
-typedef struct range {
-    double low, high;
-} range;
 
 static bool has_map(const sheet *s) { return s->count > 0 && s->panel[0].mapped; }
 
-static layout lay_out(const sheet *s) {
+/* Ranges of all axes, chosen before the layout: their labels decide on the margins. */
+typedef struct ranges {
+    range x;
+    scaled_range y[SHEET_PANELS], z[SHEET_PANELS];
+} ranges;
+
+static axis ordinate_axis(const panel *p, range r, double length) {
+    return (axis){.name = "y",
+                  .logarithmic = p->mapped ? p->map.logarithmic_y : p->logarithmic,
+                  .low = r.low,
+                  .high = r.high,
+                  .length = length};
+}
+
+static axis colour_axis(const panel *p, range r, double length) {
+    return (axis){.name = "cb",
+                  .logarithmic = p->logarithmic,
+                  .low = r.low,
+                  .high = r.high,
+                  .length = length};
+}
+
+static int label_room(const axis *a) {
+    tick_list list;
+    tick_choose(a, &list);
+    return LABEL_GAP + (int)ceil(tick_label_width(&list));
+}
+
+static int greater(int a, int b) { return a > b ? a : b; }
+
+/* Margins at the left and the right of each panel: for the numbers of all of them. */
+static void lay_out_margins(const sheet *s, const ranges *r, layout *l) {
+    l->left = MARGIN_LEFT;
+    l->right = MARGIN_RIGHT;
+    for (int i = 0; i < s->count; i++) {
+        const panel *p = &s->panel[i];
+        const axis y = ordinate_axis(p, r->y[i].range, l->panel_height);
+        const int title = p->mapped ? MAP_LEFT : 0;
+        l->left = greater(l->left, title + greater(MARGIN_LEFT, label_room(&y)));
+        if (!p->mapped) continue;
+        const axis z = colour_axis(p, r->z[i].range, l->panel_height);
+        const int scale = COLOUR_GAP + COLOUR_WIDTH + label_room(&z);
+        l->right = greater(l->right, MARGIN_RIGHT + greater(MAP_RIGHT, scale));
+    }
+}
+
+static layout lay_out(const sheet *s, const ranges *r) {
     layout l = {0};
     l.rows = (s->count + s->columns - 1) / s->columns;
     const int room = s->columns > 1 ? 520 : 780;
-    l.panel_width = room - MARGIN_LEFT - MARGIN_RIGHT;
-    l.panel_height = s->count == 1 ? 340 : l.rows == 2 ? 210 : 150;
-    if (has_map(s)) {
-        l.panel_width -= MAP_LEFT + MAP_RIGHT;
-        l.panel_height = 340;
-    }
+    l.panel_height = s->count == 1 || has_map(s) ? 340 : l.rows == 2 ? 210 : 150;
+    lay_out_margins(s, r, &l);
+    l.panel_width = room - l.left - l.right;
     l.width = s->columns * room;
     l.top = s->title[0] != '\0' || s->note[0] != '\0' ? TITLE_HEIGHT : 8;
     if (s->common_key) {
@@ -74,51 +118,6 @@ static layout lay_out(const sheet *s) {
     return l;
 }
 
-static void widen(range *r, double value) {
-    if (!isfinite(value)) return;
-    if (!(value >= r->low)) r->low = value;
-    if (!(value <= r->high)) r->high = value;
-}
-
-static range empty_range(void) { return (range){NAN, NAN}; }
-
-/* From edge to edge of a map's cells. */
-static range cell_range(const double *centre, size_t count, bool logarithmic) {
-    double low, high;
-    range r;
-    sheet_cell(centre, count, 0, logarithmic, &r.low, &high);
-    sheet_cell(centre, count, count - 1, logarithmic, &low, &r.high);
-    return r;
-}
-
-static range abscissa_range(const sheet *s) {
-    range r = empty_range();
-    if (has_map(s))
-        return cell_range(s->panel[0].map.x, s->panel[0].map.columns, s->logarithmic_abscissa);
-    for (int p = 0; p < s->count; p++) {
-        for (int i = 0; i < s->panel[p].count; i++) {
-            const series *line = &s->panel[p].series[i];
-            for (size_t k = 0; k < line->count; k++) {
-                if (!s->logarithmic_abscissa || line->x[k] > 0.0) widen(&r, line->x[k]);
-            }
-        }
-    }
-    if (isfinite(s->from) && (!s->logarithmic_abscissa || s->from > 0.0)) r.low = s->from;
-    if (isfinite(s->to) && (!s->logarithmic_abscissa || s->to > 0.0)) r.high = s->to;
-    if (!(r.high > r.low)) {
-        const double centre = isfinite(r.low) ? r.low : s->logarithmic_abscissa ? 1.0 : 0.0;
-        const double half = 0.5 * fmax(fabs(centre), 1.0);
-        r = s->logarithmic_abscissa ? (range){centre / 10.0, centre * 10.0}
-                                    : (range){centre - half, centre + half};
-    } else if (s->logarithmic_abscissa) {
-        r = (range){r.low / 1.4, r.high * 1.4};
-    }
-    return r;
-}
-
-/* What is drawn of an ordinate: its magnitude on a logarithmic axis. */
-static double drawn(const panel *p, double y) { return p->logarithmic ? fabs(y) : y; }
-
 static bool has_negative(const panel *p) {
     for (int i = 0; i < p->count; i++) {
         for (size_t k = 0; k < p->series[i].count; k++) {
@@ -128,69 +127,11 @@ static bool has_negative(const panel *p) {
     return false;
 }
 
-static int compare_numbers(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* Where a logarithmic axis begins for a line: below all but 1/25 of its positive numbers. The rest are a start from nothing
- * and passages through zero, which would otherwise take the most part of the panel. NaN without any. */
-static double logarithmic_low(const series *line) {
-    double *sorted = malloc((line->count > 0 ? line->count : 1) * sizeof *sorted);
-    if (sorted == NULL) return NAN;
-    size_t count = 0;
-    for (size_t k = 0; k < line->count; k++) {
-        const double size = fabs(line->y[k]);
-        if (isfinite(size) && size > 0.0) sorted[count++] = size;
-    }
-    qsort(sorted, count, sizeof *sorted, compare_numbers);
-    const double low = count > 0 ? sorted[count / 25] : NAN;
-    free(sorted);
-    return low;
-}
-
-static range ordinate_range(const panel *p) {
-    range r = empty_range();
-    for (int i = 0; i < p->count; i++) {
-        const series *line = &p->series[i];
-        const double low = p->logarithmic ? logarithmic_low(line) : -INFINITY;
-        for (size_t k = 0; k < line->count; k++) {
-            if (drawn(p, line->y[k]) >= low) widen(&r, drawn(p, line->y[k]));
-        }
-    }
-    return r;
-}
-
-/* Exponent of 1000 that brings the numbers of a panel between 0.01 and 10 000; 0 where they are, or nearly all are 0. */
-static int power_of_panel(const panel *p, range r) {
-    const double greatest = fmax(fabs(r.low), fabs(r.high));
-    if (p->logarithmic || !isfinite(greatest) || greatest < 1e-18) return 0;
-    return greatest >= 1e4 || greatest < 1e-2 ? (int)floor(log10(greatest) / 3.0) : 0;
-}
-
-/* Room above and below the numbers; a constant line stands in the middle, at a range that hides round-off. */
-static range padded(const panel *p, range r) {
-    if (!isfinite(r.low)) return p->logarithmic ? (range){1e-16, 1.0} : (range){-1.0, 1.0};
-    if (p->logarithmic) {
-        /* whole decades, at least two, at most fourteen */
-        double low = floor(log10(r.low)), high = ceil(log10(r.high));
-        if (high - low < 2.0) high = low + 2.0;
-        if (high - low > 14.0) low = high - 14.0;
-        high = fmin(high, 308.0);
-        low = fmax(fmin(low, 306.0), -300.0);
-        return (range){pow(10.0, low), pow(10.0, high)};
-    }
-    const double greatest = fmax(fabs(r.low), fabs(r.high));
-    double margin = 0.06 * (r.high - r.low);
-    if (!(r.high - r.low > 1e-9 * greatest)) margin = greatest > 0.0 ? 0.05 * greatest : 1.0;
-    return (range){r.low - margin, r.high + margin};
-}
-
 /* ---- data ------------------------------------------------------------------------------------------------------ */
 
 static bool drawable(const sheet *s, const panel *p, double x, double y) {
     return isfinite(x) && isfinite(y) && (!s->logarithmic_abscissa || x > 0.0) &&
-           drawn(p, y) > (p->logarithmic ? 0.0 : -INFINITY);
+           panel_drawn(p, y) > (p->logarithmic ? 0.0 : -INFINITY);
 }
 
 /* One line's points, thinned; a blank line where it is interrupted. Points that ended early have a 1 behind them. */
@@ -204,7 +145,7 @@ static bool write_data(const sheet *s, const panel *p, const series *line, doubl
     for (size_t k = 0; k < kept; k++) {
         const size_t i = index[k];
         if (drawable(s, p, line->x[i], line->y[i])) {
-            fprintf(file, "%.9g %.7g %d\n", line->x[i], drawn(p, line->y[i]) / scale,
+            fprintf(file, "%.15g %.15g %d\n", line->x[i], panel_drawn(p, line->y[i]) / scale,
                     line->ended != NULL && line->ended[i] > 0.5);
             points++;
         } else {
@@ -227,6 +168,7 @@ static bool write_data(const sheet *s, const panel *p, const series *line, doubl
 typedef struct drawing {
     FILE *file;
     const sheet *sheet;
+    const ranges *ranges;
     layout layout;
     sheet_format format;
 } drawing;
@@ -277,7 +219,7 @@ static void write_frame(const drawing *pen) {
     fprintf(file,
             "set label 1 '%s' at screen %.6f,screen %.6f left noenhanced font 'DejaVu "
             "Sans:Bold,%.4g' textcolor rgb 'black'\n",
-            quoted, screen_x(pen, MARGIN_LEFT), screen_y(pen, 22), font_size(pen, TITLE_TEXT));
+            quoted, screen_x(pen, pen->layout.left), screen_y(pen, 22), font_size(pen, TITLE_TEXT));
     sheet_quote(quoted, sizeof quoted, pen->sheet->note, 60);
     fprintf(file,
             "set label 3 '%s' at screen %.6f,screen %.6f right noenhanced font ',%.4g' textcolor "
@@ -314,52 +256,21 @@ static void write_key(const drawing *pen, int number) {
         fprintf(pen->file,
                 "set key at screen %.6f,screen %.6f left top horizontal Left reverse samplen 1.8 "
                 "width 1 maxcols %d font ',%.4g'\n",
-                screen_x(pen, MARGIN_LEFT),
+                screen_x(pen, pen->layout.left),
                 screen_y(pen, pen->sheet->title[0] != '\0' ? TITLE_HEIGHT + 4 : 8),
                 pen->layout.key_columns, size);
     else
         fprintf(pen->file, "unset key\n");
 }
 
-/* A round step of 1, 2 or 5 times a power of ten that gives at most `most` intervals. */
-static double round_step(range r, int most) {
-    const double least = (r.high - r.low) / most, decade = pow(10.0, floor(log10(least)));
-    const double steps[] = {1.0, 2.0, 5.0};
-    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
-        if (steps[i] * decade >= least) return steps[i] * decade;
-    }
-    return 10.0 * decade;
-}
-
-void sheet_write_scale(FILE *file, const char *axis, bool logarithmic, double low, double high,
-                       int most) {
-    const range r = {low, high};
-    fprintf(file, "set %srange [%.12g:%.12g]\n", axis, r.low, r.high);
-    if (logarithmic) {
-        const double decades = ceil(log10(r.high / r.low) / most);
-        fprintf(file, "set logscale %s\nset %stics %.9g\nset format %s '10^{%%T}'\n", axis, axis,
-                pow(10.0, decades), axis);
-        fprintf(file, "%s m%stics\n", decades > 1.0 || r.high / r.low > 1e6 ? "unset" : "set",
-                axis);
-        return;
-    }
-    /* as many decimals as the step has, so that the numbers of an axis are alike */
-    const double step = round_step(r, most);
-    const int decimals = step < 1.0 ? (int)ceil(-log10(step) - 1e-9) : 0;
-    fprintf(file, "unset logscale %s\nset %stics %.9g\nunset m%stics\n", axis, axis, step, axis);
-    if (decimals <= 6)
-        fprintf(file, "set format %s '%%.%df'\n", axis, decimals);
-    else
-        fprintf(file, "set format %s '%%g'\n", axis);
-}
-
 /* Place, scales and texts of one panel. */
-static void write_axes(const drawing *pen, int number, range x, range y, int power) {
+static void write_axes(const drawing *pen, int number, int power) {
     const sheet *s = pen->sheet;
     const layout *l = &pen->layout;
     const panel *p = &s->panel[number];
     const int row = number / s->columns, column = number % s->columns;
-    const int left = column * (l->width / s->columns) + MARGIN_LEFT + (p->mapped ? MAP_LEFT : 0);
+    const int left = column * (l->width / s->columns) + l->left;
+    const range x = pen->ranges->x;
     const int top = l->top + HEADING + row * (HEADING + TICS + l->panel_height);
     FILE *file = pen->file;
     char heading[SHEET_TEXT + 64], unit[48], quoted[2 * SHEET_TEXT];
@@ -368,9 +279,14 @@ static void write_axes(const drawing *pen, int number, range x, range y, int pow
             screen_x(pen, left + l->panel_width));
     fprintf(file, "set tmargin at screen %.6f\nset bmargin at screen %.6f\n", screen_y(pen, top),
             screen_y(pen, top + l->panel_height));
-    sheet_write_scale(file, "x", s->logarithmic_abscissa, x.low, x.high, l->panel_width / 60);
-    sheet_write_scale(file, "y", p->mapped ? p->map.logarithmic_y : p->logarithmic, y.low, y.high,
-                      l->panel_height / 30);
+    axis_write(file, &(axis){.name = "x",
+                             .logarithmic = s->logarithmic_abscissa,
+                             .low = x.low,
+                             .high = x.high,
+                             .length = l->panel_width,
+                             .beside = true});
+    const axis ordinate = ordinate_axis(p, pen->ranges->y[number].range, l->panel_height);
+    axis_write(file, &ordinate);
 
     sheet_unit_label(unit, sizeof unit, p->unit, power);
     snprintf(heading, sizeof heading, "%s%s%s", p->heading,
@@ -421,7 +337,7 @@ static void write_plot(const drawing *pen, int number, int first_data) {
 
 /* Steps of colour that all readers tell apart, dark to light, after viridis of Smith and van der Walt; cells without a number
  * are grey. */
-static void write_map(const drawing *pen, int number, range z, int data) {
+static void write_map(const drawing *pen, int number, int data) {
     const panel *p = &pen->sheet->panel[number];
     const layout *l = &pen->layout;
     const int top = l->top + HEADING + number * (HEADING + TICS + l->panel_height);
@@ -432,60 +348,48 @@ static void write_map(const drawing *pen, int number, range z, int data) {
             "5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b', 9 '#fde725') maxcolors %d\n",
             COLOURS);
     fprintf(file, "set colorbox user origin screen %.6f,screen %.6f size screen %.6f,screen %.6f\n",
-            screen_x(pen, l->width - MARGIN_RIGHT - MAP_RIGHT + 14),
-            screen_y(pen, top + l->panel_height), 14.0 / l->width,
-            (double)l->panel_height / l->height);
+            screen_x(pen, l->width - l->right + COLOUR_GAP), screen_y(pen, top + l->panel_height),
+            (double)COLOUR_WIDTH / l->width, (double)l->panel_height / l->height);
     fprintf(file, "set colorbox border\nset border 15 lw 0.8 lc rgb '%s'\n", ink);
-    sheet_write_scale(file, "cb", p->logarithmic, z.low, z.high, 8);
+    const axis colours = colour_axis(p, pen->ranges->z[number].range, l->panel_height);
+    axis_write(file, &colours);
     sheet_quote(quoted, sizeof quoted, p->map.ordinate, 60);
     fprintf(file, "set ylabel '%s' noenhanced offset character 0.6,character 0\n", quoted);
-    fprintf(
-        file,
-        "plot 'data-%d' using 1:2:3:4:5:6:($8 > 0 ? NaN : $7) with boxxyerror fillstyle solid "
-        "noborder fillcolor palette notitle, \\\n     'data-%d' using "
-        "1:($8 > 0 ? $2 : NaN):3:4:5:6 with boxxyerror fillstyle solid noborder fillcolor rgb '%s' "
-        "notitle\nunset label\n",
-        data, data, pale);
+    fprintf(file,
+            "plot 'data-%d' using 1:($8 > 0 ? $2 : NaN):3:4:5:6 with boxxyerror fillstyle solid "
+            "noborder fillcolor rgb '%s' notitle, \\\n     'data-%d' using "
+            "1:($8 > 0 ? NaN : $2):3:4:5:6:7 with boxxyerror fillstyle solid noborder fillcolor "
+            "palette notitle\nunset label\n",
+            data, pale, data);
 }
 
-static bool write_map_panel(const drawing *pen, int number, range x, const char *folder) {
+static bool write_map_panel(const drawing *pen, int number, const char *folder) {
     const panel *p = &pen->sheet->panel[number];
-    const map *m = &p->map;
+    const int power = pen->ranges->z[number].power;
     char path[256];
-    range z = empty_range();
-    for (size_t i = 0; i < m->columns * m->rows; i++)
-        if (!p->logarithmic || m->cells[i] > 0.0) widen(&z, m->cells[i]);
-    const int power = power_of_panel(p, z);
-    const double scale = pow(1000.0, power);
-    z = (range){z.low / scale, z.high / scale};
-    if (p->logarithmic || !(z.high > z.low)) z = padded(p, z);
-    write_axes(pen, number, x, cell_range(m->y, m->rows, m->logarithmic_y), power);
-    write_map(pen, number, z, number);
+    write_axes(pen, number, power);
+    write_map(pen, number, number);
     snprintf(path, sizeof path, "%s/data-%d", folder, number);
-    return sheet_write_map(m, pen->sheet->logarithmic_abscissa, scale, path);
+    return sheet_write_map(&p->map, pen->sheet->logarithmic_abscissa, pow(1000.0, power), path);
 }
 
 static bool write_panels(const drawing *pen, const char *folder) {
     const sheet *s = pen->sheet;
-    const range x = abscissa_range(s);
     char path[256];
     bool good = true;
     int data = 0;
     for (int number = 0; number < s->count && good; number++) {
         const panel *p = &s->panel[number];
         if (p->mapped) {
-            good = write_map_panel(pen, number, x, folder);
+            good = write_map_panel(pen, number, folder);
             continue;
         }
-        const range found = ordinate_range(p);
-        const int power = power_of_panel(p, found);
-        const double scale = pow(1000.0, power);
-        const range y = padded(p, (range){found.low / scale, found.high / scale});
-        write_axes(pen, number, x, y, power);
+        const int power = pen->ranges->y[number].power;
+        write_axes(pen, number, power);
         write_plot(pen, number, data);
         for (int i = 0; i < p->count && good; i++, data++) {
             snprintf(path, sizeof path, "%s/data-%d", folder, data);
-            good = write_data(s, p, &p->series[i], scale, path);
+            good = write_data(s, p, &p->series[i], pow(1000.0, power), path);
         }
     }
     return good;
@@ -494,7 +398,12 @@ static bool write_panels(const drawing *pen, const char *folder) {
 static bool write_script(const sheet *s, sheet_format format, const char *folder) {
     char path[256];
     snprintf(path, sizeof path, "%s/script", folder);
-    const drawing pen = {fopen(path, "w"), s, lay_out(s), format};
+    ranges r = {.x = sheet_abscissa(s)};
+    for (int i = 0; i < s->count; i++) {
+        r.y[i] = panel_ordinate(&s->panel[i]);
+        if (s->panel[i].mapped) r.z[i] = panel_colours(&s->panel[i]);
+    }
+    const drawing pen = {fopen(path, "w"), s, &r, lay_out(s, &r), format};
     if (pen.file == NULL) return false;
     sheet_write_terminal(pen.file, format, pen.layout.width, pen.layout.height);
     write_frame(&pen);

@@ -37,6 +37,7 @@ typedef struct panel {
     char heading[SHEET_TEXT]; /* what is drawn, above the panel */
     char unit[32];            /* as in the table: "m/s2"; "" or "1": none */
     bool logarithmic;
+    double noise; /* of the numbers, in the unit: what is smaller means nothing; 0: not known */
     int count;
     series series[SHEET_SERIES];
     bool mapped; /* `map` is drawn, and no series */
@@ -91,12 +92,10 @@ gough_status sheet_draw(sheet_writer write, const void *content, const char *pat
 gough_status sheet_write_script(const sheet *sheet, sheet_format format, const char *folder,
                                 gough_error *error);
 
-/* What scripts of other figures share with it. A terminal of so many nominal pixels; a size of text in nominal pixels as it
- * counts fonts; scale and numbers of an axis "x", "y" or "cb" with at most so many intervals. */
+/* What scripts of other figures share with it: a terminal of so many nominal pixels, and a size of text in nominal pixels as the
+ * terminal counts fonts. */
 void sheet_write_terminal(FILE *file, sheet_format format, int width, int height);
 double sheet_font_size(sheet_format format, double pixels);
-void sheet_write_scale(FILE *file, const char *axis, bool logarithmic, double low, double high,
-                       int most);
 
 /* Edges of the n-th cell of a map: halfway to its neighbours, by ratio on a logarithmic axis (map.c). */
 void sheet_cell(const double *centre, size_t count, size_t n, bool logarithmic, double *low,

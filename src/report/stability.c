@@ -1,6 +1,7 @@
 /* Pictures of stability maps: frame, abscissa, thresholds; the panels are in stability_plane.c (two axes) and stability_line.c. */
 #define _POSIX_C_SOURCE 200809L
 #include "stability.h"
+#include "ticks.h"
 
 #include <errno.h>
 #include <locale.h>
@@ -103,24 +104,6 @@ int stability_list_tics(const field *f, double apart, stability_tic tic[STABILIT
     return count;
 }
 
-/* A logarithmic axis of hardly more than a decade has numbers at 1, 2 and 5 times its powers. */
-void stability_write_scale(const stability_pen *pen, const char *axis, bool logarithmic, double low,
-                           double high, int most) {
-    sheet_write_scale(pen->file, axis, logarithmic, low, high, most);
-    if (!logarithmic || high / low > 30) return;
-    const char *joint = "";
-    fprintf(pen->file, "set format %s '%%g'\nset %stics (", axis, axis);
-    const int first = (int)floor(log10(low)), last = (int)floor(log10(high));
-    for (int power = first; power <= last; power++)
-        for (int digit = 1; digit <= 5; digit += digit == 1 ? 1 : 3) {
-            const double number = digit * pow(10, power);
-            if (number < low * (1 - 1e-9) || number > high * (1 + 1e-9)) continue;
-            fprintf(pen->file, "%s%.9g", joint, number);
-            joint = ", ";
-        }
-    fprintf(pen->file, ")\n");
-}
-
 void stability_write_margins(const stability_pen *pen, int top, int height) {
     fprintf(pen->file,
             "set lmargin at screen %.6f\nset rmargin at screen %.6f\nset tmargin at screen "
@@ -139,15 +122,20 @@ static const char *stiffness_unit(const gough_units *units) {
 
 void stability_write_abscissa(const stability_pen *pen, bool titled) {
     const gough_map_range *range = &pen->field->options->stiffness;
-    stability_write_scale(pen, "x", range->logarithmic, pen->view.low_x, pen->view.high_x,
-                          pen->panel_width / 60);
+    axis_write(pen->file, &(axis){.name = "x",
+                                  .logarithmic = range->logarithmic,
+                                  .low = pen->view.low_x,
+                                  .high = pen->view.high_x,
+                                  .length = pen->panel_width,
+                                  .beside = true,
+                                  .bare = !titled});
     if (titled)
         fprintf(pen->file,
                 "set xlabel 'stiffness of the feedback G%s' noenhanced offset character "
                 "0,character 0.4\n",
                 stiffness_unit(&pen->figure->units));
     else
-        fprintf(pen->file, "unset xlabel\nset format x ''\n");
+        fprintf(pen->file, "unset xlabel\n");
 }
 
 /* "yaw 0.466"; the next of the list that is not the same again. */

@@ -53,10 +53,6 @@ typedef struct stability_tic {
 /* As many as stand apart by so much of the scale: growth per period, or growth rate where all rests. */
 int stability_list_tics(const field *field, double apart, stability_tic tic[STABILITY_TICS]);
 
-/* Scale and numbers of an axis "x" or "y", with at most so many intervals. */
-void stability_write_scale(const stability_pen *pen, const char *axis, bool logarithmic, double low,
-                           double high, int most);
-
 /* From value to pixel. */
 double stability_place_x(const stability_pen *pen, double value);
 double stability_place_y(const stability_pen *pen, double value);

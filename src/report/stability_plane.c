@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "stability.h"
+#include "ticks.h"
 
 enum {
     LEFT = 88,
@@ -315,8 +316,11 @@ static void write_ordinate(const stability_pen *pen) {
     if (o->axis == GOUGH_MAP_DAMPING)
         title = pen->figure->units.dimensionless ? "damping of the feedback D, dimensionless"
                                                  : "damping of the feedback D (N s/m)";
-    stability_write_scale(pen, "y", o->second.logarithmic, pen->view.low_y, pen->view.high_y,
-                          pen->panel_height / 40);
+    axis_write(pen->file, &(axis){.name = "y",
+                                  .logarithmic = o->second.logarithmic,
+                                  .low = pen->view.low_y,
+                                  .high = pen->view.high_y,
+                                  .length = pen->panel_height});
     fprintf(pen->file, "set ylabel '%s' noenhanced offset character 0.6,character 0\n", title);
 }
 

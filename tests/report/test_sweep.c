@@ -93,6 +93,60 @@ START_TEST(two_keys_are_a_map) {
 }
 END_TEST
 
+/* The fill of the last rectangle drawn over a place; "" if none. */
+static void colour_at(const char *svg, double x, double y, char colour[32]) {
+    static const char start[] = "<polygon fill = 'rgb(";
+    colour[0] = '\0';
+    for (const char *at = svg; (at = strstr(at, start)) != NULL; at++) {
+        double left, low, right, high;
+        const char *points = strstr(at, "points = '");
+        if (points == NULL ||
+            sscanf(points + 10, "%lf,%lf %lf,%*f %*f,%lf", &left, &low, &right, &high) != 4)
+            continue;
+        if (x > left && x < right && y < low && y > high)
+            snprintf(colour, 32, "%.*s", (int)strcspn(at + strlen(start), ")"), at + strlen(start));
+    }
+}
+
+/* Every cell is of one colour from edge to edge, grey where and only where the run ended early. */
+START_TEST(cells_of_a_map_end_at_their_edges) {
+    enum { COLUMNS = 4, ROWS = 3 };
+    static const bool ended[ROWS][COLUMNS] = {{1, 0, 0, 1}, {0, 1, 0, 0}, {1, 1, 0, 1}};
+    const gough_figure figure = gough_figure_default();
+    gough_table *table = sweep_table(COLUMNS, ROWS, 2);
+    const gough_table *tables[] = {table};
+    for (size_t r = 0; r < COLUMNS * ROWS; r++) {
+        table->value[1][r] = 1.0 + (double)(r % COLUMNS);
+        table->value[7][r] = ended[r / COLUMNS][r % COLUMNS] ? GOUGH_END_LEG_LONG : GOUGH_END_DONE;
+        table->value[5][r] = 1.0 + (double)r;
+    }
+    char *svg = draw(&figure, tables, 1);
+    double left = 0, right = 0, low = 0, high = 0;
+    const char *border = strstr(svg, "<path stroke='rgb( 51,  51,  51)'  d='M");
+    for (; border != NULL; border = strstr(border + 1, "<path stroke='rgb( 51,  51,  51)'  d='M"))
+        if (sscanf(strstr(border, "d='M") + 4, "%lf,%lf L%*f,%lf L%lf,", &left, &high, &low,
+                   &right) == 4 &&
+            right > left + 300 && low > high + 100)
+            break;
+    ck_assert_msg(border != NULL, "no border");
+    for (int r = 0; r < ROWS; r++)
+        for (int c = 0; c < COLUMNS; c++) {
+            char colour[32], first[32] = "";
+            for (int k = 0; k < 4; k++) {
+                const double across = k % 2 ? 0.04 : 0.96, up = k / 2 ? 0.04 : 0.96;
+                colour_at(svg, left + (right - left) * (c + across) / COLUMNS,
+                          low - (low - high) * (r + up) / ROWS, colour);
+                if (k == 0) strcpy(first, colour);
+                ck_assert_str_eq(colour, first);
+            }
+            ck_assert_msg((strcmp(first, "201, 201, 201") == 0) == ended[r][c], "%d %d: %s", r, c,
+                          first);
+        }
+    free(svg);
+    gough_table_free(table);
+}
+END_TEST
+
 START_TEST(a_grid_with_a_hole_is_no_map) {
     gough_table *table = sweep_table(9, 5, 2);
     const gough_table *tables[] = {table};
@@ -140,6 +194,6 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("report/sweep", 60, one_key_is_a_line_of_two_panels, two_keys_are_a_map,
-                     a_grid_with_a_hole_is_no_map, more_keys_are_shares_of_the_runs,
-                     degenerate_sweeps_are_drawn_or_refused);
+                     cells_of_a_map_end_at_their_edges, a_grid_with_a_hole_is_no_map,
+                     more_keys_are_shares_of_the_runs, degenerate_sweeps_are_drawn_or_refused);
 }
