@@ -103,7 +103,7 @@ START_TEST(numbers_of_logarithmic_axes_are_their_places) {
     gough_figure figure = gough_figure_default();
     figure.columns = "position_deviation";
     for (int i = 0; i < LOW_ENDS; i++)
-        for (int k = 0; k < REACHES; k++) {
+        for (int k = i % 2; k < REACHES; k += 2) {
             /* the ordinate is logarithmic from two decades on, and then shows whole ones */
             const double up = fmax(reach[k], 150);
             gough_table *table = sweep_over(low_end[i], reach[k], low_end[i], up);
