@@ -4,6 +4,7 @@
 # make install    into PREFIX (default /usr/local), under DESTDIR if given
 # make package    a Debian package in build/
 # make fuzz       each fuzzing target for FUZZ_SECONDS under sanitizers
+# make campaign   STUDIES=1000 random studies, each number printed against an independent computation
 # make bench      timings beside those of other programs, one table; BENCH=--json for machines
 # make lint       formatting and static analysis
 # make docs       API reference in build/docs
@@ -13,8 +14,9 @@ PREFIX       ?= /usr/local
 FUZZ_SECONDS ?= 60
 CMAKE_FLAGS  ?=
 BENCH        ?=
+STUDIES      ?= 1000
 
-.PHONY: all configure test demo install package fuzz bench lint docs clean
+.PHONY: all configure test demo install package fuzz campaign bench lint docs clean
 
 all: configure
 	@cmake --build "$(BUILD)" --target gough_command gough_archive gough_shared gough_files_shared
@@ -41,6 +43,10 @@ package:
 fuzz:
 	@scripts/install-packages.sh build test
 	@FUZZ_SECONDS=$(FUZZ_SECONDS) scripts/fuzz.sh
+
+campaign: all
+	@scripts/install-packages.sh test
+	@tests/independent/campaign/campaign.py --gough "$(BUILD)/gough" --studies $(STUDIES) --jobs "$$(nproc)"
 
 bench: configure
 	@scripts/install-packages.sh bench

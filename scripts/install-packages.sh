@@ -34,6 +34,7 @@ test    | netcdf-bin       | command -v ncdump
 test    | clang-format     | command -v clang-format
 test    | man-db           | command -v man
 test    | jq               | command -v jq
+test    | python3          | command -v python3
 test    | doxygen          | command -v doxygen
 docs    | doxygen          | command -v doxygen
 lint    | clang-format     | command -v clang-format

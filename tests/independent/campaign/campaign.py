@@ -1,0 +1,277 @@
+#!/usr/bin/env python3
+"""Random studies through every verb of the command, each number that it prints against one independent computation.
+
+    campaign.py --gough build/gough --studies 50 --seed 1 [--first 0] [--jobs 1] [--keep FOLDER]
+
+Study number k depends on the seed and k alone. What differs is told with the study, the verb and the number's name; the exit
+status is 1 then. Standard library only; what is not compared is listed at the end with its reason.
+"""
+import argparse
+import collections
+import concurrent.futures
+import csv
+import io
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+import facts
+import mechanics
+import printed
+import studies
+import verbs
+
+
+class Case:
+    """One study: its file, its meaning, and what was compared."""
+
+    def __init__(self, gough, seed, number, folder):
+        self.gough, self.number, self.folder = gough, number, folder
+        self.maker = studies.Maker(seed, number)
+        self.tree = self.maker.make()
+        self.meaning = studies.Meaning(self.tree)
+        self.path = os.path.join(folder, f"study-{number}.yaml")
+        with open(self.path, "w", encoding="utf-8") as stream:
+            stream.write(studies.written(self.tree))
+        self.compared, self.failures, self.skipped, self.worst = collections.Counter(), [], {}, collections.defaultdict(float)
+
+    def fail(self, what):
+        self.failures.append(f"study {self.number}: {what}")
+
+    def run(self, *arguments, allowed=(0,)):
+        done = subprocess.run([self.gough, *arguments], capture_output=True, text=True, cwd=self.folder)
+        if done.returncode not in allowed:
+            self.fail(f"gough {' '.join(arguments)} ends with {done.returncode}: {done.stderr.strip()}")
+            raise StopIteration
+        return done
+
+    # ---- comparing ----
+
+    def near(self, where, got, value, slack, half=0.0):
+        """One number: within its slack and half of its last printed digit. What is not a number differs."""
+        self.compared[where.split()[0]] += 1
+        gap = abs(got - value) if math.isfinite(got) else math.inf
+        if slack > 0 and math.isfinite(gap):
+            self.worst[re.sub(r"[0-9\[\]]+", "", where)] = max(self.worst[re.sub(r"[0-9\[\]]+", "", where)], (gap - half) / slack)
+        if not gap <= slack + half:
+            self.fail(f"{where}: printed {got!r}, computed {value!r} (± {slack:.1g}, half a digit {half:.1g})")
+
+    def same(self, where, got, wanted):
+        self.compared[where.split()[0]] += 1
+        if got != wanted:
+            self.fail(f"{where}: {got!r}, expected {wanted!r}")
+
+    def text(self, verb, text, known, wanted, units):
+        """The numbers of a text by name; returns those that `wanted` does not have."""
+        rest = {}
+        try:
+            found = printed.read(text, known)
+        except printed.Unreadable as error:
+            self.fail(f"{verb} text: {error}")
+            return rest
+        for name, number in found:
+            q = wanted.get(name)
+            if q is None:
+                rest.setdefault(name, []).append(number)
+            elif not isinstance(number, printed.Printed):
+                self.fail(f"{verb} {name}: printed as {number!r}")
+            else:
+                value, slack = units.of(q)
+                self.near(f"{verb} text {name}", number.value, value, slack, number.half)
+        return rest
+
+    def tree_of(self, verb, got, wanted, units, path=""):
+        """JSON against what it should be: the same keys, each number near."""
+        if isinstance(wanted, verbs.Skip):
+            self.skipped[f"{verb} {re.sub('[0-9]+', 'N', path)}"] = wanted.reason
+        elif isinstance(wanted, dict):
+            if not isinstance(got, dict) or set(got) != set(wanted):
+                keys = set(got) if isinstance(got, dict) else got
+                self.fail(f"{verb} --json {path}: has the keys {keys}, expected {set(wanted)}")
+                return
+            for key in wanted:
+                self.tree_of(verb, got[key], wanted[key], units, f"{path}.{key}" if path else key)
+        elif isinstance(wanted, list):
+            if not isinstance(got, list) or len(got) != len(wanted):
+                self.fail(f"{verb} --json {path}: {got!r} has not {len(wanted)} elements")
+                return
+            for k, (a, b) in enumerate(zip(got, wanted)):
+                self.tree_of(verb, a, b, units, f"{path}[{k + 1}]")
+        elif isinstance(wanted, facts.Q):
+            if isinstance(got, bool) or not isinstance(got, (int, float)):
+                self.fail(f"{verb} --json {path}: {got!r} is no number")
+                return
+            value, slack = units.of(wanted)
+            self.near(f"{verb} json {path}", got, value, slack + 4e-16 * abs(value))
+        else:
+            self.compared[verb] += 1
+            if not (got in wanted if isinstance(wanted, set) else got == wanted and type(got) is type(wanted)):
+                self.fail(f"{verb} --json {path}: {got!r}, expected {wanted!r}")
+
+    # ---- verbs ----
+
+    def check(self):
+        """The machine; returns its principal axes once they are known to be some."""
+        check = verbs.Check(self.meaning)
+        units = facts.Units(self.meaning, False)
+        name = os.path.basename(self.path)
+        data = json.loads(self.run("check", name, "--json").stdout)
+        check.order_of(data["principal_moments"])
+        self.tree_of("check", data, check.json(), units)
+        axes = data["principal_axes"]
+        self.axes_of_inertia("json", axes, data["principal_moments"], [[1e-9] * 3] * 3, check)
+        rest = self.text("check", self.run("check", name).stdout, check.lines(name, units), check.facts(), units)
+        if rest:
+            printed_axes = [[rest[f"axis_{a}{k}"][0].value for k in range(3)] for a in range(3)]
+            halves = [[rest[f"axis_{a}{k}"][0].half for k in range(3)] for a in range(3)]
+            for a in range(3):
+                for k in range(3):
+                    self.near("check text axis", printed_axes[a][k], axes[a][k], 1e-15, halves[a][k])
+            if rest["weakest"][0] not in check.weakest_allowed():
+                self.fail(f"check: the legs feel {rest['weakest'][0]} least, expected {check.weakest_allowed()}")
+        return [tuple(a) for a in axes]
+
+    def axes_of_inertia(self, form, axes, moments, slack, check):
+        """Orthonormal, right-handed, and J e = moment e for each."""
+        J, size = self.meaning.machine.inertia, max(check.moments)
+        for a, (e, moment) in enumerate(zip(axes, moments)):
+            image = mechanics.apply(J, e)
+            for k in range(3):
+                self.near(f"check {form} axis", image[k] / size, moment * e[k] / size, slack[a][k])
+            for b in range(3):
+                self.near(f"check {form} axis", mechanics.dot(e, axes[b]), float(a == b), slack[a][0])
+        self.near(f"check {form} axis", mechanics.dot(mechanics.cross(axes[0], axes[1]), axes[2]), 1.0, slack[0][0])
+
+    def verb(self, run, title, scaled, reactions):
+        """forces or simulate: text, JSON and table, in the study's units or dimensionless."""
+        units = facts.Units(self.meaning, scaled)
+        name = os.path.basename(self.path)
+        options = ["--dimensionless"] if scaled else []
+        status = (0,) if run.end["status"] == "done" else (1,)
+        table = ["-o", "table.csv"] + (["--reactions"] if reactions else [])
+        data = json.loads(self.run(run.verb, name, "--json", *options, allowed=status).stdout)
+        self.tree_of(run.verb, data, run.json(), units)
+        done = self.run(run.verb, name, *options, *table, allowed=status)
+        known = verbs.summary_lines(self.meaning, units, run.simulated, title) + run.end_lines(units)
+        known.append(printed.Line("table table.csv", units.name))
+        rest = self.text(run.verb, done.stdout, known, run.facts(), units)
+        if rest:
+            self.condition_time(run, rest.pop("condition_time")[0], units)
+            if run.simulated:
+                self.near("simulate text drift", rest.pop("drift")[0].value, 0.0, 1e-6)
+            run.compare_rest(self, rest, units)
+            for name in rest:
+                self.fail(f"{run.verb} text: nothing is known of {name}")
+        with open(os.path.join(self.folder, "table.csv"), encoding="utf-8") as stream:
+            self.table(run, stream.read(), units, reactions)
+
+    def condition_time(self, run, number, units):
+        """The condition at the time that is printed for it is the largest."""
+        size = units.size["time"]
+        slope = 0.0
+        for shift in (-number.half * size, number.half * size):
+            at = min(max(number.value * size + shift, 0.0), run.last)
+            slope = max(slope, abs(run.condition_at(at) - run.condition_at(min(max(number.value * size, 0), run.last))))
+        self.near(f"{run.verb} text condition_time", run.condition_at(min(number.value * size, run.last)), run.condition,
+                  run.condition_slack + slope + 1e-7 * run.condition)
+        if not number.value * size <= run.last * (1 + 1e-5):
+            self.fail(f"{run.verb}: the condition is worst at t = {number}, after the last row")
+
+    def table(self, run, text, units, reactions):
+        verb, lines = run.verb, list(csv.reader(io.StringIO(text)))
+        wanted = list(run.rows())
+        if len(lines) != len(wanted) + 1:
+            self.fail(f"{verb} table: {len(lines) - 1} rows, expected {len(wanted)}")
+            return
+        heads = [name for name in wanted[0] if reactions or name not in facts.REACTIONS] + (["drift"] if run.simulated else [])
+        if set(lines[0]) != set(heads):
+            self.fail(f"{verb} table: columns {lines[0]}, expected {heads}")
+            return
+        size = {name: max(abs(row[name][0]) for row in wanted) for name in wanted[0]}
+        share = 4 * run.slack
+        for k, (line, row) in enumerate(zip(lines[1:], wanted)):
+            for name, word in zip(lines[0], line):
+                if name == "drift":
+                    if not 0 <= float(word) < 1e-6:
+                        self.fail(f"{verb} table: drift {word}")
+                    continue
+                value, dimension = row[name]
+                natural = run.scales.size[dimension]
+                slack = 1e-15 * k * natural if name == "t" else share * (size[name] + natural) * (row["condition"][0] if name == "condition" else 1)
+                value, slack = units.of(facts.Q(value, dimension, slack))
+                gap = float(word) - value
+                if name in ("roll", "yaw", "pitch"):
+                    gap = math.remainder(gap, 360)
+                self.near(f"{verb} csv {name}", value + gap, value, slack)
+
+    def go(self):
+        axes = self.check()
+        title = self.tree.get("title")
+        scales = [False] + ([True] if mechanics.norm(self.meaning.machine.gravity) > 0 else [])
+        run = verbs.Forces(self.meaning, axes)
+        for scaled in scales:
+            self.verb(run, title, scaled, reactions=scaled)
+        if self.number % 2 == 0:
+            run = verbs.Simulate(self.meaning, axes)
+            for scaled in scales:
+                self.verb(run, title, scaled, reactions=not scaled)
+
+
+def one(gough, seed, number, keep):
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = keep or scratch
+        case = Case(gough, seed, number, folder)
+        try:
+            case.go()
+        except StopIteration:
+            pass
+        except Exception as error:  # a study that cannot be computed is a failure of the campaign, told with its number
+            import traceback
+            case.fail(f"the campaign itself fails: {error!r}\n{traceback.format_exc()}")
+        return case.compared, case.failures, case.skipped, dict(case.worst)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--gough", required=True)
+    parser.add_argument("--studies", type=int, default=50)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--keep", help="a folder for the studies")
+    parser.add_argument("--show", type=int, default=8, help="differences told of each study")
+    parser.add_argument("--worst", action="store_true", help="print which share of its slack each kind of number took")
+    options = parser.parse_args()
+    os.environ["LC_ALL"] = "C"
+    gough = os.path.abspath(options.gough)
+    numbers = range(options.first, options.first + options.studies)
+    compared, failures, skipped, worst = collections.Counter(), [], {}, collections.defaultdict(float)
+    with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
+        jobs = [pool.submit(one, gough, options.seed, k, options.keep) for k in numbers]
+        for job in jobs:
+            a, b, c, d = job.result()
+            compared.update(a)
+            failures += b
+            skipped.update(c)
+            for line in b[:options.show]:
+                print("FAIL ", line, flush=True)
+            if len(b) > options.show:
+                print(f"      and {len(b) - options.show} more of this study (--show N)", flush=True)
+            for name, share in d.items():
+                worst[name] = max(worst[name], share)
+    if options.worst:
+        for name, share in sorted(worst.items(), key=lambda x: -x[1])[:60]:
+            print(f"  {share:8.1g} {name}")
+    print(f"seed {options.seed}, studies {options.first} to {numbers[-1]}: {sum(compared.values())} numbers compared ("
+          + ", ".join(f"{verb} {count}" for verb, count in sorted(compared.items())) + f"), {len(failures)} differ")
+    for name, reason in sorted(skipped.items()):
+        print(f"  not compared: {name}: {reason}")
+    sys.exit(1 if failures or not compared else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,295 @@
+"""What a study's verbs should say, computed by mechanics.py: rows, peaks, integrals, ends. SI or the study's units, radians."""
+import math
+
+import mechanics as m
+
+ANGLE = 180 / math.pi
+REACTIONS = ("rxx", "ryy", "rzz", "rxy", "ryz", "rzx")
+
+
+class Q:
+    """A number of the study with its dimension and how far two honest computations of it may lie apart."""
+
+    def __init__(self, value, dimension, slack):
+        self.value, self.dimension, self.slack = value, dimension, slack
+
+    def __repr__(self):
+        return f"{self.value!r} ± {self.slack:.1g}"
+
+
+class Units:
+    """Sizes of the output's units in the study's own."""
+
+    def __init__(self, meaning, scaled):
+        self.name = "dimensionless" if scaled or meaning.dimensionless else "si"
+        L, M, T = meaning.machine.units() if scaled else (1.0, 1.0, 1.0)
+        self.L, self.M, self.T = L, M, T
+        self.size = {None: 1.0, "length": L, "time": T, "speed": L / T, "acceleration": L / T ** 2, "force": M * L / T ** 2,
+                     "power": M * L ** 2 / T ** 3, "energy": M * L ** 2 / T ** 2, "mass": M, "inertia": M * L ** 2,
+                     "stiffness": M / T ** 2, "damping": M / T, "volume": L ** 3, "angle": 1 / ANGLE,
+                     "angular speed": 1 / ANGLE / T, "angular acceleration": 1 / ANGLE / T ** 2}
+
+    def of(self, q):
+        """Value and slack in these units; angles in degrees."""
+        size = self.size[q.dimension]
+        return q.value / size, q.slack / size
+
+
+class Scales:
+    """Natural sizes of a study, that slacks are shares of."""
+
+    def __init__(self, meaning):
+        self.length, self.time = meaning.machine.base_radius, meaning.duration
+        mass, g = meaning.machine.mass, m.norm(meaning.machine.gravity)
+        self.force = mass * (g + self.length / self.time ** 2)
+        self.size = {None: 1.0, "length": self.length, "time": self.time, "speed": self.length / self.time,
+                     "acceleration": self.force / mass, "force": self.force, "power": self.force * self.length / self.time,
+                     "energy": self.force * self.length, "angle": 1.0, "angular speed": 1 / self.time,
+                     "angular acceleration": self.force / mass / self.length}
+
+
+# ---- rows -----------------------------------------------------------------------------------------------------------
+
+def row_of(meaning, t, pose, u, wanted=None, axes=None, turn=(0, 0, 0)):
+    """One row of a table: name to (value, dimension). wanted: the program's pose, for deviations. axes: principal, for reactions."""
+    row = {"t": (t, "time")}
+
+    def put(names, values, dimension):
+        for name, value in zip(names.split(), values):
+            row[name] = (value, dimension)
+
+    put("x y z", pose.p, "length")
+    put("roll pitch yaw", m.angles(pose.R), "angle")
+    put("vx vy vz", pose.v, "speed")
+    put("wx wy wz", pose.omega, "angular speed")
+    put("ax ay az", pose.a, "acceleration")
+    put("alx aly alz", pose.alpha, "angular acceleration")
+    put("l1 l2 l3 l4 l5 l6", pose.length, "length")
+    put("dl1 dl2 dl3 dl4 dl5 dl6", pose.rate, "speed")
+    put("f1 f2 f3 f4 f5 f6", u, "force")
+    put("p1 p2 p3 p4 p5 p6", [f * v for f, v in zip(u, pose.rate)], "power")
+    put("condition", [pose.condition()], None)
+    if wanted:
+        put("ex ey ez", m.sub(pose.p, wanted.p), "length")
+        gaps = [a - b for a, b in zip(m.angles(pose.R), m.angles(wanted.R))]
+        put("eroll epitch eyaw", [math.remainder(x, 2 * math.pi) for x in gaps], "angle")
+    if axes:
+        put(" ".join(REACTIONS), reactions(meaning, pose, u, axes, turn), "energy")
+    return row
+
+
+def reactions(meaning, pose, u, axes, turn):
+    """What the axes of the body must be held by: I_a ë_a = Q_a + Σ Λ_ab e_b, with ë of the rigid motion."""
+    machine = meaning.machine
+    J = machine.inertia
+    centre = m.apply(pose.R, machine.centre)
+    e = [m.apply(pose.R, a) for a in axes]
+    moments = [m.dot(a, m.apply(J, a)) for a in axes]
+    second = [sum(moments) / 2 - x for x in moments]  # ∫x² dm = (Jy + Jz − Jx)/2
+    acceleration = [m.add(m.cross(pose.alpha, x), m.cross(pose.omega, m.cross(pose.omega, x))) for x in e]
+    Q = [m.scaled(0.5, m.cross(turn, x)) for x in e]
+    for f, n, arm in zip(u, pose.direction, pose.arm):
+        r = m.sub(arm, centre)
+        Q = [m.add(q, m.scaled(m.dot(r, x) * f, n)) for q, x in zip(Q, e)]
+    held = [m.sub(m.scaled(I, a), q) for I, a, q in zip(second, acceleration, Q)]
+    return [m.dot(held[a], e[b]) for a, b in ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))]
+
+
+def cubic_integral(values, h):
+    """Integral from equally spaced values, each interval by the cubic through the four nearest (Simpson's rule is exact for it)."""
+    if len(values) < 4:
+        return h * sum((a + b) / 2 for a, b in zip(values, values[1:]))
+    total = 0.0
+    for i in range(len(values) - 1):
+        first = min(max(i - 1, 0), len(values) - 4)
+        a, b, c, d = values[first:first + 4]
+        middle = {0: (5 * a + 15 * b - 5 * c + d) / 16, 1: (9 * (b + c) - a - d) / 16, 2: (a - 5 * b + 15 * c + 5 * d) / 16}[i - first]
+        total += h / 6 * (values[i] + 4 * middle + values[i + 1])
+    return total
+
+
+# ---- quantities of a run along time ---------------------------------------------------------------------------------
+
+LEG_QUANTITIES = ("length", "speed", "force", "power", "square", "base", "top")
+DIMENSION = {"length": "length", "speed": "speed", "force": "force", "power": "power", "base": "angle", "top": "angle"}
+
+
+def quantities(meaning, pose, u):
+    """The curves that a summary is made of: (name, leg) to value, and the condition."""
+    home, out = meaning.machine.home, {}
+    for k in range(6):
+        out["length", k], out["speed", k], out["force", k] = pose.length[k], pose.rate[k], u[k]
+        out["power", k], out["square", k] = u[k] * pose.rate[k], u[k] * u[k]
+        out["base", k] = m.angle_between(pose.direction[k], home.direction[k])
+        out["top", k] = m.angle_between(m.apply_back(pose.R, pose.direction[k]), home.direction[k])
+    out["condition", 0] = pose.condition()
+    return out
+
+
+class Curves:
+    """Each quantity on Chebyshev's points of pieces without corners: extremes and integrals of the motion itself."""
+
+    NODES, FINE = 14, 8
+
+    def __init__(self, meaning, sample):
+        """sample(t) gives quantities at t."""
+        last = meaning.time(meaning.rows - 1)
+        n, ends = self.NODES, [0.0] + [t for t in meaning.stops if t < last] + [last]
+        self.x = [-math.cos(math.pi * k / (n - 1)) for k in range(n)]
+        self.pieces, self.extreme = [], {}
+        for a, b in zip(ends, ends[1:]):
+            parts = math.ceil((b - a) / meaning.duration * 9 + 1e-9)
+            for k in range(parts):
+                low, high = a + (b - a) * k / parts, a + (b - a) * (k + 1) / parts
+                samples = [sample((low + high) / 2 + (high - low) / 2 * x) for x in self.x]
+                self.pieces.append((low, high, {name: [s[name] for s in samples] for name in samples[0]}))
+        self.fine = [-1 + 2 * k / (self.FINE * n) for k in range(self.FINE * n + 1)]
+        self.weights = [self.barycentric(x) for x in self.fine]
+
+    def barycentric(self, at):
+        """Weights of the interpolating polynomial through the nodes, at one place."""
+        raw = []
+        for k, x in enumerate(self.x):
+            if abs(at - x) < 1e-15:
+                return [float(i == k) for i in range(self.NODES)]
+            raw.append((-1) ** k * (0.5 if k in (0, self.NODES - 1) else 1.0) / (at - x))
+        total = sum(raw)
+        return [w / total for w in raw]
+
+    def fine_values(self, values):
+        return [sum(w * v for w, v in zip(weights, values)) for weights in self.weights]
+
+    def extremes(self, name):
+        """Least and greatest value with their times."""
+        if name not in self.extreme:
+            best = {-1: (math.inf, 0.0), 1: (math.inf, 0.0)}
+            for low, high, curves in self.pieces:
+                values = self.fine_values(curves[name])
+                for sign in best:
+                    found = peak_of([-sign * v for v in values], low, (high - low) / (len(values) - 1))
+                    best[sign] = min(best[sign], found)
+            self.extreme[name] = (best[-1], (-best[1][0], best[1][1]))
+        return self.extreme[name]
+
+    def integral(self, name):
+        """By the integral of the interpolating polynomial: Clenshaw and Curtis."""
+        n, total = self.NODES - 1, 0.0
+        for low, high, curves in self.pieces:
+            y, piece = curves[name], 0.0
+            for k in range(0, n + 1, 2):
+                c = sum(v * math.cos(k * math.pi * (1 - j / n)) * (0.5 if j in (0, n) else 1) for j, v in enumerate(y)) * 2 / n
+                piece += c * 2 / (1 - k * k) * (0.5 if k in (0, n) else 1)
+            total += piece * (high - low) / 2
+        return total
+
+    def intervals(self, name, beyond, last):
+        """Where beyond(value) > 0: [enter, leave, worst, time] of each interval, leave None where it lasts to the end."""
+        out, inside = [], None
+        for low, high, curves in self.pieces:
+            values = [beyond(v) for v in self.fine_values(curves[name])]
+            step = (high - low) / (len(values) - 1)
+            for k in range(len(values)):
+                if inside is None and values[k] > 0:
+                    at = low + step * k if k == 0 else root(values, k - 1, low, step)
+                    inside = [at, None]
+                elif inside is not None and values[k] <= 0:
+                    inside[1] = root(values, k - 1, low, step) if k else low
+                    out.append(inside)
+                    inside = None
+        if inside is not None:
+            out.append(inside)
+        return out
+
+
+def root(values, k, low, step):
+    """A root between k and k + 1 by the cubic through the values about it."""
+    first = min(max(k - 1, 0), len(values) - 4)
+    a, b = float(k), float(k + 1)
+
+    def f(x):
+        total = 0.0
+        for i in range(first, first + 4):
+            term = values[i]
+            for j in range(first, first + 4):
+                if j != i:
+                    term *= (x - j) / (i - j)
+            total += term
+        return total
+
+    rising = values[k + 1] > values[k]
+    for _ in range(60):
+        middle = (a + b) / 2
+        if (f(middle) > 0) == rising:
+            b = middle
+        else:
+            a = middle
+    return low + step * (a + b) / 2
+
+
+def peak_of(values, low, step):
+    """(least value, its time) of a smooth curve by the parabola about its least sample."""
+    k = min(range(len(values)), key=values.__getitem__)
+    if 0 < k < len(values) - 1:
+        a, b, c = values[k - 1:k + 2]
+        bend = a - 2 * b + c
+        if bend > 0:
+            shift = (a - c) / (2 * bend)
+            return b - (a - c) ** 2 / (8 * bend), low + step * (k + shift)
+    return values[k], low + step * k
+
+
+class Rows:
+    """The same quantities at the output times only."""
+
+    def __init__(self, meaning, samples):
+        self.step, self.samples = meaning.output_step, samples
+
+    def extremes(self, name):
+        values = [s[name] for s in self.samples]
+        low, high = min(values), max(values)
+        return (low, values.index(low) * self.step), (high, values.index(high) * self.step)
+
+    def integral(self, name):
+        return cubic_integral([s[name] for s in self.samples], self.step)
+
+
+# ---- summaries ------------------------------------------------------------------------------------------------------
+
+def leg_facts(curves, span, scales, slack):
+    """What forces and simulate print for each leg: six mappings of names to Q."""
+    legs = []
+    top = {d: slack * scales.size[d] for d in ("length", "speed", "force", "power", "energy", "angle")}
+    for k in range(6):
+        for d in ("force", "power"):
+            low, high = curves.extremes((d, k))
+            top[d] = max(top[d], slack * abs(low[0]), slack * abs(high[0]))
+    for k in range(6):
+        leg = {}
+        for name in ("length", "force", "power"):
+            (low, _), (high, _) = curves.extremes((name, k))
+            leg[name + "_least"], leg[name + "_greatest"] = Q(low, name, top[name]), Q(high, name, top[name])
+        leg["used"] = Q(leg["length_greatest"].value - leg["length_least"].value, "length", top["length"])
+        leg["force_peak"] = Q(max(abs(leg["force_least"].value), abs(leg["force_greatest"].value)), "force", top["force"])
+        (low, _), (high, _) = curves.extremes(("speed", k))
+        leg["speed"] = Q(max(abs(low), abs(high)), "speed", top["speed"])
+        square = curves.integral(("square", k))
+        leg["rms"] = Q(math.sqrt(max(0.0, square / span)) if span > 0 else leg["force_peak"].value, "force", 3 * top["force"])
+        energy = top["energy"] + top["power"] * span
+        leg["energy"] = Q(curves.integral(("power", k)), "energy", energy)
+        for name in ("base", "top"):
+            leg[name] = Q(curves.extremes((name, k))[1][0], "angle", 30 * top["angle"])
+        legs.append(leg)
+    return legs
+
+
+def over_all(legs):
+    """The row `all` of the tables."""
+    least = {"length_least", "force_least", "power_least"}
+    out = {}
+    for name, first in legs[0].items():
+        values, slack = [leg[name].value for leg in legs], max(leg[name].slack for leg in legs)
+        if name == "energy":
+            out[name] = Q(sum(values), "energy", 6 * slack)
+        else:
+            out[name] = Q(min(values) if name in least else max(values), first.dimension, slack)
+    return out

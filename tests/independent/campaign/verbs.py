@@ -1,0 +1,500 @@
+"""What each verb prints, line by line and key by key, beside what facts.py and mechanics.py say it should."""
+import math
+
+import facts as f
+import mechanics as m
+import studies
+from facts import Q
+from printed import Line, Table
+
+COMPONENTS = studies.COMPONENTS
+CAUSE = {"short": "leg_short", "long": "leg_long", "speed": "leg_speed", "force": "leg_force"}
+
+
+class Skip:
+    """A member of JSON that is not compared, and why."""
+
+    def __init__(self, reason):
+        self.reason = reason
+
+
+DRIFT = Skip("round-off of the constraints: only that it is small is checked")
+CLOCK = Skip("time on the clock")
+SENTENCE = Skip("a sentence; its numbers are read where it is printed")
+
+
+def components(names, values, dimension, slack):
+    return {name: Q(value, dimension, slack) for name, value in zip(names, values)}
+
+
+def units_sentence(meaning, units):
+    if units.name == "si":
+        return "SI units, angles in degrees"
+    if meaning.dimensionless and units.L == 1 and units.M == 1 and units.T == 1:
+        return "dimensionless, angles in degrees"
+    return "dimensionless: lengths in R_b, masses in M, times in sqrt(R_b/g); angles in degrees"
+
+
+# ---- check ----------------------------------------------------------------------------------------------------------
+
+class Check:
+    def __init__(self, meaning):
+        self.meaning, self.machine = meaning, meaning.machine
+        self.scales = f.Scales(meaning)
+        self.singular, vectors = self.machine.home.singular_values()
+        self.vectors = [[row[k] for row in vectors] for k in range(6)]
+        self.determinant = m.solve6(self.machine.home.jacobian(), [0.0] * 6)[1]
+        self.moments = sorted(m.eigen(self.machine.inertia)[0])  # in the order of the axes that are printed, see order_of()
+        self.ranges = self.program_ranges()
+
+    def order_of(self, printed):
+        """Puts the moments in the order of those printed: which axis comes first is free."""
+        rank = sorted(range(3), key=lambda k: printed[k])
+        self.moments = [self.moments[rank.index(k)] for k in range(3)]
+
+    def program_ranges(self):
+        """Least and greatest of each component at the output times, angles in radians."""
+        jets = [self.meaning.program(self.meaning.time(k)) for k in range(self.meaning.rows)]
+        return [(min(j[c][0] for j in jets), max(j[c][0] for j in jets)) for c in range(6)]
+
+    def weakest_allowed(self):
+        """Names that the motion of the least singular value may have: of a pair of equal values any mixture may be meant."""
+        least = min(self.singular)
+        space = [v for v, s in zip(self.vectors, self.singular) if s < least * (1 + 1e-7)]
+        allowed = set()
+        for k in range(6):
+            # the vector of the space with the largest component k is the projection of the unit vector
+            image = [sum(v[k] * v[i] for v in space) for i in range(6)]
+            if image[k] > 0 and abs(image[k]) >= max(abs(x) for x in image) * (1 - 1e-7):
+                allowed.add(COMPONENTS[k])
+        return allowed
+
+    def groups(self):
+        meaning, machine = self.meaning, self.machine
+        L, M, T = machine.units()
+        return {"h": machine.height / L, "r": machine.top_radius / L, "J": [x / (M * L * L) for x in self.moments],
+                "G": [g * T * T / M for g in meaning.stiffness], "D": [d * T / M for d in meaning.damping]}
+
+    def json(self):
+        meaning, machine, tree = self.meaning, self.machine, self.meaning.tree
+        s, eps = self.scales.size, 1e-11
+        groups, T = self.groups(), machine.units()[2]
+        length = meaning.limits.get("length", (0.0, None))
+        bound = lambda x, d: Q(x, d, eps * abs(x))
+        each = lambda values, d, scale: [Q(x, d, eps * scale) for x in values]
+        gains = lambda values: [None if math.isnan(x) else Q(x, None, eps * max(values)) for x in values]
+        program = {"kind": "moves" if meaning.moves is not None else "formulas"}
+        for c, name in enumerate(COMPONENTS):
+            program[name] = each(self.ranges[c], "length" if c < 3 else "angle", s["length"] if c < 3 else 1.0)
+        fixed = meaning.step is not None
+        top = max(self.moments)
+        out = {
+            "verb": "check", "title": tree.get("title", ""), "units": "dimensionless" if meaning.dimensionless else "si",
+            "home_length": each(machine.home.length, "length", s["length"]),
+            "stroke": [bound(length[0], "length"), bound(length[1], "length") if length[1] else None],
+            "condition": Q(machine.home.condition(), None, 1e-9 * machine.home.condition()),
+            "determinant": Q(self.determinant, "volume", 1e-9 * abs(self.determinant)),
+            "least_singular_value": Q(min(self.singular), None, 1e-9),
+            "weakest_motion": self.weakest_allowed(),
+            "principal_moments": [Q(x, "inertia", eps * top) for x in self.moments],
+            "principal_axes": Skip("compared as axes of the tensor of inertia"),
+            "base_radius": bound(machine.base_radius, "length"),
+            "time_unit": None if math.isnan(T) else bound(T, "time"),
+            "groups": {"height": Q(groups["h"], None, eps), "top_radius": Q(groups["r"], None, eps),
+                       "inertia": each(groups["J"], None, max(groups["J"])),
+                       "stiffness": gains(groups["G"]), "damping": gains(groups["D"])},
+            "program": program,
+            "simulation": {"duration": bound(meaning.duration, "time"), "output_step": bound(meaning.output_step, "time"),
+                           "method": meaning.method, "step": bound(meaning.step, "time") if fixed else None,
+                           "tolerance": None if fixed else bound(meaning.tolerance, None)}}
+        if "sweep" in tree:
+            out["sweep"] = Sweep.described(tree["sweep"])
+        return out
+
+    def facts(self):
+        """Names of numbers in the text to Q."""
+        meaning, machine, j = self.meaning, self.machine, self.json()
+        s, out = self.scales.size, {}
+        for k in range(6):
+            out[f"home[{k + 1}]"] = j["home_length"][k]
+            for c, axis in enumerate("xyz"):
+                out[f"base_{axis}[{k + 1}]"] = Q(machine.base[k][c], "length", 1e-12 * s["length"])
+                out[f"top_{axis}[{k + 1}]"] = Q(machine.top[k][c], "length", 1e-12 * s["length"])
+        limits = meaning.limits
+        low, high = limits.get("length", (0, 0))
+        out |= {"limit_low": Q(low, "length", 0), "limit_high": Q(high, "length", 0),
+                "max_speed": Q(limits.get("max_speed", 0), "speed", 0), "max_force": Q(limits.get("max_force", 0), "force", 0),
+                "condition": j["condition"], "determinant": Q(abs(self.determinant), "volume", j["determinant"].slack),
+                "least_singular": j["least_singular_value"], "arm": Q(machine.arm, "length", 1e-12 * s["length"]),
+                "mass": Q(machine.mass, "mass", 0), "R_b": j["base_radius"], "h": j["groups"]["height"],
+                "r": j["groups"]["top_radius"], "time_unit": j["time_unit"], "duration": j["simulation"]["duration"],
+                "output_step": j["simulation"]["output_step"], "step": j["simulation"]["step"],
+                "tolerance": j["simulation"]["tolerance"]}
+        out |= components(("cx", "cy", "cz"), machine.centre, "length", 0)
+        out |= components(("gx", "gy", "gz"), machine.gravity, "acceleration", 0)
+        out |= components(("about_x", "about_y", "about_z"), machine.about, "length", 0)
+        out |= {f"moment_{k}": q for k, q in enumerate(j["principal_moments"])}
+        out |= {f"group_J{k}": q for k, q in enumerate(j["groups"]["inertia"])}
+        for name, values, dimension in (("G", meaning.stiffness, "stiffness"), ("D", meaning.damping, "damping")):
+            out[name + "_low"], out[name + "_high"] = Q(min(values), dimension, 0), Q(max(values), dimension, 0)
+            group = [q.value for q in j["groups"]["stiffness" if name == "G" else "damping"] if q]
+            if group:
+                out[f"group_{name}_low"] = Q(min(group), None, 1e-11 * max(group))
+                out[f"group_{name}_high"] = Q(max(group), None, 1e-11 * max(group))
+        for c, name in enumerate(COMPONENTS):
+            out[name + "_low"], out[name + "_high"] = j["program"][name]
+        baumgarte = meaning.constraints.get("baumgarte") if isinstance(meaning.constraints, dict) else (0, 0)
+        out |= {"alpha": Q(baumgarte[0], None, 0), "beta": Q(baumgarte[1], None, 0)}
+        return out
+
+    def lines(self, name, units):
+        meaning, machine, tree = self.meaning, self.machine, self.meaning.tree
+        limits, u = meaning.limits, units.name
+        table = [("", "length at home", "length", "home")] + [("base joint []", a, "length", "base_" + a) for a in "xyz"]
+        table += [("top joint, top frame []", a, "length", "top_" + a) for a in "xyz"]
+        known = [f"{name} is a valid study; {units_sentence(meaning, units)}", "Legs", "At home"]
+        if "title" in tree:
+            known.append(tree["title"])
+        if "length" in limits:
+            known.append("length limits {limit_low} to {limit_high length}")
+        if "max_speed" in limits:
+            known.append("greatest speed {max_speed speed}")
+        if "max_force" in limits:
+            known.append("greatest force {max_force force}")
+        if not limits:
+            known.append("limits none given")
+        known += ["condition {condition} (singular from 1e8)", "|det J| {determinant volume}",
+                  "to a singularity {least_singular}: the least singular value of J, moments over {arm length};",
+                  "the legs feel {weakest word} least", "Load (the legs are massless here)",
+                  "mass {mass mass}, centre of mass {cx}, {cy}, {cz length}",
+                  "principal moments {moment_0}, {moment_1}, {moment_2 inertia}",
+                  "along the axes " + ", ".join("(" + ", ".join(f"{{axis_{a}{k} .4}}" for k in range(3)) + ")" for a in range(3)),
+                  "gravity {gx}, {gy}, {gz acceleration}", "Dimensionless groups", "R_b {R_b length}", "h/R_b {h}", "r/R_b {r}",
+                  "J/(M R_b^2) {group_J0}, {group_J1}, {group_J2}"]
+        if m.norm(machine.gravity) > 0:
+            span = lambda name, values: f"{{{name}_low}} to {{{name}_high}}" if max(values) > min(values) else f"{{{name}_low}}"
+            known += ["G R_b/(M g) " + span("group_G", meaning.stiffness), "D sqrt(R_b/g)/M " + span("group_D", meaning.damping),
+                      "sqrt(R_b/g) {time_unit time}, the unit of time"]
+        else:
+            known.append("no gravity, so no unit of time follows")
+        known += self.program_lines() + self.control_lines() + self.setting_lines()
+        if "sweep" in tree:
+            known += Sweep.lines_described(tree["sweep"])
+        return [Line(text, u) for text in known] + [Table(table, u, False)]
+
+    def program_lines(self):
+        moves, about = self.meaning.moves, self.machine.about
+        known = ["Program"]
+        if moves is None:
+            known.append("formulas in t")
+        else:
+            known.append(f"{len(moves)} move{'' if len(moves) == 1 else 's'}, each of minimum jerk")
+        moving = [c for c in range(6) if any(self.ranges[c])]
+        known += [f"{COMPONENTS[c]} {{{COMPONENTS[c]}_low}} to {{{COMPONENTS[c]}_high {'length' if c < 3 else 'angle'}}}" for c in moving]
+        if not moving:
+            known.append("rest at home")
+        if any(about):
+            known.append("of the point {about_x}, {about_y}, {about_z length} of the top frame")
+        return known
+
+    def control_lines(self):
+        meaning = self.meaning
+
+        def span(name, values, dimension):
+            low, high = f"{{{name}_low}}", f"{{{name}_low {dimension}}}"
+            return f"{low} to {{{name}_high {dimension}}}" if max(values) > min(values) else high
+
+        feedforward = "the program's forces" if meaning.feedforward else "none"
+        loop = "" if max(meaning.stiffness) > 0 else ": open loop"
+        return ["Control", f"feedforward {feedforward}", f"stiffness G {span('G', meaning.stiffness, 'stiffness')}{loop}",
+                f"damping D {span('D', meaning.damping, 'damping')}"]
+
+    def setting_lines(self):
+        meaning = self.meaning
+        known = ["Simulation", "duration {duration time}, a row each {output_step time}"]
+        known.append(f"method {meaning.method}, " + ("step {step time}" if meaning.step else "tolerance {tolerance .3}"))
+        if meaning.method.startswith("rattle"):
+            known.append("constraints kept by the method")
+        elif isinstance(meaning.constraints, dict):
+            known.append("constraints Baumgarte, alpha {alpha}, beta {beta}")
+        else:
+            known.append(f"constraints {meaning.constraints}")
+        return known
+
+
+# ---- forces and simulate --------------------------------------------------------------------------------------------
+
+def summary_lines(meaning, units, simulated, title):
+    u = units.name
+    length, force, power = "length []", "force []", "power []"
+    strokes = [(length, "least", "length", "length_least"), (length, "greatest", "length", "length_greatest"),
+               (length, "used", "length", "used")]
+    limited = meaning.limits.get("length", (0,))[0] > 0
+    if limited:
+        strokes.append(("stroke", "used %", None, "share"))
+    strokes += [("", "peak speed|", "speed", "speed"), ("swing [deg] at", "base", "angle", "base"), ("swing [deg] at", "top", "angle", "top")]
+    loads = [(force, "least", "force", "force_least"), (force, "greatest", "force", "force_greatest"), (force, "peak", "force", "force_peak"),
+             (force, "RMS", "force", "rms"), (power, "least", "power", "power_least"), (power, "greatest", "power", "power_greatest"),
+             ("", "energy|", "energy", "energy")]
+    known = [Table(strokes, u, True), Table(loads, u, True)]
+    text = [title] if title else []
+    text += [units_sentence(meaning, units),
+             ("Motion under control and disturbance" if simulated else "Forces along the program") + ": {rows} rows, t = {first} to {last time}",
+             "condition at most {condition .4}, at t = {condition_time time} (1 is best, 1e8 counts as singular)",
+             "legs massless here: their own weight and inertia come on top"]
+    if limited:
+        text.append("stroke {stroke length} available, from {stroke_low} to {stroke_high length}")
+    if simulated:
+        text += ["deviation at most {position .4 length} and {angle .4 angle} from the program",
+                 "drift at most {drift .2} (violation of the constraints before projection)"]
+    return known + [Line(x, u) for x in text]
+
+
+class Run:
+    """Numbers that forces and simulate have in common. Needs: curves (Rows or Curves), rows (times), legs, end_*."""
+
+    verb, simulated = "", False
+
+    def __init__(self, meaning):
+        self.meaning, self.scales = meaning, f.Scales(meaning)
+
+    def finish(self, curves, last, slack):
+        self.curves, self.last = curves, last
+        self.legs = f.leg_facts(curves, last, self.scales, slack)
+        self.condition, self.condition_time = curves.extremes(("condition", 0))[1]
+        self.condition_slack = 20 * slack * self.condition + 1e-15 * self.condition ** 3
+        low, high = self.meaning.limits.get("length", (0, 0))
+        self.stroke = high - low if low > 0 else None
+
+    def share(self, used):
+        return Q(100 * used.value / self.stroke, None, 100 * used.slack / self.stroke)
+
+    def facts(self):
+        out = {"end_time": Q(self.end["time"], "time", self.end["slack"]), "last_time": Q(self.last, "time", 1e-12 * self.last),
+               "rows": Q(self.row_count, None, 0), "first": Q(0, "time", 0), "last": Q(self.last, "time", 1e-12 * self.last),
+               "condition": Q(self.condition, None, self.condition_slack)}
+        for row, leg in [(str(k + 1), leg) for k, leg in enumerate(self.legs)] + [("all", f.over_all(self.legs))]:
+            out |= {f"{name}[{row}]": q for name, q in leg.items()}
+            if self.stroke:
+                out[f"share[{row}]"] = self.share(leg["used"])
+        if self.stroke:
+            low, high = self.meaning.limits["length"]
+            out |= {"stroke": Q(self.stroke, "length", 1e-12 * high), "stroke_low": Q(low, "length", 0), "stroke_high": Q(high, "length", 0)}
+        return out
+
+    def leg_json(self, leg):
+        pair = lambda name: [leg[name + "_least"], leg[name + "_greatest"]]
+        share = self.share(leg["used"]) if self.stroke else None
+        return {"length": pair("length"), "speed": leg["speed"], "force": pair("force"), "rms_force": leg["rms"],
+                "power": pair("power"), "energy": leg["energy"], "swing": {"base": leg["base"], "top": leg["top"]},
+                "stroke_used": Q(share.value / 100, None, share.slack / 100) if share else None}
+
+    def json(self):
+        return {"verb": self.verb, "title": self.meaning.tree.get("title", ""),
+                "end": {"status": self.end["status"], "time": Q(self.end["time"], "time", self.end["slack"]),
+                        "leg": self.end["leg"], "message": SENTENCE},
+                "legs": [self.leg_json(leg) for leg in self.legs],
+                "condition": Q(self.condition, None, self.condition_slack),
+                "deviation": {"position": None, "angle": None}, "drift": None}
+
+
+def margins(meaning, lengths, rates, forces):
+    """How far each limit is exceeded, relative: (kind, leg) to a number that is positive beyond."""
+    limits, out = meaning.limits, {}
+    low, high = limits.get("length", (0, math.inf))
+    for k in range(6):
+        if low > 0:
+            out["short", k] = 1 - lengths[k] / low
+        if math.isfinite(high):
+            out["long", k] = lengths[k] / high - 1
+        if "max_speed" in limits:
+            out["speed", k] = abs(rates[k]) / limits["max_speed"] - 1
+        if "max_force" in limits:
+            out["force", k] = abs(forces[k]) / limits["max_force"] - 1
+    return out
+
+
+QUANTITY = {"short": "length", "long": "length", "speed": "speed", "force": "force"}
+
+
+class Forces(Run):
+    verb, slack = "forces", 2e-10
+
+    def __init__(self, meaning, axes):
+        super().__init__(meaning)
+        self.axes, self.row_count = axes, meaning.rows
+        self.plant = meaning.plant
+        self.motion = f.Curves(meaning, self.sample)
+        self.finish(self.summary_curves(), meaning.time(meaning.rows - 1), self.slack)
+        self.find_crossings()
+
+    def summary_curves(self):
+        return f.Rows(self.meaning, [self.sample(self.meaning.time(k)) for k in range(self.meaning.rows)])
+
+    def sample(self, t):
+        pose = self.plant.program_pose(t)
+        return f.quantities(self.meaning, pose, self.plant.program_forces(pose))
+
+    def condition_at(self, t):
+        return self.plant.program_pose(t).condition()
+
+    WORDS = {"short": "too short", "long": "too long", "speed": "too fast", "force": "overloaded"}
+
+    def end_lines(self, units):
+        if not self.crossings:
+            return [Line("end the whole duration, t = {end_time time}", units.name)]
+        count = len(self.crossings)
+        known = ["end t = {last_time time}, limits left on the way (first at t = {end_time time})",
+                 f"limits left {count} time{'' if count == 1 else 's'} along the program:"]
+        known = [Line(x, units.name) for x in known]
+        for kind, words in self.WORDS.items():
+            worst = f", at worst {{{kind} {QUANTITY[kind]}}} at t = {{worst_time}}"
+            known.append(Line(f"leg {{leg}} {words} t = {{enter}} to {{leave}}" + worst, units.name, True))
+            known.append(Line(f"leg {{leg}} {words} t = {{enter}} to the end" + worst, units.name, True))
+        return known
+
+    def compare_rest(self, case, rest, units):
+        records = rest.pop("records", [])
+        if len(records) != len(self.crossings):
+            case.fail(f"forces text: {len(records)} limits left, expected {len(self.crossings)}")
+            return
+        slack = 1e-7 * self.meaning.duration
+        for record, crossing in zip(records, self.crossings):
+            kind = next(k for k in CAUSE if k in record)
+            case.same("forces text limit", (kind, record["leg"].value, "leave" in record),
+                      (crossing["kind"], crossing["leg"], crossing["leave"] is not None))
+            for name in ("enter", "leave", "worst_time", kind):
+                if name in record and name in crossing:
+                    case.near(f"forces text limit {name}", record[name].value,
+                              *units.of(Q(crossing[name], QUANTITY[kind] if name == kind else "time", slack)), record[name].half)
+
+    def rows(self):
+        for k in range(self.meaning.rows):
+            t = self.meaning.time(k)
+            pose = self.plant.program_pose(t)
+            yield f.row_of(self.meaning, t, pose, self.plant.program_forces(pose), axes=self.axes)
+
+    def find_crossings(self):
+        """All intervals beyond a limit, and the end that follows: the first of them."""
+        limits, self.crossings = self.meaning.limits, []
+        low, high = limits.get("length", (0, math.inf))
+        beyond = {"short": lambda v: 1 - v / low if low else -1, "long": lambda v: v / high - 1,
+                  "speed": lambda v: abs(v) / limits.get("max_speed", math.inf) - 1,
+                  "force": lambda v: abs(v) / limits.get("max_force", math.inf) - 1}
+        kinds = [k for k, key in (("short", "length"), ("long", "length"), ("speed", "max_speed"), ("force", "max_force")) if key in limits]
+        for kind in kinds:
+            for leg in range(6):
+                for enter, leave in self.motion.intervals((QUANTITY[kind], leg), beyond[kind], self.last):
+                    self.crossings.append({"kind": kind, "leg": leg + 1, "enter": enter, "leave": leave})
+        self.crossings.sort(key=lambda c: (c["enter"], c["leg"]))
+        slack = 1e-7 * self.meaning.duration
+        if self.crossings:
+            first = min(self.crossings, key=lambda c: (c["enter"], list(CAUSE).index(c["kind"]), c["leg"]))
+            self.end = {"status": CAUSE[first["kind"]], "time": first["enter"], "leg": first["leg"], "slack": slack}
+        else:
+            self.end = {"status": "done", "time": self.meaning.duration, "leg": None, "slack": 1e-12 * self.meaning.duration}
+
+
+class Simulate(Run):
+    verb, simulated = "simulate", True
+
+    def __init__(self, meaning, axes=None, tolerance=1e-12):
+        super().__init__(meaning)
+        self.axes, self.table = axes, []
+        plant = meaning.plant
+        plant.set_scale(self.scales.length, self.scales.time, self.scales.force)
+        state, t, samples, self.position, self.angle = meaning.start(), 0.0, [], 0.0, 0.0
+        self.end = {"status": "done", "time": meaning.duration, "leg": None, "slack": 1e-12 * meaning.duration}
+        # a fixed step over a corner of the program costs it its order
+        self.slack = 1e-5 if meaning.step and meaning.stops else 3e-8
+        for k in range(meaning.rows + 1):
+            until = meaning.time(k) if k < meaning.rows else meaning.duration
+            if until > t:
+                before, state = (t, state), self.advance(t, until, state, tolerance)
+                t = until
+            if k == 0:
+                self.add_row(t, state, samples)
+            broken = self.broken(t, state)
+            if broken:
+                self.end_at(before if k else None, t, broken, tolerance)
+                break
+            if 0 < k < meaning.rows:
+                self.add_row(t, state, samples)
+        self.row_count, self.final = len(samples), state
+        self.finish(f.Rows(meaning, samples), meaning.time(len(samples) - 1), self.slack)
+
+    def advance(self, t, until, state, tolerance):
+        for stop in [s for s in self.meaning.stops if t < s < until] + [until]:
+            state = self.meaning.plant.step(t, stop - t, state, tolerance)
+            t = stop
+        return state
+
+    def broken(self, t, state):
+        pose = self.meaning.plant.pose_of(state)
+        u = self.meaning.plant.legs(t, pose)[0]
+        beyond = margins(self.meaning, pose.length, pose.rate, u)
+        return {key: value for key, value in beyond.items() if value > 1e-12}
+
+    def end_at(self, before, t, broken, tolerance):
+        """When the first limit is passed within the step from `before`."""
+        if before is None:
+            kind, leg = min(broken, key=lambda key: (list(CAUSE).index(key[0]), key[1]))
+        else:
+            low, high = before[0], t
+            for _ in range(44):
+                middle = (low + high) / 2
+                here = self.broken(middle, self.advance(before[0], middle, before[1], tolerance))
+                if here:
+                    high, broken = middle, here
+                else:
+                    low = middle
+                if high - low < 1e-10 * self.meaning.duration:
+                    break
+            t = high
+            kind, leg = max(broken, key=broken.get)
+        self.end = {"status": CAUSE[kind], "time": t, "leg": leg + 1, "slack": 30 * self.slack * self.meaning.duration}
+
+    def add_row(self, t, state, samples):
+        plant = self.meaning.plant
+        pose, u = plant.full_pose(t, state)
+        wanted = plant.program_pose(t)
+        turn = self.meaning.disturbance_at(t)[3] if self.meaning.disturbed else (0, 0, 0)
+        self.table.append(f.row_of(self.meaning, t, pose, u, wanted, self.axes, turn))
+        samples.append(f.quantities(self.meaning, pose, u))
+        self.position = max(self.position, m.norm(m.sub(pose.p, wanted.p)))
+        self.angle = max(self.angle, m.turn_between(pose.R, wanted.R))
+
+    def rows(self):
+        return iter(self.table)
+
+    def end_lines(self, units):
+        if self.end["status"] == "done":
+            return [Line("end the whole duration, t = {end_time time}", units.name)]
+        return [Line("end at t = {end_time time}: " + self.end["status"], units.name)]
+
+    def compare_rest(self, case, rest, units):
+        pass
+
+    def condition_at(self, t):
+        return self.table[min(len(self.table) - 1, round(t / self.meaning.output_step))]["condition"][0]
+
+    def deviation(self):
+        return Q(self.position, "length", self.slack * self.scales.length), Q(self.angle, "angle", self.slack)
+
+    def facts(self):
+        position, angle = self.deviation()
+        return super().facts() | {"position": position, "angle": angle}
+
+    def json(self):
+        position, angle = self.deviation()
+        return super().json() | {"deviation": {"position": position, "angle": angle}, "drift": DRIFT}
+
+
+class Sweep:
+    @staticmethod
+    def described(keys):
+        return {}
+
+    @staticmethod
+    def lines_described(keys):
+        return []
