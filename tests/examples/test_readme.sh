@@ -33,6 +33,22 @@ for leg in 1 2 3 4 5 6; do
     claim "leg $leg carries its sixth" same "$(sed -n "${leg}p" lift.txt)" "leg $leg: $expected N"
 done
 
+# the sizing table is what the command prints, the figures of speed are those of the benchmarks
+"$GOUGH" forces own-machine.yaml >forces.txt
+rows=0
+while IFS= read -r line; do
+    [[ -n $line ]] || continue
+    rows=$((rows + 1))
+    claim "printed: $line" grep -qxF -- "$line" forces.txt
+done < <(sed -n '/^```text$/,/^```$/p' "$readme" | sed '1d;$d')
+claim 'the table has both parts' same "$rows" 16
+median() { awk -v row="$1" -v field="$2" 'index($0, row) == 1 { rest = substr($0, length(row) + 1); split(rest, f, " "); print f[field]; exit }' "$SOURCE/docs/guide/benchmarks.md"; }
+speed=$(grep -A2 '^- \*\*Speed' "$readme")
+claim 'steps of the widest lanes' grep -qF "takes $(median 'RK4, the widest lanes, million steps/s' 2) million RK4 steps a second with eight" <<<"$speed"
+claim 'steps against MuJoCo' grep -qF ", $(median "RK4 steps in lanes against MuJoCo's tendons, times" 2 | cut -d. -f1) times as many as MuJoCo" <<<"$speed"
+claim 'one pose' grep -qF "takes $(median 'inverse dynamics, pivoting      1' 1) ns for one pose" <<<"$speed"
+claim 'eight poses' grep -qF "$(median 'inverse dynamics, pivoting      8' 1) ns for each of eight" <<<"$speed"
+
 for document in "$SOURCE"/*.md "$SOURCE"/docs/*/*.md; do
     document=${document#"$SOURCE"/}
     while IFS= read -r target; do
