@@ -23,6 +23,7 @@ import facts
 import mechanics
 import printed
 import studies
+import sweeps
 import verbs
 
 
@@ -33,6 +34,8 @@ class Case:
         self.gough, self.number, self.folder = gough, number, folder
         self.maker = studies.Maker(seed, number)
         self.tree = self.maker.make()
+        if number % 5 == 1:
+            self.tree["sweep"] = sweeps.random_sweep(self.maker, self.tree)
         self.meaning = studies.Meaning(self.tree)
         self.path = os.path.join(folder, f"study-{number}.yaml")
         with open(self.path, "w", encoding="utf-8") as stream:
@@ -86,7 +89,7 @@ class Case:
 
     def tree_of(self, verb, got, wanted, units, path=""):
         """JSON against what it should be: the same keys, each number near."""
-        if isinstance(wanted, verbs.Skip):
+        if isinstance(wanted, facts.Skip):
             self.skipped[f"{verb} {re.sub('[0-9]+', 'N', path)}"] = wanted.reason
         elif isinstance(wanted, dict):
             if not isinstance(got, dict) or set(got) != set(wanted):
@@ -208,6 +211,47 @@ class Case:
                     gap = math.remainder(gap, 360)
                 self.near(f"{verb} csv {name}", value + gap, value, slack)
 
+    def sweep(self, sweep, scaled):
+        units = facts.Units(self.meaning, scaled)
+        name = os.path.basename(self.path)
+        options = ["--dimensionless"] if scaled else []
+        self.tree_of("sweep", json.loads(self.run("sweep", name, "--json", *options).stdout), sweep.json(), units)
+        done = self.run("sweep", name, *options, "-o", "sweep.csv")
+        known = sweep.lines(units) + [printed.Line("wrote sweep.csv", units.name)]
+        rest = self.text("sweep", done.stdout, known, sweep.facts(), units)
+        if rest:
+            sweep.compare_rest(self, rest, units)
+            for name_ in rest:
+                self.fail(f"sweep text: nothing is known of {name_}")
+        with open(os.path.join(self.folder, "sweep.csv"), encoding="utf-8") as stream:
+            heads, *lines = csv.reader(stream)
+        self.same("sweep csv number of rows", len(lines), len(sweep.runs))
+        for k, line in enumerate(lines):
+            row = sweep.row(k)
+            self.same("sweep csv columns", set(heads), set(row))
+            for head, word in zip(heads, line):
+                wanted = row.get(head)
+                if isinstance(wanted, facts.Q):
+                    value, slack = units.of(wanted)
+                    self.near(f"sweep csv {head}", float(word), value, slack + 4e-16 * abs(value))
+                else:
+                    self.same(f"sweep csv {head}", word, str(wanted))
+
+    def settings(self, sweep):
+        """--run N: what to set for that run, as text and as JSON."""
+        name, units = os.path.basename(self.path), facts.Units(self.meaning, False)
+        for number in range(1, len(sweep.runs) + 1):
+            wanted = sweep.set_of(number)
+            data = json.loads(self.run("sweep", name, "--run", str(number), "--json").stdout)
+            self.tree_of("sweep", data, {"run": number, "set": wanted}, units)
+            words = self.run("sweep", name, "--run", str(number)).stdout.split()
+            pairs = dict(word.split("=") for word in words[1::2])
+            self.same("sweep run", (set(words[::2]), set(pairs)), ({"--set"}, set(wanted)))
+            for path, text in pairs.items():
+                q = wanted.get(path)
+                value = q.value if isinstance(q, facts.Q) else q
+                self.near(f"sweep run {path}", float(text), value, 4e-15 * abs(value))
+
     def go(self):
         axes = self.check()
         title = self.tree.get("title")
@@ -219,6 +263,11 @@ class Case:
             run = verbs.Simulate(self.meaning, axes)
             for scaled in scales:
                 self.verb(run, title, scaled, reactions=not scaled)
+        if "sweep" in self.tree:
+            sweep = sweeps.Sweep(self.tree, verbs.Simulate)
+            for scaled in scales:
+                self.sweep(sweep, scaled)
+            self.settings(sweep)
 
 
 def one(gough, seed, number, keep):

@@ -17,6 +17,13 @@ class Q:
         return f"{self.value!r} ± {self.slack:.1g}"
 
 
+class Skip:
+    """A member of JSON that is not compared, and why."""
+
+    def __init__(self, reason):
+        self.reason = reason
+
+
 class Units:
     """Sizes of the output's units in the study's own."""
 

@@ -4,22 +4,15 @@ import math
 import facts as f
 import mechanics as m
 import studies
-from facts import Q
+import sweeps
+from facts import Q, Skip
 from printed import Line, Table
 
 COMPONENTS = studies.COMPONENTS
 CAUSE = {"short": "leg_short", "long": "leg_long", "speed": "leg_speed", "force": "leg_force"}
 
 
-class Skip:
-    """A member of JSON that is not compared, and why."""
-
-    def __init__(self, reason):
-        self.reason = reason
-
-
 DRIFT = Skip("round-off of the constraints: only that it is small is checked")
-CLOCK = Skip("time on the clock")
 SENTENCE = Skip("a sentence; its numbers are read where it is printed")
 
 
@@ -108,12 +101,12 @@ class Check:
                            "method": meaning.method, "step": bound(meaning.step, "time") if fixed else None,
                            "tolerance": None if fixed else bound(meaning.tolerance, None)}}
         if "sweep" in tree:
-            out["sweep"] = Sweep.described(tree["sweep"])
+            out["sweep"] = sweeps.described(tree["sweep"])
         return out
 
     def facts(self):
         """Names of numbers in the text to Q."""
-        meaning, machine, j = self.meaning, self.machine, self.json()
+        meaning, machine, tree, j = self.meaning, self.machine, self.meaning.tree, self.json()
         s, out = self.scales.size, {}
         for k in range(6):
             out[f"home[{k + 1}]"] = j["home_length"][k]
@@ -145,7 +138,7 @@ class Check:
             out[name + "_low"], out[name + "_high"] = j["program"][name]
         baumgarte = meaning.constraints.get("baumgarte") if isinstance(meaning.constraints, dict) else (0, 0)
         out |= {"alpha": Q(baumgarte[0], None, 0), "beta": Q(baumgarte[1], None, 0)}
-        return out
+        return out | (sweeps.facts_described(tree["sweep"]) if "sweep" in tree else {})
 
     def lines(self, name, units):
         meaning, machine, tree = self.meaning, self.machine, self.meaning.tree
@@ -179,7 +172,7 @@ class Check:
             known.append("no gravity, so no unit of time follows")
         known += self.program_lines() + self.control_lines() + self.setting_lines()
         if "sweep" in tree:
-            known += Sweep.lines_described(tree["sweep"])
+            known += sweeps.lines_described(tree["sweep"])
         return [Line(text, u) for text in known] + [Table(table, u, False)]
 
     def program_lines(self):
@@ -488,13 +481,3 @@ class Simulate(Run):
     def json(self):
         position, angle = self.deviation()
         return super().json() | {"deviation": {"position": position, "angle": angle}, "drift": DRIFT}
-
-
-class Sweep:
-    @staticmethod
-    def described(keys):
-        return {}
-
-    @staticmethod
-    def lines_described(keys):
-        return []
