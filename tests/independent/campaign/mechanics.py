@@ -218,16 +218,17 @@ class Pose:
     def __init__(self, machine, p, R, v, omega, a=None, alpha=None):
         self.machine, self.p, self.R, self.v, self.omega, self.a, self.alpha = machine, p, R, v, omega, a, alpha
         self.arm, self.direction, self.length, self.rate = [], [], [], []
-        for top, base in zip(machine.top, machine.base):
-            arm = apply(R, top)
-            leg = (p[0] + arm[0] - base[0], p[1] + arm[1] - base[1], p[2] + arm[2] - base[2])
-            length = norm(leg)
-            n = (leg[0] / length, leg[1] / length, leg[2] / length)
-            turn = cross(omega, arm)
-            self.arm.append(arm)
-            self.direction.append(n)
+        # written out by components: half of the campaign's time goes by here
+        ((a11, a12, a13), (a21, a22, a23), (a31, a32, a33)), (px, py, pz), (vx, vy, vz), (wx, wy, wz) = R, p, v, omega
+        for (x, y, z), (bx, by, bz) in zip(machine.top, machine.base):
+            x, y, z = a11 * x + a12 * y + a13 * z, a21 * x + a22 * y + a23 * z, a31 * x + a32 * y + a33 * z
+            lx, ly, lz = px + x - bx, py + y - by, pz + z - bz
+            length = math.sqrt(lx * lx + ly * ly + lz * lz)
+            lx, ly, lz = lx / length, ly / length, lz / length
+            self.arm.append((x, y, z))
+            self.direction.append((lx, ly, lz))
             self.length.append(length)
-            self.rate.append(n[0] * (v[0] + turn[0]) + n[1] * (v[1] + turn[1]) + n[2] * (v[2] + turn[2]))
+            self.rate.append(lx * (vx + wy * z - wz * y) + ly * (vy + wz * x - wx * z) + lz * (vz + wx * y - wy * x))
 
     def centre(self):
         """Position, velocity and (where known) acceleration of the centre of mass."""
@@ -325,7 +326,7 @@ class Plant:
     def __init__(self, machine, program, feedforward, stiffness, damping, disturbance):
         self.machine, self.program, self.feedforward = machine, program, feedforward
         self.stiffness, self.damping, self.disturbance = stiffness, damping, disturbance
-        self.evaluations = 0
+        self.evaluations, self.known = 0, {}
 
     def program_pose(self, t):
         return self.machine.program_pose(self.program(t))
@@ -333,17 +334,27 @@ class Plant:
     def program_forces(self, pose):
         return pose.balance(*pose.required())
 
-    def legs(self, t, pose):
-        """Forces of the legs, force and moment on the load beside them, at t in an actual pose."""
+    def of_time(self, t):
+        """What depends on time alone: the program's pose, the forces that are given, force and moment on the load."""
+        if t in self.known:
+            return self.known[t]
         wanted = self.program_pose(t)
         extra, vertical, force, moment = self.disturbance(t) if self.disturbance else ((0,) * 6, 0, (0,) * 3, (0,) * 3)
-        u = list(extra)
+        given = list(extra)
         if self.feedforward:
-            u = [a + b for a, b in zip(u, self.program_forces(wanted))]
+            given = [a + b for a, b in zip(given, self.program_forces(wanted))]
         if vertical:
-            u = [a + vertical * b for a, b in zip(u, wanted.balance((0, 0, 1), (0, 0, 0)))]
-        for k in range(LEGS):
-            u[k] += self.stiffness[k] * (wanted.length[k] - pose.length[k]) + self.damping[k] * (wanted.rate[k] - pose.rate[k])
+            given = [a + vertical * b for a, b in zip(given, wanted.balance((0, 0, 1), (0, 0, 0)))]
+        if len(self.known) > 40:
+            self.known.clear()
+        self.known[t] = wanted, given, force, moment
+        return self.known[t]
+
+    def legs(self, t, pose):
+        """Forces of the legs, force and moment on the load beside them, at t in an actual pose."""
+        wanted, given, force, moment = self.of_time(t)
+        u = [f + G * (lp - l) + D * (dlp - dl) for f, G, D, lp, l, dlp, dl in
+             zip(given, self.stiffness, self.damping, wanted.length, pose.length, wanted.rate, pose.rate)]
         return u, force, moment
 
     def pose_of(self, state):
@@ -358,10 +369,12 @@ class Plant:
         pose = self.pose_of(state)
         u, force, moment = self.legs(t, pose)
         centre = apply(pose.R, m.centre)
-        for f, n, arm in zip(u, pose.direction, pose.arm):
-            push = (f * n[0], f * n[1], f * n[2])
-            force = add(force, push)
-            moment = add(moment, cross(sub(arm, centre), push))
+        (fx, fy, fz), (mx, my, mz), (cx, cy, cz) = force, moment, centre
+        for f, (nx, ny, nz), (x, y, z) in zip(u, pose.direction, pose.arm):
+            nx, ny, nz, x, y, z = f * nx, f * ny, f * nz, x - cx, y - cy, z - cz
+            fx, fy, fz = fx + nx, fy + ny, fz + nz
+            mx, my, mz = mx + y * nz - z * ny, my + z * nx - x * nz, mz + x * ny - y * nx
+        force, moment = (fx, fy, fz), (mx, my, mz)
         body = sub(apply_back(pose.R, moment), cross(w, apply(m.inertia, w)))
         return add(scaled(1 / m.mass, force), m.gravity), apply(m.inertia_inverse, body), pose, u
 
@@ -374,25 +387,19 @@ class Plant:
         return pose, u
 
     def derivative(self, t, state):
-        """State: centre of mass, quaternion, velocity, angular velocity (body), then ∫u² and ∫u·rate of each leg."""
+        """State: centre of mass, quaternion, velocity, angular velocity (body)."""
         self.evaluations += 1
         q, w = state[3:7], state[10:13]
-        a, dw, pose, u = self.accelerations(t, state)
+        a, dw, _, _ = self.accelerations(t, state)
         dq = quaternion_product(q, (0, w[0] / 2, w[1] / 2, w[2] / 2))
-        return (*state[7:10], *dq, *a, *dw, *(x * x for x in u), *(x * y for x, y in zip(u, pose.rate)))
-
-    def start(self, jets):
-        pose = self.machine.program_pose(jets)
-        c, v, _ = pose.centre()
-        q = quaternion(jets[3][0], jets[4][0], jets[5][0])
-        return (*c, *q, *v, *apply_back(pose.R, pose.omega), *([0.0] * 12))
+        return (*state[7:10], *dq, *a, *dw)
 
     def gragg(self, t, h, n, start, slope):
         """Modified midpoint rule in n (even) substeps; its error is a series in h²/n²."""
         d = h / n
         before, now = start, [x + d * s for x, s in zip(start, slope)]
         for k in range(1, n):
-            slope = self.derivative(t + k * d, now)
+            slope = self.derivative(t + h * (k / n), now)
             before, now = now, [b + 2 * d * s for b, s in zip(before, slope)]
         slope = self.derivative(t + h, now)
         return [(b + x + d * s) / 2 for b, x, s in zip(before, now, slope)]
@@ -400,7 +407,7 @@ class Plant:
     def step(self, t, h, state, tolerance, depth=0):
         """Extrapolates from t to t + h; in two halves where the last two orders differ by more than the tolerance."""
         slope = self.derivative(t, state)
-        counts, table, change = (2, 4, 6, 8, 10), [], math.inf
+        counts, table, change = (2, 4, 6, 8, 10, 12, 14, 16), [], math.inf
         for row, n in enumerate(counts):
             line = [self.gragg(t, h, n, state, slope)]
             for column in range(row):
@@ -421,7 +428,6 @@ class Plant:
         size = math.sqrt(sum(x * x for x in end[3:7]))
         return (*end[:3], *(x / size for x in end[3:7]), *end[7:])
 
-    def set_scale(self, length, time, force):
+    def set_scale(self, length, time):
         """Sizes of the state's numbers, by which errors are measured."""
         self.scale = [length] * 3 + [1.0] * 4 + [length / time] * 3 + [1 / time] * 3
-        self.scale += [force * force * time] * 6 + [force * length] * 6

@@ -214,7 +214,7 @@ class Meaning:
         R = m.rotation_of_quaternion(q)
         arm = m.apply(R, m.sub(self.machine.centre, self.machine.about))
         centre = m.add(m.add(m.add((0, 0, self.machine.height), self.machine.about), s), arm)
-        return (*centre, *q, *m.add(velocity, m.cross(omega, arm)), *m.apply_back(R, omega), *([0.0] * 12))
+        return (*centre, *q, *m.add(velocity, m.cross(omega, arm)), *m.apply_back(R, omega))
 
 
 # ---- random trees ---------------------------------------------------------------------------------------------------
@@ -317,7 +317,7 @@ class Maker:
 
     def simulation(self):
         r = self.random
-        steps = r.choice([36, 48, 60])
+        steps = r.choice([20, 28, 36])
         self.duration = r.uniform(1.0, 2.2) * self.T
         out = {"output_step": self.duration / steps, "duration": self.duration * (1 if r.random() < 0.7 else 1.007)}
         method = r.choice(["dop853", "dop853", "dop853", "dop853 step", "rk4", "rattle6"]).split()
@@ -326,7 +326,7 @@ class Maker:
         if method == ["dop853"]:
             out["tolerance"] = 1e-12
         else:
-            out["step"] = out["output_step"] / {"dop853": 16, "rk4": 60, "rattle6": 32}[method[0]]
+            out["step"] = out["output_step"] / {"dop853": 20, "rk4": 90, "rattle6": 48}[method[0]]
         if not method[0].startswith("rattle"):
             if r.random() < 0.2:
                 out["constraints"] = r.choice(["none", {"baumgarte": [1.0 / self.T, 2.0 / self.T]}])

@@ -391,11 +391,11 @@ class Forces(Run):
 class Simulate(Run):
     verb, simulated = "simulate", True
 
-    def __init__(self, meaning, axes=None, tolerance=1e-12):
+    def __init__(self, meaning, axes=None, tolerance=1e-11):
         super().__init__(meaning)
         self.axes, self.table = axes, []
         plant = meaning.plant
-        plant.set_scale(self.scales.length, self.scales.time, self.scales.force)
+        plant.set_scale(self.scales.length, self.scales.time)
         state, t, samples, self.position, self.angle = meaning.start(), 0.0, [], 0.0, 0.0
         self.end = {"status": "done", "time": meaning.duration, "leg": None, "slack": 1e-12 * meaning.duration}
         # a fixed step over a corner of the program costs it its order
