@@ -22,6 +22,7 @@ typedef struct gough_study {
     bool swept;                  /**< it has a section `sweep`, see sweep.h */
     bool
         noise_run_given; /**< it has disturbance.noise.run, be it 0: one noise for all runs of a sweep */
+    char *samples;       /**< path of its recorded motion; NULL: none */
     void *memory_;       /**< private: samples, moves */
 } gough_study;
 
@@ -31,6 +32,11 @@ typedef struct gough_setting {
         *key; /**< dotted path; a list's element by its number from 1: disturbance.leg_force.2 */
     const char *value; /**< YAML of the value */
 } gough_setting;
+
+/** Opens a file for reading. It is a regular file or a descriptor of the process (`/dev/stdin`, `/dev/fd/3`); "-" is standard
+ *  input, and is not to be closed. Folders, and pipes and devices by name, are refused: reading them might wait for ever.
+ *  @return the descriptor; -1 with a sentence, GOUGH_ERROR_FILE */
+GOUGH_API int gough_open_input(const char *path, gough_error *error);
 
 /** Reads, checks and prepares a study.
  *

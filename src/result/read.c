@@ -2,7 +2,6 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include <errno.h>
-#include <fcntl.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +10,7 @@
 
 #include "result.h"
 
-/* Caps on text held in memory: what is no ordinary file (a pipe, a device) may never end. */
+/* Most text held in memory: a pipe at standard input may never end. */
 static const size_t FILE_CAP = (size_t)4 << 30, STREAM_CAP = (size_t)256 << 20;
 
 static const char hdf5_signature[8] = {'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a', '\n'};
@@ -133,9 +132,8 @@ static bool complete_texts(gough_table *table) {
 gough_status gough_table_read(const char *path, gough_table **table, gough_error *error) {
     *table = NULL;
     const bool standard = strcmp(path, "-") == 0;
-    const int file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
-    if (file < 0)
-        return gough_fail(error, GOUGH_ERROR_FILE, "%s: cannot open: %s", path, strerror(errno));
+    const int file = gough_open_input(path, error);
+    if (file < 0) return GOUGH_ERROR_FILE;
 
     gough_status status = GOUGH_ERROR_FILE;
     gough_table *read = calloc(1, sizeof *read);

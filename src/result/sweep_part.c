@@ -244,9 +244,11 @@ static gough_status fail_shard(const char *path, gough_error *error, const char 
 
 gough_status sweep_part_read(sweep_part *part, const char *path, gough_error *error) {
     struct stat about;
-    *part = (sweep_part){.path = strdup(path), .file = open(path, O_RDONLY | O_CLOEXEC)};
-    if (part->path == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
-    if (part->file < 0 || fstat(part->file, &about) != 0) return fail(part, error, "open");
+    *part = (sweep_part){.path = strdup(path), .file = -1};
+    if (part->path == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
+    part->file = gough_open_input(path, error);
+    if (part->file < 0) return GOUGH_ERROR_FILE;
+    if (fstat(part->file, &about) != 0) return fail(part, error, "read");
     unsigned char start[SWEEP_START];
     const size_t got = S_ISREG(about.st_mode) ? read_at(part->file, start, sizeof start, 0) : 0;
     part->length = sweep_head_length(start, got);

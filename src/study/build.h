@@ -12,6 +12,7 @@ typedef struct study_build {
     gough_study *study;
     gough_move *moves; /* memory of the model, the caller's to free */
     void *samples;
+    const char *samples_path; /* memory of the arena; NULL: none */
 } study_build;
 
 /* Parts of a study that can be filled by themselves, as flags; those of gough_sweep_touches(). */

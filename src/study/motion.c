@@ -86,6 +86,7 @@ static void build_samples(study_build *build, study_node *file) {
     if (!path) return;
     memcpy(path, folder, length);
     memcpy(path + length, file->text, file->length);
+    build->samples_path = path;
     study_samples_read(messages, study_node_place(file, false), path,
                        &build->study->model->motion.samples, &build->samples);
     if (!build->samples) study_node_mark(file);

@@ -2,6 +2,8 @@
 #define _POSIX_C_SOURCE 200809L
 #include "study/source.h"
 
+#include "gough/study.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -42,13 +44,58 @@ static const char *cause_text(study_arena *arena, int cause) {
     return study_printable(arena, text);
 }
 
+/* Descriptors of the process by name: what stands behind them was opened by whoever started it. */
+static bool is_descriptor(const char *path) {
+    return strcmp(path, "/dev/stdin") == 0 || strncmp(path, "/dev/fd/", 8) == 0 ||
+           strncmp(path, "/proc/self/fd/", 14) == 0;
+}
+
+/* The descriptor; or -1 with what else it is in *kind, or NULL there and errno set. */
+static int open_input(const char *path, const char **kind) {
+    struct stat about;
+    const bool given = is_descriptor(path);
+    *kind = NULL;
+    /* opening a pipe that nobody writes to would wait */
+    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | (given ? 0 : O_NONBLOCK));
+    if (file < 0) return -1;
+    if (fstat(file, &about) != 0) {
+        close(file);
+        return -1;
+    }
+    if (S_ISREG(about.st_mode) || (given && !S_ISDIR(about.st_mode))) return file;
+    close(file);
+    *kind = S_ISDIR(about.st_mode)    ? "a folder"
+            : S_ISFIFO(about.st_mode) ? "a named pipe"
+            : S_ISCHR(about.st_mode)  ? "a device"
+                                      : "neither a file nor a folder";
+    return -1;
+}
+
+int gough_open_input(const char *path, gough_error *error) {
+    const char *kind;
+    char cause[128] = "";
+    if (strcmp(path, "-") == 0) return STDIN_FILENO;
+    const int file = open_input(path, &kind);
+    if (file >= 0) return file;
+    if (!kind && strerror_r(errno, cause, sizeof cause) != 0) cause[0] = '\0';
+    if (kind)
+        gough_fail(error, GOUGH_ERROR_FILE, "%s: is %s; a regular file is needed", path, kind);
+    else
+        gough_fail(error, GOUGH_ERROR_FILE, "%s: cannot open: %s", path, cause);
+    return -1;
+}
+
 char *study_source_read(study_messages *messages, study_place place, const char *path, size_t most,
                         bool regular, size_t *length) {
     const char *name = study_printable(messages->arena, path);
     const bool standard = !regular && strcmp(path, "-") == 0;
-    /* without O_NONBLOCK a pipe without a writer would keep open() waiting */
-    const int file =
-        standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC | (regular ? O_NONBLOCK : 0));
+    const char *kind = NULL;
+    const int file = standard ? STDIN_FILENO : open_input(path, &kind);
+    if (file < 0 && kind) {
+        study_say(messages, GOUGH_ERROR_FILE, place, "`%s` is %s; a regular file is needed", name,
+                  kind);
+        return NULL;
+    }
     if (file < 0) {
         study_say(messages, GOUGH_ERROR_FILE, place, "cannot open `%s`: %s", name,
                   cause_text(messages->arena, errno));
@@ -57,7 +104,7 @@ char *study_source_read(study_messages *messages, study_place place, const char 
     struct stat about;
     char *text = NULL;
     if (regular && fstat(file, &about) == 0 && !S_ISREG(about.st_mode)) {
-        study_say(messages, GOUGH_ERROR_FILE, place, "`%s` is not a file with text", name);
+        study_say(messages, GOUGH_ERROR_FILE, place, "`%s` is not a regular file", name);
     } else {
         text = read_all(file, most, length);
         if (!text && errno == EFBIG)

@@ -29,6 +29,7 @@ void gough_study_free(gough_study *study) {
     free(study->title);
     free(study->text);
     free(study->name);
+    free(study->samples);
     free(study);
 }
 
@@ -75,7 +76,9 @@ static void build_study(study_messages *messages, const study_node *root, gough_
     memory->moves = build.moves;
     memory->samples = build.samples;
     study->title = duplicate(given ? title->text : "", given ? title->length : 0);
-    if (!study->title) messages->arena->exhausted = true;
+    if (build.samples_path)
+        study->samples = duplicate(build.samples_path, strlen(build.samples_path));
+    if (!study->title || (build.samples_path && !study->samples)) messages->arena->exhausted = true;
 }
 
 study_node *study_tree_read(study_messages *messages, const study_source *source,

@@ -119,7 +119,7 @@ START_TEST(a_missing_file_is_a_file_error_at_the_key) {
     reading_free(&made);
     made = read_more("motion:\n  samples: /dev/zero\n", NULL);
     ck_assert_int_eq(made.status, GOUGH_ERROR_FILE);
-    ck_assert_ptr_nonnull(strstr(made.messages, "`/dev/zero` is not a file with text"));
+    ck_assert_ptr_nonnull(strstr(made.messages, "`/dev/zero` is a device; a regular file is needed"));
     reading_free(&made);
 }
 END_TEST
