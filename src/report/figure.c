@@ -1,16 +1,15 @@
 /* A figure of tables: chosen kind, panels, gnuplot in a private folder, the picture written complete or not at all. */
 #define _XOPEN_SOURCE 700
 
-#include <dirent.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <unistd.h>
 
 #include "sheet.h"
+#include "workshop.h"
 
 gough_figure gough_figure_default(void) {
     return (gough_figure){.kind = NULL, .title = NULL, .columns = NULL, .from = NAN, .to = NAN};
@@ -27,32 +26,6 @@ static bool find_format(const char *path, sheet_format *format) {
         }
     }
     return false;
-}
-
-/* A folder that only this user can look into. */
-static char *make_folder(gough_error *error) {
-    const char *parent = getenv("TMPDIR");
-    if (parent == NULL || parent[0] != '/' || strlen(parent) > 150) parent = "/tmp";
-    const size_t size = strlen(parent) + 32;
-    char *folder = malloc(size);
-    if (folder != NULL) snprintf(folder, size, "%s/gough-figure-XXXXXX", parent);
-    if (folder != NULL && mkdtemp(folder) != NULL) return folder;
-    gough_fail(error, GOUGH_ERROR_FILE, "no temporary folder in %s for drawing: %s", parent,
-               strerror(errno));
-    free(folder);
-    return NULL;
-}
-
-/* Removes the folder and the plain files in it. */
-static void remove_folder(char *folder) {
-    DIR *list = opendir(folder);
-    if (list != NULL) {
-        for (struct dirent *entry = readdir(list); entry != NULL; entry = readdir(list))
-            unlinkat(dirfd(list), entry->d_name, 0);
-        closedir(list);
-    }
-    rmdir(folder);
-    free(folder);
 }
 
 static gough_status finish_picture(char *bytes, size_t length, sheet_format format,
@@ -94,12 +67,13 @@ gough_status sheet_draw(sheet_writer write, const void *content, const char *pat
     if (!find_format(path, &format))
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "%s: the name of a figure must end in .png, .svg or .pdf", path);
-    char *folder = make_folder(error);
-    if (folder == NULL) return GOUGH_ERROR_FILE;
-    gough_status status = write(content, format, folder, error);
-    if (status == GOUGH_OK) status = sheet_run_gnuplot(folder, error);
-    if (status == GOUGH_OK) status = take_picture(folder, format, path, error);
-    remove_folder(folder);
+    workshop shop;
+    gough_status status = workshop_open(&shop, error);
+    if (status != GOUGH_OK) return status;
+    status = write(content, format, shop.folder, error);
+    if (status == GOUGH_OK) status = sheet_run_gnuplot(shop.folder, error);
+    if (status == GOUGH_OK) status = take_picture(shop.folder, format, path, error);
+    workshop_close(&shop);
     return status;
 }
 

@@ -1,11 +1,13 @@
 /* Running gnuplot: no shell, no settings of the user's, in a private folder, its exit status checked. */
-#define _POSIX_C_SOURCE 200809L
+#define _GNU_SOURCE
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,8 +17,9 @@
 enum { CPU_SECONDS = 120, NOT_FOUND = 127, NO_FOLDER = 126 };
 
 /* The child: gnuplot on "script", its talk into "log". The same figure in every locale. */
-static _Noreturn void become_gnuplot(const char *folder) {
-    if (chdir(folder) != 0) _exit(NO_FOLDER);
+static _Noreturn void become_gnuplot(const char *folder, pid_t parent) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* it does not outlive us */
+    if (getppid() != parent || chdir(folder) != 0) _exit(NO_FOLDER);
     const int log = open("log", O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int nothing = open("/dev/null", O_RDONLY);
     if (log < 0 || nothing < 0) _exit(NO_FOLDER);
@@ -46,11 +49,10 @@ static void read_complaint(const char *folder, char complaint[200]) {
 }
 
 gough_status sheet_run_gnuplot(const char *folder, gough_error *error) {
-    const pid_t child = fork();
+    const pid_t parent = getpid(), child = fork();
     if (child < 0)
-        return gough_fail(error, GOUGH_ERROR_FILE, "no child process for gnuplot: %s",
-                          strerror(errno));
-    if (child == 0) become_gnuplot(folder);
+        return gough_fail(error, GOUGH_ERROR_FILE, "cannot start gnuplot: %s", strerror(errno));
+    if (child == 0) become_gnuplot(folder, parent);
 
     int status = 0;
     while (waitpid(child, &status, 0) < 0) {

@@ -1,9 +1,11 @@
-/* Output that is complete or absent: written beside its final name in the same folder, synced, renamed over it. What is
- * not an ordinary file (a device, a FIFO, standard output) is written in place. */
-#define _XOPEN_SOURCE 700
+/* Output that is complete or absent: written to a file without a name in the same folder (where the system has none: with a name
+ * beside the final one), synced, renamed over the final name. Devices, pipes and standard output are written in place. */
+#define _GNU_SOURCE /* O_TMPFILE */
 
 #include <errno.h>
 #include <fcntl.h>
+#include <pthread.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -22,25 +24,56 @@ static size_t folder_length(const char *path) {
     return slash == NULL ? 0 : (size_t)(slash - path) + 1;
 }
 
-/* Creates ".gough-PID-N.part" in the final path's folder: never over something that is there, and short, so that a name
- * of any length that the folder allows has room beside it. */
+enum { ATTEMPTS = 1000 };
+
+/* ".gough-PID-N.part" in the final path's folder: short, so that a name of any length that the folder allows has room beside
+ * it. */
+static void name_beside(const result_output *output, char *beside, size_t size, int attempt) {
+    snprintf(beside, size, "%.*s.gough-%ld-%d.part", (int)folder_length(output->final),
+             output->final, (long)getpid(), attempt);
+}
+
+static char *room_beside(const result_output *output, size_t *size) {
+    *size = folder_length(output->final) + 64;
+    return malloc(*size);
+}
+
+/* A file without a name, which vanishes with the process that writes it, however that ends; -1 where the system has none or
+ * could not give it a name later. */
+static int open_nameless(const char *folder) {
+#ifdef O_TMPFILE
+    if (access("/proc/self/fd", X_OK) == 0)
+        return open(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+#endif
+    (void)folder;
+    return -1;
+}
+
+/* Creates the file to write, without a name or else beside its final one, and never over something that is there. */
 static gough_status create_beside(result_output *output, gough_error *error) {
-    const size_t folder = folder_length(output->final), size = folder + 64;
-    output->beside = malloc(size);
-    if (output->beside == NULL)
+    const size_t folder = folder_length(output->final);
+    size_t size;
+    char *beside = room_beside(output, &size);
+    if (beside == NULL)
         return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", output->path);
-    for (int attempt = 0; attempt < 1000; attempt++) {
-        snprintf(output->beside, size, "%.*s.gough-%ld-%d.part", (int)folder, output->final,
-                 (long)getpid(), attempt);
-        output->file =
-            open(output->beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
+    snprintf(beside, size, "%.*s", folder > 0 ? (int)folder : 1, folder > 0 ? output->final : ".");
+    output->file = open_nameless(beside);
+    if (output->file >= 0) {
+        free(beside);
+        return GOUGH_OK;
+    }
+    for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+        name_beside(output, beside, size, attempt);
+        output->file = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
         if (output->file >= 0 || errno != EEXIST) break;
     }
-    if (output->file >= 0) return GOUGH_OK;
+    if (output->file >= 0) {
+        output->beside = beside;
+        return GOUGH_OK;
+    }
 
     const int number = errno;
-    free(output->beside);
-    output->beside = NULL;
+    free(beside);
     if (number == ENOENT || number == ENOTDIR)
         return gough_fail(error, GOUGH_ERROR_FILE,
                           "%s: the folder %.*s does not exist; create it first", output->path,
@@ -152,24 +185,59 @@ static void sync_folder(const char *final) {
     close(file);
 }
 
+/* Gives a file without a name one beside the final one. */
+static bool name_file(result_output *output) {
+    char source[40];
+    size_t size;
+    char *beside = room_beside(output, &size);
+    if (beside == NULL) return false;
+    snprintf(source, sizeof source, "/proc/self/fd/%d", output->file);
+    for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+        name_beside(output, beside, size, attempt);
+        if (linkat(AT_FDCWD, source, AT_FDCWD, beside, AT_SYMLINK_FOLLOW) == 0) {
+            output->beside = beside;
+            return true;
+        }
+        if (errno != EEXIST) break;
+    }
+    const int number = errno;
+    free(beside);
+    errno = number;
+    return false;
+}
+
+/* The finished file takes its place. No signal comes between its two names. */
+static bool move_into_place(result_output *output) {
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    const bool moved =
+        (output->beside != NULL || name_file(output)) && rename(output->beside, output->final) == 0;
+    const int number = errno;
+    if (moved) {
+        free(output->beside);
+        output->beside = NULL;
+    } else if (output->beside != NULL) {
+        unlink(output->beside);
+    }
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    errno = number;
+    return moved;
+}
+
 gough_status result_output_finish(result_output *output, gough_error *error) {
+    const bool moves = output->final != NULL;
     gough_status status = flush(output, error);
     if (status == GOUGH_OK && output->standard && fflush(stdout) != 0)
         status = fail_path("standard output", "write", error);
-    if (status == GOUGH_OK && output->beside != NULL && fsync(output->file) != 0)
+    if (status == GOUGH_OK && moves && fsync(output->file) != 0)
         status = fail_path(output->path, "write", error);
-    if (output->file >= 0 && close(output->file) != 0 && status == GOUGH_OK)
-        status = fail_path(output->path, "write", error);
+    if (status == GOUGH_OK && moves && !move_into_place(output))
+        status = fail_path(output->path, "rename the finished file", error);
+    if (status == GOUGH_OK && moves) sync_folder(output->final);
+    const bool closed = output->file < 0 || close(output->file) == 0;
     output->file = -1;
-    if (status == GOUGH_OK && output->beside != NULL) {
-        if (rename(output->beside, output->final) != 0) {
-            status = fail_path(output->path, "rename the finished file", error);
-        } else {
-            sync_folder(output->final);
-            free(output->beside);
-            output->beside = NULL;
-        }
-    }
+    if (!closed && status == GOUGH_OK) status = fail_path(output->path, "write", error);
     result_output_abandon(output);
     return status;
 }

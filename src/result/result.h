@@ -39,7 +39,7 @@ void result_unit_label(int column, bool dimensionless, char label[RESULT_UNIT_SI
 typedef struct result_output {
     const char *path; /* as the user gave it, for messages */
     char *final;      /* what will be renamed over; NULL: written in place (stdout, device, FIFO) */
-    char *beside;     /* the file being written in the same folder */
+    char *beside;     /* the file being written in the same folder; NULL: it has no name yet */
     int file;
     bool standard;
     size_t held;
