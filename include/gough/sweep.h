@@ -168,8 +168,10 @@ typedef struct gough_sweep_output {
     const char *path; /**< .h5 or .csv, "-" CSV on standard output, NULL none; of a shard: .shard */
     bool
         dimensionless; /**< in R_b, M and √(R_b/g) of the study as it stands; swept values stay as they are */
-    size_t shard;  /**< this part, from 1; 0: all of it */
-    size_t shards; /**< of that many; 0: all of it */
+    size_t shard;            /**< this part, from 1; 0: all of it */
+    size_t shards;           /**< of that many; 0: all of it */
+    const char *const *also; /**< further tables with the same rows; none for a shard */
+    size_t also_count;       /**< how many */
 } gough_sweep_output;
 
 /** Runs a sweep into a file, complete or absent. Until it is complete, runs done stand in PATH.part, an append-only file, and

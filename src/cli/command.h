@@ -132,6 +132,14 @@ bool colourful(FILE *stream);
 /* the candidate nearest to a misspelled word; NULL if none is near */
 const char *nearest_word(const char *word, const char *const *candidate, size_t count);
 
+/* ---- interrupt.c: Ctrl-C, SIGTERM and SIGHUP ---- */
+
+/* From here on these signals say this sentence, about what is kept, before they end the process. */
+void interrupt_says(const char *verb, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+/* The sentence about outputs, of which the first `written` are complete. */
+void interrupt_outputs(const char *verb, const char *const *output, size_t count, size_t written);
+
 /* ---- progress.c: a bar on a terminal for work over a second ---- */
 
 typedef struct progress {
@@ -149,15 +157,26 @@ void progress_end(progress *progress);
 
 /* ---- study and run ---- */
 
-/* Reads the study named on the command line with its --set overrides and says what is wrong with it. */
+/* Reads the study named on the command line with its --set overrides and says what is wrong with it; an output that is the study
+ * or its recorded motion is refused. */
 gough_status read_study(const command_line *line, gough_study **study);
 
 /* The sweep of a study that was read so. */
 gough_status read_sweep(const command_line *line, const gough_study *study, gough_sweep **sweep);
 
-/* What can be known about the output before a long run: -o with an ending of no known kind (endings: "h5" and "csv", or one
- * other), a folder that is not there. */
+/* Finds what is wrong with the outputs before a long run: an ending of no known kind (known: .h5 and .csv, or one other), a
+ * folder that does not exist, the same file twice, standard output for both a table and JSON. */
 gough_status check_output(const command_line *line, const char *other);
+
+/* Refuses an output that is the same file as one of the inputs, by whatever names and links. */
+gough_status check_overwriting(const char *verb, const char *output, const char *const *input,
+                               size_t inputs);
+
+/* Refuses two outputs that are the same file. */
+gough_status check_distinct(const command_line *line);
+
+/* Whether one of the outputs is standard output. */
+bool writes_standard(const command_line *line);
 
 /* Whether the folder is there that a file is to go to. */
 gough_status check_folder(const char *verb, const char *path);

@@ -103,14 +103,17 @@ gough_status example_verb(int count, char **argument) {
         if (!file) {
             complain_of_unknown(line.file[0]);
             status = GOUGH_ERROR_INPUT;
-        } else if (line.output && strcmp(line.output, "-") != 0) {
-            status = gough_write_file(line.output, file->text, file->length, &error);
+        } else if (line.output_count == 0) {
+            fwrite(file->text, 1, file->length, stdout);
+        } else {
+            status = check_distinct(&line);
+        }
+        for (size_t i = 0; i < line.output_count && !status; i++) {
+            status = gough_write_file(line.outputs[i], file->text, file->length, &error);
             if (status)
                 complain("example", "%s", error.message);
-            else if (!line.quiet)
-                remark("example", "wrote %s", line.output);
-        } else {
-            fwrite(file->text, 1, file->length, stdout);
+            else if (!line.quiet && strcmp(line.outputs[i], "-") != 0)
+                remark("example", "wrote %s", line.outputs[i]);
         }
     }
     command_line_free(&line);

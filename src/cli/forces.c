@@ -3,7 +3,9 @@
 
 static const struct argp_option option[] = {
     {"output", OPTION_OUTPUT, "FILE", 0,
-     "write the table to FILE: .h5 or .csv by its ending; - is CSV on standard output", 0},
+     "write the table to FILE: .h5 or .csv by its ending; - is CSV on standard output; may be "
+     "given several times",
+     0},
     {"json", OPTION_JSON, NULL, 0, "print the summary as JSON", 0},
     {"set", OPTION_SET, "KEY=VALUE", 0,
      "override a key of the study, as in --set load.mass=2; may be repeated", 0},

@@ -2,12 +2,16 @@
 #define _GNU_SOURCE
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "cli/command.h"
 
 static const struct argp_option option[] = {
     {"output", OPTION_OUTPUT, "FILE", 0,
-     "write to FILE: .png, .svg or .pdf (default: the first result with .png)", 0},
+     "write to FILE: .png, .svg or .pdf (default: the first result with .png); may be given "
+     "several "
+     "times",
+     0},
     {"figure", OPTION_FIGURE, "KIND", 0, "which figure (default: what suits the results)", 0},
     {"columns", OPTION_COLUMNS, "A,B", 0, "draw these columns", 0},
     {"from", OPTION_FROM, "T", 0, "from this time", 0},
@@ -47,53 +51,82 @@ static const verb_usage usage = {.verb = "plot",
                                  .most_files = (size_t)-1,
                                  .help_filter = list_kinds};
 
-/* "heave.h5" gives "heave.png". Allocated. */
+/* "heave.h5" gives "heave.png", standard input "figure.png". Allocated. */
 static char *default_output(const char *result) {
+    if (strcmp(result, "-") == 0) return strdup("figure.png");
     const char *slash = strrchr(result, '/'), *dot = strrchr(result, '.');
     const size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - result) : strlen(result);
     char *path = NULL;
     return asprintf(&path, "%.*s.png", (int)stem, result) < 0 ? NULL : path;
 }
 
-static gough_status draw(const command_line *line, gough_table **table) {
+static gough_status read_tables(const command_line *line, gough_table **table) {
     gough_error error = {0};
     gough_status status = GOUGH_OK;
     for (size_t i = 0; i < line->files && !status; i++)
         status = gough_table_read(line->file[i], &table[i], &error);
+    if (status) complain(line->verb, "%s", error.message);
+    return status;
+}
 
-    char *path = line->output ? strdup(line->output) : default_output(line->file[0]);
-    const char **label = calloc(line->files, sizeof *label);
-    if (!status && (!path || !label))
-        status = gough_fail(&error, GOUGH_ERROR_FILE, "memory is out");
-    if (!status) {
-        for (size_t i = 0; i < line->labels; i++) label[i] = line->label[i];
-        status = gough_figure_draw(&line->figure, (const gough_table *const *)table, label,
-                                   line->files, path, &error);
+/* What can be known before the results are read. */
+static gough_status check_paths(const command_line *line) {
+    gough_status status = GOUGH_OK;
+    for (size_t i = 0; i < line->output_count && !status; i++) {
+        const char *path = line->outputs[i], *ending = strrchr(path, '.');
+        if (!ending || (strcasecmp(ending, ".png") != 0 && strcasecmp(ending, ".svg") != 0 &&
+                        strcasecmp(ending, ".pdf") != 0)) {
+            complain(line->verb, "-o needs a name that ends in .png, .svg or .pdf; '%s' does not",
+                     path);
+            return GOUGH_ERROR_INPUT;
+        }
+        status = check_folder(line->verb, path);
+        if (!status) status = check_overwriting(line->verb, path, line->file, line->files);
     }
-    if (status)
-        complain(line->verb, "%s", error.message);
-    else if (!line->quiet)
-        remark(line->verb, "wrote %s", path);
+    return status ? status : check_distinct(line);
+}
+
+static gough_status draw(const command_line *line, gough_table **table) {
+    gough_error error = {0};
+    gough_status status = read_tables(line, table);
+    const char **label = calloc(line->files, sizeof *label);
+    if (!status && !label) {
+        complain(line->verb, "out of memory");
+        status = GOUGH_ERROR_FILE;
+    }
+    for (size_t i = 0; label && i < line->labels; i++) label[i] = line->label[i];
+    for (size_t i = 0; i < line->output_count && !status; i++) {
+        interrupt_outputs(line->verb, line->outputs, line->output_count, i);
+        status = gough_figure_draw(&line->figure, (const gough_table *const *)table, label,
+                                   line->files, line->outputs[i], &error);
+        if (status)
+            complain(line->verb, "%s", error.message);
+        else if (!line->quiet)
+            remark(line->verb, "wrote %s", line->outputs[i]);
+    }
     free(label);
-    free(path);
     return status;
 }
 
 gough_status plot_verb(int count, char **argument) {
     command_line line = command_line_read(&usage, count, argument);
-    gough_status status = GOUGH_ERROR_INPUT;
+    gough_status status = GOUGH_ERROR_FILE;
+    char *path = line.output_count ? NULL : default_output(line.file[0]);
     gough_table **table = calloc(line.files, sizeof *table);
-    if (!table) {
-        complain(line.verb, "memory is out");
-        status = GOUGH_ERROR_FILE;
+    if (path) line.outputs[line.output_count++] = path;
+    if (!table || line.output_count == 0) {
+        complain(line.verb, "out of memory");
     } else if (line.labels > line.files) {
         complain(line.verb, "%zu labels for %zu result%s", line.labels, line.files,
                  line.files == 1 ? "" : "s");
+        status = GOUGH_ERROR_INPUT;
     } else {
-        status = draw(&line, table);
+        status = check_paths(&line);
+        if (!status) status = draw(&line, table);
         for (size_t i = 0; i < line.files; i++) gough_table_free(table[i]);
     }
     free(table);
+    free(path);
     command_line_free(&line);
     return status;
 }

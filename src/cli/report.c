@@ -10,7 +10,9 @@
 
 static const struct argp_option option[] = {
     {"output", OPTION_OUTPUT, "FILE", 0,
-     "write to FILE, whose name ends in .html (default: the first study with .html)", 0},
+     "write to FILE, whose name ends in .html (default: the first study with .html); may be given "
+     "several times",
+     0},
     {"set", OPTION_SET, "KEY=VALUE", 0,
      "override a key of every study, as in --set control.stiffness=50; may be repeated", 0},
     {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
@@ -43,7 +45,7 @@ static gough_status check_path(const char *verb, const char *path) {
     if (strcmp(path, "-") == 0) return GOUGH_OK;
     if (!ending || strcasecmp(ending, ".html") != 0) {
         complain(verb,
-                 "-o takes a name that ends in .html, or - for standard output; '%s' does not",
+                 "-o needs a name that ends in .html, or - for standard output; '%s' does not",
                  path);
         return GOUGH_ERROR_INPUT;
     }
@@ -67,42 +69,65 @@ static gough_status add_studies(const command_line *line, json_t *studies) {
     return worst;
 }
 
-static gough_status write_page(const command_line *line, json_t *data, const char *path) {
+static gough_status write_pages(const command_line *line, json_t *data) {
     const gough_page_template page = page_template();
     gough_error error = {0};
     char *text = json_dumps(data, JSON_COMPACT | JSON_PRESERVE_ORDER | JSON_REAL_PRECISION(17));
-    const gough_status status =
-        text ? gough_page_write(&page, text, strlen(text), path, &error)
-             : gough_fail(&error, GOUGH_ERROR_FILE, "memory is out for the page");
+    gough_status status = GOUGH_OK;
+    if (!text) status = gough_fail(&error, GOUGH_ERROR_FILE, "out of memory");
+    for (size_t i = 0; i < line->output_count && !status; i++) {
+        const char *path = line->outputs[i];
+        interrupt_outputs(line->verb, line->outputs, line->output_count, i);
+        status = gough_page_write(&page, text, strlen(text), path, &error);
+        if (!status && !line->quiet && strcmp(path, "-") != 0) remark(line->verb, "wrote %s", path);
+    }
+    if (status) complain(line->verb, "%s", error.message);
     free(text);
-    if (status)
-        complain(line->verb, "%s", error.message);
-    else if (!line->quiet && strcmp(path, "-") != 0)
-        remark(line->verb, "wrote %s", path);
+    return status;
+}
+
+static gough_status check_paths(const command_line *line) {
+    gough_status status = GOUGH_OK;
+    for (size_t i = 0; i < line->output_count && !status; i++) {
+        status = check_path(line->verb, line->outputs[i]);
+        if (!status)
+            status = check_overwriting(line->verb, line->outputs[i], line->file, line->files);
+    }
+    if (!status) status = check_distinct(line);
+    if (!status && page_template().length == 0) {
+        complain(line->verb,
+                 "this gough was built without the page; configure with -DGOUGH_PAGE=ON");
+        status = GOUGH_ERROR_INPUT;
+    }
+    return status;
+}
+
+static gough_status run_and_write(const command_line *line) {
+    json_t *data = json_object(), *studies = json_array();
+    json_object_set_new(data, "format", json_integer(1));
+    json_object_set_new(data, "version", json_string(GOUGH_VERSION));
+    json_object_set(data, "studies", studies);
+    gough_status status = add_studies(line, studies);
+    if (status <= GOUGH_ERROR_NUMERICAL) {
+        const gough_status written = write_pages(line, data);
+        if (written) status = written;
+    }
+    json_decref(studies);
+    json_decref(data);
     return status;
 }
 
 gough_status report_verb(int count, char **argument) {
     command_line line = command_line_read(&usage, count, argument);
-    char *path = line.output ? strdup(line.output) : default_output(line.file[0]);
-    gough_status status = path ? check_path(line.verb, path) : GOUGH_ERROR_FILE;
-    if (!status && page_template().length == 0) {
-        complain(line.verb,
-                 "this gough was built without the page; configure with -DGOUGH_PAGE=ON");
-        status = GOUGH_ERROR_INPUT;
-    }
-    if (!status) {
-        json_t *data = json_object(), *studies = json_array();
-        json_object_set_new(data, "format", json_integer(1));
-        json_object_set_new(data, "version", json_string(GOUGH_VERSION));
-        json_object_set(data, "studies", studies);
-        status = add_studies(&line, studies);
-        if (status <= GOUGH_ERROR_NUMERICAL) {
-            const gough_status written = write_page(&line, data, path);
-            if (written) status = written;
-        }
-        json_decref(studies);
-        json_decref(data);
+    char *path = line.output_count ? NULL : default_output(line.file[0]);
+    gough_status status = GOUGH_ERROR_FILE;
+    if (path) line.outputs[line.output_count++] = path;
+    if (line.output_count == 0) {
+        complain(line.verb, "out of memory");
+    } else {
+        status = check_paths(&line);
+        interrupt_outputs(line.verb, line.outputs, line.output_count, 0);
+        if (!status) status = run_and_write(&line);
     }
     free(path);
     command_line_free(&line);

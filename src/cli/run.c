@@ -59,16 +59,20 @@ static void explain_end(const command_line *line, const run_report *report) {
              rescaled ? " (in the study's own units)" : "");
 }
 
-static gough_status write_table(const command_line *line, gough_result *result) {
+static gough_status write_tables(const command_line *line, const gough_result *result) {
     gough_error error = {0};
+    gough_status status = GOUGH_OK;
     fflush(stdout);
-    const gough_status status = gough_result_write(result, line->output, &error);
+    for (size_t i = 0; i < line->output_count && !status; i++) {
+        interrupt_outputs(line->verb, line->outputs, line->output_count, i);
+        status = gough_result_write(result, line->outputs[i], &error);
+    }
     if (status) complain(line->verb, "%s", error.message);
     return status;
 }
 
 static gough_status print_summary(const command_line *line, const run_report *report) {
-    const bool standard = line->output && strcmp(line->output, "-") == 0;
+    const bool standard = writes_standard(line);
     if (line->json) {
         if (!line->quiet) run_report_print_crossings(stderr, report);
         return run_report_print_json(report) ? GOUGH_ERROR_FILE : GOUGH_OK;
@@ -123,14 +127,15 @@ static gough_status run_study(const command_line *line, const gough_study *study
                "open loop: a hexapod at rest under given leg forces always has a growing mode, and "
                "round-off grows with it; feedback (control.stiffness) is what holds it");
 
+    interrupt_outputs(line->verb, line->outputs, line->output_count, 0);
     status = run_report_fill(report, line, result, &error);
     if (status == GOUGH_ERROR_FILE) {
         complain(line->verb, "%s", error.message);
     } else if (status == GOUGH_OK || status == GOUGH_ERROR_NUMERICAL) {
         run_report_scale(report);
-        const gough_status written = result ? write_table(line, result) : GOUGH_OK;
-        report->output =
-            written || !line->output || strcmp(line->output, "-") == 0 ? NULL : line->output;
+        const gough_status written = result ? write_tables(line, result) : GOUGH_OK;
+        report->output = line->outputs;
+        report->outputs = written ? 0 : line->output_count;
         const gough_status printed = print_summary(line, report);
         explain_end(line, report);
         if (written || printed) status = written ? written : printed;

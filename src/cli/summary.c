@@ -2,6 +2,7 @@
 #include "cli/summary.h"
 
 #include <math.h>
+#include <string.h>
 
 static const double DEGREES = 57.295779513082320877;
 
@@ -216,5 +217,7 @@ void run_report_print(FILE *stream, const run_report *report) {
     fprintf(stream, "  legs        massless here: their own weight and inertia come on top\n");
     print_end(stream, report, unit);
     run_report_print_crossings(stream, report);
-    if (report->output) fprintf(stream, "  table       %s\n", report->output);
+    for (size_t i = 0; i < report->outputs; i++)
+        if (strcmp(report->output[i], "-") != 0)
+            fprintf(stream, "  table       %s\n", report->output[i]);
 }

@@ -18,11 +18,12 @@ typedef struct run_report {
     bool simulated;
     const gough_study *study;
     gough_units units;
-    gough_summary summary;   /* scaled to the output's units, angles in degrees */
-    gough_end end;           /* time scaled; its message is in the study's units */
-    crossing_list crossings; /* scaled; forces only */
-    double stroke[2];        /* least and greatest leg length, scaled; 0 and INFINITY: none */
-    const char *output;      /* NULL: no table was written */
+    gough_summary summary;     /* scaled to the output's units, angles in degrees */
+    gough_end end;             /* time scaled; its message is in the study's units */
+    crossing_list crossings;   /* scaled; forces only */
+    double stroke[2];          /* least and greatest leg length, scaled; 0 and INFINITY: none */
+    const char *const *output; /* where the tables went; "-" among them */
+    size_t outputs;
 } run_report;
 
 /* Runs the study of a report, `simulated` or not, whose numbers are then in units of the run; rows go into `result` too, which

@@ -12,7 +12,9 @@
 
 static const struct argp_option sweep_option[] = {
     {"output", OPTION_OUTPUT, "FILE", 0,
-     "write the table to FILE: .h5 or .csv by its ending; - is CSV on standard output", 0},
+     "write the table to FILE: .h5 or .csv by its ending; - is CSV on standard output; may be "
+     "given several times",
+     0},
     {"json", OPTION_JSON, NULL, 0, "print the summary as JSON", 0},
     {"set", OPTION_SET, "KEY=VALUE", 0,
      "override a key of the study, as in --set sweep.runs=100; may be repeated", 0},
@@ -46,7 +48,9 @@ static const verb_usage sweep_usage = {
 
 static const struct argp_option merge_option[] = {
     {"output", OPTION_OUTPUT, "FILE", 0,
-     "write the table to FILE: .h5 or .csv by its ending; - is CSV on standard output", 0},
+     "write the table to FILE: .h5 or .csv by its ending; - is CSV on standard output; may be "
+     "given several times",
+     0},
     {"json", OPTION_JSON, NULL, 0, "print the summary as JSON", 0},
     {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
     {0}};
@@ -103,7 +107,7 @@ static gough_status print_run(const command_line *line, const gough_sweep *sweep
     }
     double *value = calloc(keys, sizeof *value);
     if (!value) {
-        complain(line->verb, "memory is out");
+        complain(line->verb, "out of memory");
         return GOUGH_ERROR_FILE;
     }
     gough_sweep_values(sweep, line->one_run, value);
@@ -130,7 +134,7 @@ static void explain_invalid(const command_line *line, const gough_sweep *sweep,
     if (invalid == 0) return;
     gough_sweep_maker *maker = gough_sweep_maker_new(sweep);
     const gough_study *study;
-    gough_error error = {.message = "memory is out"};
+    gough_error error = {.message = "out of memory"};
     if (maker) (void)gough_sweep_make(maker, summary->first_invalid, &study, &error);
     gough_sweep_maker_free(maker);
     char values[400];
@@ -140,26 +144,31 @@ static void explain_invalid(const command_line *line, const gough_sweep *sweep,
              error.message);
 }
 
+/* The first output that is a file, in which name the runs done are kept; NULL: none. */
+static const char *kept_file(const command_line *line) {
+    for (size_t i = 0; i < line->output_count; i++)
+        if (strcmp(line->outputs[i], "-") != 0) return line->outputs[i];
+    return NULL;
+}
+
 static void explain_stop(const command_line *line, const gough_sweep_summary *summary,
                          size_t runs) {
-    const bool kept = line->output && strcmp(line->output, "-") != 0;
+    const char *kept = kept_file(line);
     if (summary->runs == 0)
-        complain(line->verb, "stopped before the first of %zu runs was done", runs);
+        complain(line->verb, "stopped before the first of %zu runs was finished", runs);
     else if (kept)
         complain(line->verb,
-                 "stopped: %zu of %zu runs are done and kept in %s.part; the same command goes on "
-                 "from there",
-                 summary->runs, runs, line->output);
+                 "stopped: %zu of %zu runs are finished and kept in %s.part; the same command "
+                 "continues from there",
+                 summary->runs, runs, kept);
     else
-        complain(line->verb,
-                 "stopped after %zu of %zu runs, of which nothing is kept without -o FILE",
+        complain(line->verb, "stopped after %zu of %zu runs; nothing is kept without -o FILE",
                  summary->runs, runs);
 }
 
 static gough_status print_summary(const command_line *line, const sweep_report *report) {
-    const bool standard = line->output && strcmp(line->output, "-") == 0;
     if (line->json) return sweep_print_json(report) ? GOUGH_ERROR_FILE : GOUGH_OK;
-    if (!line->quiet) sweep_print(standard ? stderr : stdout, report);
+    if (!line->quiet) sweep_print(writes_standard(line) ? stderr : stdout, report);
     return GOUGH_OK;
 }
 
@@ -179,17 +188,27 @@ static gough_status run_sweep(const command_line *line, const gough_sweep *sweep
     options.lanes = line->lanes;
     options.progress = look;
     options.context = &bar;
-    const gough_sweep_output output = {line->output, line->dimensionless, line->shard,
-                                       line->shards};
+    const char **also = calloc(line->output_count + 1, sizeof *also);
+    gough_sweep_output output = {.path = kept_file(line),
+                                 .dimensionless = line->dimensionless,
+                                 .shard = line->shard,
+                                 .shards = line->shards,
+                                 .also = also};
+    for (size_t i = 0; also && i < line->output_count; i++)
+        if (line->outputs[i] != output.path) also[output.also_count++] = line->outputs[i];
     sweep_report report = {.verb = line->verb, .title = study->title, .sweep = sweep};
     gough_error error = {0};
     (void)gough_units_of_study(study, line->dimensionless, &report.units, NULL);
     watch_signals();
     const double started = seconds();
     fflush(stdout);
-    gough_status status = gough_sweep_write(sweep, &options, &output, &report.summary, &error);
+    gough_status status = also
+                              ? gough_sweep_write(sweep, &options, &output, &report.summary, &error)
+                              : gough_fail(&error, GOUGH_ERROR_FILE, "out of memory");
+    free(also);
     report.time = seconds() - started;
-    report.output = line->output && strcmp(line->output, "-") != 0 ? line->output : NULL;
+    report.output = line->outputs;
+    report.outputs = line->output_count;
     progress_end(&bar);
     if (status == GOUGH_ERROR_NUMERICAL && stopped_by) {
         explain_stop(line, &report.summary, runs);
@@ -244,16 +263,23 @@ gough_status merge_verb(int count, char **argument) {
         status = GOUGH_ERROR_INPUT;
     }
     if (!status) status = check_output(&line, NULL);
+    for (size_t i = 0; i < line.output_count && !status; i++)
+        status = check_overwriting(line.verb, line.outputs[i], line.file, line.files);
     if (getrlimit(RLIMIT_NOFILE, &files) == 0) { /* all shards are open at once */
         files.rlim_cur = files.rlim_max;
         (void)setrlimit(RLIMIT_NOFILE, &files);
     }
     if (!status) {
-        status = gough_sweep_merge(line.file, line.files, line.output, &report.summary, &error);
+        for (size_t i = 0; i < line.output_count && !status; i++) {
+            interrupt_outputs(line.verb, line.outputs, line.output_count, i);
+            status =
+                gough_sweep_merge(line.file, line.files, line.outputs[i], &report.summary, &error);
+        }
         if (status) complain(line.verb, "%s", error.message);
     }
     if (!status) {
-        report.output = strcmp(line.output, "-") != 0 ? line.output : NULL;
+        report.output = line.outputs;
+        report.outputs = line.output_count;
         report.units = report.summary.units;
         status = print_summary(&line, &report);
         if (!status && report.summary.ended[GOUGH_END_INVALID]) {

@@ -11,9 +11,10 @@ typedef struct sweep_report {
     const char *verb, *title;
     const gough_sweep *sweep; /* NULL: of merged shards, whose study is not read */
     gough_sweep_summary summary;
-    gough_units units; /* of the output */
-    double time;       /* seconds that it took */
-    const char *output;
+    gough_units units;         /* of the output */
+    double time;               /* seconds that it took */
+    const char *const *output; /* where the tables went */
+    size_t outputs;
 } sweep_report;
 
 void sweep_print(FILE *stream, const sweep_report *report);

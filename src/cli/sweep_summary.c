@@ -108,7 +108,8 @@ void sweep_print(FILE *stream, const sweep_report *report) {
         print_extreme(stream, report, "greatest", s->greatest_power / power, unit->power,
                       s->greatest_power_run);
     }
-    if (report->output) fprintf(stream, "wrote %s\n", report->output);
+    for (size_t i = 0; i < report->outputs; i++)
+        if (strcmp(report->output[i], "-") != 0) fprintf(stream, "wrote %s\n", report->output[i]);
 }
 
 static const char *kind_words(const gough_sweep_key *key) {

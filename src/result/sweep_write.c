@@ -15,23 +15,29 @@ static bool ends_in(const char *path, const char *ending) {
     return length > tail && strcasecmp(path + length - tail, ending) == 0;
 }
 
+static gough_status check_table(const char *path, gough_error *error) {
+    if (!path || strcmp(path, "-") == 0 || ends_in(path, ".csv") || ends_in(path, ".h5"))
+        return GOUGH_OK;
+    return gough_fail(error, GOUGH_ERROR_INPUT,
+                      "%s: the name must end in .h5 (HDF5) or .csv, or be - for CSV on standard "
+                      "output",
+                      path);
+}
+
 static gough_status check_path(const gough_sweep_output *output, gough_error *error) {
-    const char *path = output->path;
-    const bool table =
-        !path || strcmp(path, "-") == 0 || ends_in(path, ".csv") || ends_in(path, ".h5");
-    if (output->shards == 0 && !table)
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "%s: the name must end in .h5 (HDF5) or .csv, or be - for CSV on "
-                          "standard output",
-                          path);
-    if (output->shards == 0) return GOUGH_OK;
+    if (output->shards == 0) {
+        gough_status status = check_table(output->path, error);
+        for (size_t i = 0; i < output->also_count && status == GOUGH_OK; i++)
+            status = check_table(output->also[i], error);
+        return status;
+    }
     if (output->shard < 1 || output->shard > output->shards || output->shards > 100000000)
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "shard %zu of %zu: they are numbered from 1 to their number",
-                          output->shard, output->shards);
-    if (!path || !ends_in(path, ".shard"))
+                          "there is no shard %zu of %zu; shards are numbered from 1", output->shard,
+                          output->shards);
+    if (!output->path || !ends_in(output->path, ".shard") || output->also_count > 0)
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "a shard goes to a file whose name ends in .shard; `gough merge` makes "
+                          "a shard goes to one file whose name ends in .shard; `gough merge` makes "
                           "the table of all of them");
     return GOUGH_OK;
 }
@@ -89,10 +95,12 @@ static gough_status run_into(const gough_sweep *sweep, const gough_sweep_options
     gough_error ignored;
     const gough_status summed = sweep_table_sum(part, 1, summary, status ? &ignored : error);
     summary->resumed = resumed;
-    if (status != GOUGH_OK) return status;
-    if (summed != GOUGH_OK || output->path == NULL) return summed;
+    if (status != GOUGH_OK || summed != GOUGH_OK) return status != GOUGH_OK ? status : summed;
     if (output->shards > 0) return finish_shard(part, output->path, error);
-    const gough_status written = sweep_table_write(part, 1, output->path, error);
+    gough_status written = GOUGH_OK;
+    if (output->path) written = sweep_table_write(part, 1, output->path, error);
+    for (size_t i = 0; i < output->also_count && written == GOUGH_OK; i++)
+        written = sweep_table_write(part, 1, output->also[i], error);
     if (written == GOUGH_OK && part->path) unlink(part->path);
     return written;
 }
@@ -109,7 +117,7 @@ gough_status gough_sweep_write(const gough_sweep *sweep, const gough_sweep_optio
     if (status != GOUGH_OK) return status;
     const char *path = output->path && strcmp(output->path, "-") != 0 ? output->path : NULL;
     sweep_part *part = malloc(sizeof *part);
-    if (part == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+    if (part == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
     sweep_head *head = sweep_head_of(sweep, &units, output->shard, output->shards);
     status = sweep_part_open(part, path, head, error);
     if (status == GOUGH_OK) status = run_into(sweep, options, output, part, summary, error);
@@ -151,7 +159,7 @@ gough_status gough_sweep_merge(const char *const *shard, size_t count, const cha
     if (status != GOUGH_OK) return status;
     if (count == 0) return gough_fail(error, GOUGH_ERROR_INPUT, "no shard to merge");
     sweep_part *part = calloc(count, sizeof *part);
-    if (part == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+    if (part == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
     size_t open = 0;
     while (open < count && status == GOUGH_OK)
         status = sweep_part_read(&part[open], shard[open], error), open++;

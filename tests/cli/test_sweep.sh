@@ -129,7 +129,7 @@ kill -TERM $pid
 wait $pid
 code=$?
 expect_code 143 "a terminated sweep"
-grep -q "kept in slow.csv.part; the same command goes on" err || fail "stopped: $(cat err)"
+grep -q "kept in slow.csv.part; the same command continues" err || fail "stopped: $(cat err)"
 [[ -e slow.csv.part && ! -e slow.csv ]] || fail "a stopped sweep leaves $(ls slow.csv*)"
 refused "is of another sweep" sweep study.yaml "${long[@]}" -o slow.csv
 exec 9<>slow.csv.part
@@ -211,7 +211,7 @@ grep -q '^  runs  *27$' out || fail "check does not count the runs: $(cat out)"
 refused "did you mean" simulate study.yaml --set 'sweep.keys={control.stifness: [1]}'
 refused "no section \`sweep\`" sweep study.yaml --set sweep=
 refused "there is no run 28" sweep study.yaml --run 28
-refused "a shard goes to a file" sweep study.yaml --shard 1/2 -o a.csv
+refused "a shard needs an output" sweep study.yaml --shard 1/2 -o a.csv
 refused "--shard takes i/n" sweep study.yaml --shard 2 -o a.shard
 refused "numbered from 1" sweep study.yaml --shard 3/2 -o a.shard
 refused "whole number from 1" sweep study.yaml --threads zero

@@ -23,7 +23,7 @@ refused "unrecognized option" forces "$study" --frobnicate
 refused "KEY=VALUE" forces "$study" --set control.stiffness
 refused "KEY=VALUE" simulate "$study" --set =3
 refused "double or quad" simulate "$study" --precision=triple
-refused "both want standard output" forces "$study" -o - --json
+refused "both write to standard output" forces "$study" -o - --json
 refused ".h5 or .csv" forces "$study" -o "$scratch/result.txt"
 refused "is 'paper-heave.yaml' meant?" example paper-heav
 refused "a time as in the column t" plot "$scratch/x.csv" --from=soon
