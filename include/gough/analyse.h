@@ -1,9 +1,9 @@
 /** @file analyse.h
  *  Stability of the closed loop: linearised exactly (complex steps through the equations, no differences) at rest and about
- *  a periodic program. Theory: docs/theory/stability.md. This part of the library needs LAPACK and lives in libgough-analyse.
+ *  a periodic program. Theory: docs/theory/stability.md. This part of the library needs LAPACK; it is libgough-analyse.
  *
  *  Linear state ξ = (δr, δθ, δv, δω), twelve numbers: displacement of the centre of mass, small rotation, and the changes of its
- *  velocity and of the angular velocity, all in base axes. The disturbances of a study are no part of its loop: here they are 0.
+ *  velocity and of the angular velocity, all in base axes. A study's disturbances are not part of its loop; here they are 0.
  */
 #ifndef GOUGH_ANALYSE_H
 #define GOUGH_ANALYSE_H
@@ -17,9 +17,9 @@ extern "C" {
 enum { GOUGH_LINEAR = 12 };
 
 /** ξ̇ = matrix · ξ, the closed loop linearised about a state at time t, (stab-13).
- *  @param state  NULL: the program's at t, where it is that of the variation about the program
- *  @param[out] matrix  rows: derivatives of ξ. About a state that is no equilibrium the constant part is left out
- *  @return GOUGH_OK, GOUGH_ERROR_INPUT where a formula is not finite at t, GOUGH_ERROR_NUMERICAL for a singular pose
+ *  @param state  NULL: the program's at t, for the variation about the program
+ *  @param[out] matrix  rows: derivatives of ξ. The constant part, present about a state that is not an equilibrium, is omitted
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT if a formula is not finite at t, GOUGH_ERROR_NUMERICAL for a singular pose
  *  of the program whose forces are fed forward, or a leg of no length. Exact up to rounding. Allocates nothing. Thread-safe. */
 GOUGH_API gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
                                        double matrix[GOUGH_LINEAR][GOUGH_LINEAR],
@@ -29,10 +29,10 @@ GOUGH_API gough_status gough_linearise(const gough_model *model, double t, const
 
 enum { GOUGH_MODE_NAME = 32 };
 
-/** What moves, and how. */
+/** A mode: what moves, and how. */
 typedef struct gough_mode {
     char name
-        [GOUGH_MODE_NAME]; /**< "heave", "yaw", "sway–tilt" …: the kinds of motion that hold a share of its energy */
+        [GOUGH_MODE_NAME]; /**< "heave", "yaw", "sway–tilt" …: named after the motions with a share of its energy */
     double shape[6][2]; /**< δr, δθ as complex numbers, the largest share real and positive */
     double share
         [4]; /**< shares of sway (surge and sway), heave, tilt (roll and pitch) and yaw; sum 1 */
@@ -41,19 +41,19 @@ typedef struct gough_mode {
 /** One eigenvalue: deviations go as e^{λt}. */
 typedef struct gough_eigenvalue {
     double value[2]; /**< λ: growth rate, angular frequency */
-    gough_mode mode; /**< what moves */
+    gough_mode mode; /**< its mode */
 } gough_eigenvalue;
 
-/** From which stiffness a mode at rest holds. */
+/** Least stiffness with which a mode does not grow at rest. */
 typedef struct gough_threshold {
     double stiffness; /**< G, the same in all legs; 0: the mode needs no feedback */
-    gough_mode mode;  /**< what then begins to move, (stab-10) */
+    gough_mode mode;  /**< the mode that grows below it, (stab-10) */
 } gough_threshold;
 
 /** The loop at rest. */
 typedef struct gough_rest {
     gough_state
-        state; /**< of equilibrium: where the loop rests, which without feed-forward is below the pose asked for */
+        state; /**< of equilibrium: where the loop rests; without feed-forward this is not the requested pose */
     double force[GOUGH_LEGS];                  /**< leg forces there */
     double matrix[GOUGH_LINEAR][GOUGH_LINEAR]; /**< of gough_linearise() */
     double geometric[6][6]; /**< K_geo: stiffness of constant leg forces, on (δr, δθ), symmetric */
@@ -62,9 +62,9 @@ typedef struct gough_rest {
         asymmetry; /**< largest |K − Kᵀ| of the stiffness found, over its largest element: 0 up to rounding */
     double
         trace; /**< of the translational part of K_geo: < 0 tells that without feedback some mode grows */
-    double trace_theorem; /**< −2Mg/h of (stab-5), NaN where joints are not in two level planes */
+    double trace_theorem; /**< −2Mg/h of (stab-5), NaN if the joints are not in two level planes */
     gough_eigenvalue eigenvalue
-        [GOUGH_LINEAR]; /**< by falling growth rate, then by rising frequency, of a pair ±ω the positive first */
+        [GOUGH_LINEAR]; /**< by falling growth rate, then by rising frequency; the positive one of a pair ±ω first */
     gough_threshold threshold[6]; /**< by falling stiffness */
     bool
         stable; /**< no growth rate over 1e-7 in units of √(g/R_b) (or, without gravity, as it is) */
@@ -73,11 +73,11 @@ typedef struct gough_rest {
 
 /** The loop at rest in a pose.
  *
- *  Without feed-forward the equilibrium is what the pose asked for becomes as the load comes on, (stab-14). Without damping
- *  eigenvalues are exactly real or imaginary, (stab-15).
+ *  Without feed-forward the equilibrium is found by applying the load gradually, starting from the requested pose, (stab-14). Without
+ *  damping eigenvalues are exactly real or imaginary, (stab-15).
  *  @param component  surge … yaw from home of the point `about` of the motion, radians; NULL: home
- *  @return GOUGH_OK; GOUGH_ERROR_INPUT: a component not finite; GOUGH_ERROR_NUMERICAL: singular pose, or no equilibrium found
- *  without feed-forward (the sentence says from which pose it was sought); @p rest is then not to be used. Allocates nothing.
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: a component that is not finite; GOUGH_ERROR_NUMERICAL: singular pose, or no equilibrium found
+ *  without feed-forward (the sentence names the pose where the search began); do not use @p rest then. Allocates nothing.
  *  Thread-safe. */
 GOUGH_API gough_status gough_stability_at_rest(const gough_model *model,
                                                const double component[GOUGH_COMPONENTS],
@@ -85,11 +85,12 @@ GOUGH_API gough_status gough_stability_at_rest(const gough_model *model,
 
 /* ---- about a periodic program ----------------------------------------------------------------------------------- */
 
-/** When and how a program repeats itself. */
+/** The period of a program. */
 typedef struct gough_period {
-    bool resting;  /**< the program ends at rest: no motion, no period */
-    double start;  /**< from when on, up to 1e-12: a start-up ramp has died out by then */
-    double period; /**< T, or 0 for resting */
+    bool resting; /**< the program comes to rest and has no period */
+    double
+        start; /**< when it has become periodic within 1e-12: a start-up ramp has died out by then */
+    double period; /**< T; 0 if the program comes to rest */
 } gough_period;
 
 /** The period of a motion: proposed by its formulas as the common period of all sines of ωt + what stays bounded, (floquet-2), or
@@ -100,15 +101,15 @@ typedef struct gough_period {
 GOUGH_API gough_status gough_motion_period(const gough_motion *motion, gough_period *period,
                                            gough_error *error);
 
-/** One Floquet multiplier: deviations grow by it in each period. */
+/** One Floquet multiplier: the factor by which deviations grow in each period. */
 typedef struct gough_multiplier {
     double value[2]; /**< μ */
-    gough_mode mode; /**< what moves at the beginning of the period */
+    gough_mode mode; /**< the mode at the beginning of the period */
 } gough_multiplier;
 
 /** The loop about a periodic motion. */
 typedef struct gough_floquet {
-    double start;  /**< when the period taken begins */
+    double start;  /**< when the chosen period begins */
     double period; /**< T */
     gough_state
         state; /**< at its beginning: the program's, or without feed-forward that of the periodic motion found */
@@ -117,19 +118,19 @@ typedef struct gough_floquet {
     double growth;                                /**< largest |μ|: growth per period */
     double determinant;                           /**< of the monodromy matrix */
     double
-        determinant_defect; /**< |det − 1| where D = 0, else |det / exp ∫tr A − 1|, Liouville's formula */
-    double pair_defect; /**< largest |μ μ' − 1| over reciprocal pairs, where D = 0; else NaN */
+        determinant_defect; /**< |det − 1| if D = 0, else |det / exp ∫tr A − 1|, Liouville's formula */
+    double pair_defect; /**< largest |μ μ' − 1| over reciprocal pairs if D = 0; else NaN */
     bool stable;        /**< no |μ| over 1 + 1e-7 */
-    size_t steps;       /**< taken in the period */
+    size_t steps;       /**< number of integration steps in the period */
 } gough_floquet;
 
-/** Multipliers over one period.
- *  @param period     of gough_motion_period(); NULL: found here
+/** Computes the multipliers over one period.
+ *  @param period     from gough_motion_period(); NULL: it is found here
  *  @param tolerance  of the steps; 0: 1e-13
- *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, at rest (then gough_stability_at_rest() answers), or a tolerance outside
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, at rest (use gough_stability_at_rest()), or a tolerance outside
  *  1e-15 … 1e-3; GOUGH_ERROR_NUMERICAL: the program passes a singular pose, more than 20000 steps a period, or without
- *  feed-forward no periodic motion was found near the program, (floquet-8); @p floquet is then not to be used.
- *  About 20 ms for a period with a few swings of the platform; without feed-forward some tenths of a second. Allocates nothing.
+ *  feed-forward no periodic motion was found near the program, (floquet-8); do not use @p floquet then.
+ *  It takes about 20 ms for a period with a few oscillations of the platform, some tenths of a second without feed-forward. Allocates nothing.
  *  Thread-safe. */
 GOUGH_API gough_status gough_floquet_multipliers(const gough_model *model,
                                                  const gough_period *period, double tolerance,

@@ -1,6 +1,7 @@
 /** @file batch.h
- *  Many runs of forward dynamics at once: runs that share a program side by side in the lanes of vector registers, and over
- *  threads. The same bits for any number of lanes and threads, and as gough_simulate() where the step is fixed.
+ *  Many runs of forward dynamics at once: runs that share a program are computed side by side in the lanes of vector registers,
+ *  and distributed over threads. The bits are the same for any number of lanes and threads, and for fixed steps the same as those
+ *  of gough_simulate().
  */
 #ifndef GOUGH_BATCH_H
 #define GOUGH_BATCH_H
@@ -11,21 +12,21 @@
 extern "C" {
 #endif
 
-/** What one run has of its own; the pointers may be shared by many runs. All runs of a batch move by one program. */
+/** The parts that differ between runs; runs may share the objects pointed to. All runs of a batch follow one program. */
 typedef struct gough_batch_run {
     const gough_machine *machine; /**< joints, load, gravity; the same height of home in all runs */
     const gough_control *control; /**< the same choice of feed-forward in all runs */
-    const gough_disturbance *disturbance; /**< formulas of its own */
+    const gough_disturbance *disturbance; /**< its disturbances */
     const gough_initial *initial;         /**< where it starts */
-    uint64_t number; /**< of the run, for its noise; stands for gough_noise.run */
+    uint64_t number; /**< number of the run, for its noise; replaces gough_noise.run */
 } gough_batch_run;
 
-/** What a run leaves. Peaks and deviations are those of the output times, as in gough_summary. Angles in radians. */
+/** Outcome of a run. Peaks and deviations are taken over the output times, as in gough_summary. Angles in radians. */
 typedef struct gough_outcome {
-    gough_cause cause;          /**< GOUGH_END_DONE, or why this run alone ended */
-    int leg;                    /**< 1 … 6 where one leg is the cause, else 0 */
+    gough_cause cause;          /**< GOUGH_END_DONE, or why this run ended early */
+    int leg;                    /**< 1 … 6 if a leg is the cause, else 0 */
     double time;                /**< of the end */
-    double position[3];         /**< top-frame origin at the last output time met */
+    double position[3];         /**< top-frame origin at the last output time reached */
     double angles[3];           /**< roll, pitch, yaw there */
     double velocity[3];         /**< of the origin */
     double angular_velocity[3]; /**< base axes */
@@ -38,16 +39,16 @@ typedef struct gough_outcome {
     double power_greatest;      /**< greatest power of any leg */
     double energy;              /**< net work of all legs */
     double drift;               /**< largest violation of (1.2) before projection */
-    double rows;                /**< output times met */
+    double rows;                /**< output times reached */
 } gough_outcome;
 
 /** How to run a batch; start from gough_batch_options_default(). */
 typedef struct gough_batch_options {
-    int lanes; /**< 0: the widest that the processor has; else 1, 2, 4 or 8 (more than it has is an error) */
+    int lanes; /**< 0: as many as the processor has; else 1, 2, 4 or 8 (more than it has is an error) */
     int threads; /**< 0: one per processor that the process may use */
-    /** Called now and then from one thread at a time with the number of runs done; nonzero stops. May be NULL. */
+    /** Called occasionally, from one thread at a time, with the number of finished runs; nonzero stops. May be NULL. */
     int (*progress)(void *context, size_t done);
-    void *context; /**< handed to progress */
+    void *context; /**< passed to progress */
 } gough_batch_options;
 
 /** Widest lanes, all processors, no progress. */
@@ -59,14 +60,14 @@ GOUGH_API int gough_batch_lanes(void);
 /** Bytes of memory that gough_batch() needs, aligned to 64, for any number of runs. */
 GOUGH_API size_t gough_batch_size(const gough_batch_options *options);
 
-/** Runs all of them.
+/** Runs a batch.
  *  @param motion      the program of all runs
- *  @param simulation  fixed step: in lanes. Adaptive dop853 and quadruple precision: one by one, over the threads
- *  @param[out] outcomes  one a run, in the order of the runs
+ *  @param simulation  fixed steps run in lanes; adaptive dop853 and quadruple precision run one by one, on all threads
+ *  @param[out] outcomes  one for each run, in the same order
  *  @param memory      gough_batch_size() bytes, aligned to 64; nothing else is allocated while stepping
- *  @return GOUGH_OK also where runs ended early (their outcomes tell); GOUGH_ERROR_INPUT for options,
- *  heights or feed-forward that do not fit; GOUGH_ERROR_NUMERICAL if the progress function stopped it
- *  (outcomes of runs not done have rows 0); GOUGH_ERROR_FILE if no thread could be started. */
+ *  @return GOUGH_OK, even if runs ended early (see their outcomes); GOUGH_ERROR_INPUT for invalid options, or runs
+ *  that differ in height or feed-forward; GOUGH_ERROR_NUMERICAL if the progress function stopped it
+ *  (unfinished runs have 0 rows); GOUGH_ERROR_FILE if no thread could be started. */
 GOUGH_API gough_status gough_batch(const gough_motion *motion, const gough_simulation *simulation,
                                    const gough_batch_run *runs, size_t count,
                                    const gough_batch_options *options, gough_outcome *outcomes,

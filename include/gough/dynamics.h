@@ -1,6 +1,6 @@
 /** @file dynamics.h
- *  One pose at a time: leg lengths and rates, Jacobian, inverse and forward dynamics, reactions. For controllers, which call
- *  these once a cycle: nothing here allocates, branches on data are none, all functions are safe to call concurrently.
+ *  One pose at a time: leg lengths and rates, Jacobian, inverse and forward dynamics, reactions. Suitable for
+ *  a controller's cycle: nothing here allocates, there are no data-dependent branches, all functions are safe to call concurrently.
  */
 #ifndef GOUGH_DYNAMICS_H
 #define GOUGH_DYNAMICS_H
@@ -25,7 +25,7 @@ typedef struct gough_acceleration {
     double angular[3]; /**< derivative of the angular velocity */
 } gough_acceleration;
 
-/** Force and moment on the load besides legs and gravity: force at the centre of mass, base axes. */
+/** Force and moment on the load in addition to legs and gravity: the force acts at the centre of mass; base axes. */
 typedef struct gough_wrench {
     double force[3];  /**< at the centre of mass */
     double moment[3]; /**< a free moment */
@@ -37,13 +37,14 @@ GOUGH_API gough_state gough_state_home(const gough_machine *machine);
 /** R = Rz(yaw) Ry(pitch) Rx(roll), radians. */
 GOUGH_API void gough_rotation_from_angles(const double angles[3], double rotation[3][3]);
 
-/** Roll, pitch, yaw of R, pitch in [−π/2, π/2]; at pitch ±π/2 roll and yaw are not separate and roll is what atan2 gives. */
+/** Roll, pitch, yaw of R, with pitch in [−π/2, π/2]. At pitch ±π/2 only a combination of roll and yaw is determined; roll is
+ *  then the result of atan2. */
 GOUGH_API void gough_angles_from_rotation(double rotation[3][3], double angles[3]);
 
 /** Leg lengths, rates l̇ and second rates l̈ (legs-2), (legs-4), (legs-6).
- *  @param acceleration  may be NULL, then @p second_rate is not written
+ *  @param acceleration  may be NULL; @p second_rate is then not written
  *  @param[out] length,rate,second_rate  six numbers each; any may be NULL
- *  A leg of no length gives NaN in its rates. */
+ *  A leg of zero length has rates of NaN. */
 GOUGH_API void gough_leg_kinematics(const gough_machine *machine, const gough_state *state,
                                     const gough_acceleration *acceleration,
                                     double length[GOUGH_LEGS], double rate[GOUGH_LEGS],
@@ -53,16 +54,16 @@ GOUGH_API void gough_leg_kinematics(const gough_machine *machine, const gough_st
 GOUGH_API void gough_jacobian(const gough_machine *machine, const gough_state *state,
                               double jacobian[GOUGH_LEGS][6]);
 
-/** How near the six equations are to singular.
+/** How close the six equations are to singular.
  *  @param[out] condition    2-norm condition of J about the top frame's origin, moment columns divided by the mean
- *                           top-joint distance; INFINITY if singular; NaN for a leg of no length. May be NULL
- *  @param[out] determinant  of the same matrix, its sign tells the assembly's side of the singular surface. May be NULL */
+ *                           top-joint distance; INFINITY if singular; NaN if a leg has no length. May be NULL
+ *  @param[out] determinant  of the same matrix; its sign is the side of the singular surface. May be NULL */
 GOUGH_API void gough_conditioning(const gough_machine *machine, const gough_state *state,
                                   double *condition, double *determinant);
 
 /** Inverse dynamics, the paper's direct problem, (2.2), (2.4)–(2.6): the leg forces that give an acceleration.
  *  @param external  may be NULL for none
- *  @return GOUGH_OK, or GOUGH_ERROR_NUMERICAL if condition > 1e8 or a number is not finite; @p force is then not to be used. */
+ *  @return GOUGH_OK, or GOUGH_ERROR_NUMERICAL if condition > 1e8 or a number is not finite; do not use @p force then. */
 GOUGH_API gough_status gough_inverse_dynamics(const gough_machine *machine,
                                               const gough_state *state,
                                               const gough_acceleration *acceleration,
@@ -70,7 +71,7 @@ GOUGH_API gough_status gough_inverse_dynamics(const gough_machine *machine,
                                               double force[GOUGH_LEGS], double *condition);
 
 /** Forward dynamics, the paper's inverse problem, (1.4)–(1.6): the acceleration under given leg forces.
- *  @return GOUGH_OK, or GOUGH_ERROR_NUMERICAL where a leg has no length (accelerations are then not finite). */
+ *  @return GOUGH_OK, or GOUGH_ERROR_NUMERICAL if a leg has no length (accelerations are then not finite). */
 GOUGH_API gough_status gough_forward_dynamics(const gough_machine *machine,
                                               const gough_state *state,
                                               const double force[GOUGH_LEGS],
@@ -91,7 +92,7 @@ GOUGH_API void gough_control_law(const gough_control *control,
                                  const double length[GOUGH_LEGS], const double rate[GOUGH_LEGS],
                                  double force[GOUGH_LEGS]);
 
-/** State and acceleration of the top that a program asks for at t. Not finite where a formula is not. */
+/** The program's state and acceleration of the top at t. Not finite if a formula is not. */
 GOUGH_API void gough_program(const gough_machine *machine, const gough_motion *motion, double t,
                              gough_state *state, gough_acceleration *acceleration);
 

@@ -1,10 +1,10 @@
 /** @file map.h
- *  The stability map: over stiffness, and over amplitude, frequency or damping as a second axis, what grows and how fast, with
- *  the intervals of stiffness in which a mode grows (resonance tongues, and what lies below a threshold) found whatever the grid.
- *  Theory: docs/theory/floquet.md. In lanes and threads; the same bits for any number of either. Part of libgough-analyse.
+ *  The stability map: which mode grows, and how fast, over stiffness and, as a second axis, amplitude, frequency or damping. The
+ *  intervals of stiffness in which a mode grows (resonance tongues, and intervals below a threshold) are found independently of
+ *  the grid. Theory: docs/theory/floquet.md. The bits are the same for any number of lanes and threads. In libgough-analyse.
  *
- *  A row of the map is one value of the second axis; without a second axis there is one row. In a row whose program rests the
- *  map is that of rest: then growth rates only.
+ *  A row of the map is one value of the second axis; without a second axis there is one row. If the program of a row is at rest,
+ *  the row has growth rates at rest only.
  */
 #ifndef GOUGH_MAP_H
 #define GOUGH_MAP_H
@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/** What varies besides the stiffness. */
+/** The second axis. */
 typedef enum gough_map_axis {
     GOUGH_MAP_NONE,      /**< nothing: one row */
     GOUGH_MAP_AMPLITUDE, /**< factor on the motion, on top of the study's own */
@@ -26,52 +26,52 @@ typedef enum gough_map_axis {
 /** Values of an axis. */
 typedef struct gough_map_range {
     double from;      /**< the first */
-    double to;        /**< the last, > from where there are more than one */
-    size_t count;     /**< how many, ≥ 1 */
+    double to;        /**< the last; > from if there is more than one */
+    size_t count;     /**< number of values, ≥ 1 */
     bool logarithmic; /**< equal ratios instead of equal steps; from > 0 */
 } gough_map_range;
 
-/** The value number @p i, 0 … count − 1; the ends exactly. */
+/** Value number @p i, 0 … count − 1; the ends are exact. */
 GOUGH_API double gough_map_value(const gough_map_range *range, size_t i);
 
-/** What to map; start from gough_map_options_default(). */
+/** Options of a map; start from gough_map_options_default(). */
 typedef struct gough_map_options {
     gough_map_range stiffness; /**< G, the same in all legs, ≥ 0 */
     gough_map_axis axis;       /**< which second axis */
-    gough_map_range second;    /**< its values; not looked at for GOUGH_MAP_NONE */
+    gough_map_range second;    /**< its values; ignored for GOUGH_MAP_NONE */
     double
-        accuracy; /**< of multipliers, relative to the largest; 0: 1e-9. Rough programs, as recorded ones are,
-                            may get 1e-6 only */
+        accuracy; /**< of multipliers, relative to the largest; 0: 1e-9. Rough programs, such as recorded
+                            ones, may reach only 1e-6 */
     double
-        resolution; /**< narrower intervals may be missed: a part of the stiffness range; 0: 1e-6. Edges are found to this too,
-                            at worst, and mostly a thousand times better */
+        resolution; /**< as a part of the stiffness range: narrower intervals may be missed; 0: 1e-6. Edges are at least this
+                            accurate, mostly a thousand times better */
     size_t intervals; /**< room for intervals in each row */
-    int lanes;   /**< 0: the widest that the processor has; else 1, 2, 4 or 8, as for batches */
-    int threads; /**< 0: one per processor that the process may use */
-    /** Called now and then from one thread at a time with the part of the work done, 0 … 1; nonzero stops. May be NULL. */
+    int lanes;        /**< 0: as many as the processor has; else 1, 2, 4 or 8, as for batches */
+    int threads;      /**< 0: one per processor that the process may use */
+    /** Called occasionally, from one thread at a time, with the part of the work done, 0 … 1; nonzero stops. May be NULL. */
     int (*progress)(void *context, double done);
-    void *context; /**< handed to progress */
+    void *context; /**< passed to progress */
 } gough_map_options;
 
-/** No axes yet, 256 intervals a row, widest lanes, all processors, no progress. */
+/** No axes, 256 intervals in each row, widest lanes, all processors, no progress. */
 GOUGH_API gough_map_options gough_map_options_default(void);
 
-/** One point of the grid. Without values (its row has none, or without feed-forward no periodic motion was found there): NaN, "",
- *  not stable. */
+/** One point of the grid. A point without values (its row has none, or no periodic motion was found without feed-forward) has
+ *  NaN, "" and is not stable. */
 typedef struct gough_map_point {
-    double growth; /**< largest |μ|: growth per period; NaN where the program rests */
+    double growth; /**< largest |μ|: growth per period; NaN if the program is at rest */
     double rate;   /**< ln(growth)/T; at rest the largest Re λ */
-    char
-        mode[GOUGH_MODE_NAME]; /**< what grows fastest, or decays slowest: "heave", "sway–tilt" … */
-    bool stable;               /**< no |μ| over 1 + 1e-7; at rest no Re λ over 1e-7 √(g/R_b) */
+    char mode
+        [GOUGH_MODE_NAME]; /**< the mode that grows fastest or decays slowest: "heave", "sway–tilt" …; "": neither */
+    bool stable; /**< no |μ| over 1 + 1e-7; at rest no Re λ over 1e-7 √(g/R_b) */
 } gough_map_point;
 
 /** Why a mode grows in an interval of stiffness. */
 typedef enum gough_interval_kind {
-    GOUGH_INTERVAL_STATIC, /**< below its threshold: it grows from G = 0 on, without swinging */
-    GOUGH_INTERVAL_PLUS, /**< resonance at μ = +1: the mode swings a whole number of times in each period */
+    GOUGH_INTERVAL_STATIC, /**< below its threshold: it grows from G = 0 on, without oscillating */
+    GOUGH_INTERVAL_PLUS, /**< resonance at μ = +1: the mode makes a whole number of oscillations in each period */
     GOUGH_INTERVAL_MINUS,      /**< resonance at μ = −1: a whole number and a half */
-    GOUGH_INTERVAL_COMBINATION /**< two modes together, μ not real */
+    GOUGH_INTERVAL_COMBINATION /**< two modes combined, μ not real */
 } gough_interval_kind;
 
 /** "static", "resonance +1", "resonance -1", "combination". */
@@ -80,51 +80,51 @@ GOUGH_API const char *gough_interval_kind_name(gough_interval_kind kind);
 /** An interval of stiffness in which a mode grows. Those of different modes may overlap. */
 typedef struct gough_interval {
     double
-        from; /**< G of its lower edge, which may lie below the range asked for, where the interval reaches into it */
-    double to;                /**< of its upper edge */
-    bool cut;                 /**< it goes on above the range: `to` is the end of the range */
-    double stiffness;         /**< where in the range it grows most */
+        from; /**< G of its lower edge, which may lie below the requested range if the interval extends into it */
+    double to; /**< of its upper edge */
+    bool cut;  /**< true if it continues above the range; `to` is then the end of the range */
+    double stiffness;         /**< the G in the range with the greatest growth */
     double growth;            /**< growth per period there, NaN at rest */
     double rate;              /**< growth rate there */
     gough_interval_kind kind; /**< why */
-    int modes; /**< how many do so alike: 2 where a symmetric machine sways in two directions */
+    int modes; /**< how many modes grow alike: 2 if a symmetric machine sways in two directions */
     gough_mode mode; /**< what moves there, at the beginning of the period */
 } gough_interval;
 
 /** One row: a value of the second axis. */
 typedef struct gough_map_row {
-    double value;            /**< of the second axis, 0 where there is none */
+    double value;            /**< of the second axis; 0 without one */
     gough_error error;       /**< status GOUGH_OK, or why this row has no values */
     gough_period period;     /**< of its program */
-    size_t intervals;        /**< how many are in its part of the list, by rising `from` */
-    size_t intervals_missed; /**< how many more there were, narrower than these */
+    size_t intervals;        /**< number in its part of the list, ordered by `from` */
+    size_t intervals_missed; /**< number of further intervals, narrower than these */
     size_t
-        meetings; /**< where multipliers met that could have left the unit circle and did not, or in less than the resolution;
-                          counted without damping and with feed-forward only */
+        meetings; /**< places where multipliers meet that could leave the unit circle but do not, or within less than the
+                          resolution; counted only without damping and with feed-forward */
     size_t steps; /**< of the integration in a period */
 } gough_map_row;
 
-/** The caller's memory for the answer. */
+/** The map, in the caller's memory. */
 typedef struct gough_map {
     gough_map_point *point;   /**< [row][stiffness]: rows × options.stiffness.count */
-    gough_map_row *row;       /**< one a value of the second axis */
+    gough_map_row *row;       /**< one for each value of the second axis */
     gough_interval *interval; /**< [row][options.intervals] */
 } gough_map;
 
 /** Rows of a map: 1 without a second axis. */
 GOUGH_API size_t gough_map_rows(const gough_map_options *options);
 
-/** Checks the options and says how much memory gough_map_find() needs beside the answer, aligned to 64.
- *  @return GOUGH_OK or GOUGH_ERROR_INPUT: an axis that has no values, or impossible ones, or would take more than 2^31 points. */
+/** Checks the options and computes the memory, aligned to 64, that gough_map_find() needs in addition to the map.
+ *  @return GOUGH_OK or GOUGH_ERROR_INPUT: an axis without values or with invalid ones, or a map of more than 2^31 points. */
 GOUGH_API gough_status gough_map_size(const gough_model *model, const gough_map_options *options,
                                       size_t *bytes, gough_error *error);
 
-/** The map. The disturbances of the study are no part of it.
+/** Computes the map. The study's disturbances are ignored.
  *  @param memory  of gough_map_size(), aligned to 64; nothing else is allocated
- *  @return GOUGH_OK, also where rows have no values: a program that is not periodic or passes a singular pose at that amplitude,
- *  say (their errors tell); GOUGH_ERROR_INPUT for options; GOUGH_ERROR_NUMERICAL if progress stopped it. Without feed-forward
- *  the periodic motion depends on G and is sought at each: some hundred times slower, and intervals are sought on the grid
- *  only. Safe to call concurrently. */
+ *  @return GOUGH_OK, even if rows have no values, for example because the program is not periodic or passes a singular pose at
+ *  that amplitude (see their errors); GOUGH_ERROR_INPUT for invalid options; GOUGH_ERROR_NUMERICAL if progress stopped it. Without
+ *  feed-forward the periodic motion depends on G and must be found for each G: this is some hundred times slower, and intervals
+ *  are found on the grid only. Safe to call concurrently. */
 GOUGH_API gough_status gough_map_find(const gough_model *model, const gough_map_options *options,
                                       gough_map *map, void *memory, gough_error *error);
 

@@ -1,10 +1,10 @@
 /** @file model.h
- *  What a study is made of: the platform, its load, the program, the control law and the disturbances.
+ *  The parts of a study: the platform, its load, the program, the control law and the disturbances.
  *
  *  Units: any consistent set (SI, or the dimensionless one of docs/theory/units.md); angles in radians.
- *  Frames: base frame, x forward, y left, z up; the top frame coincides with it in orientation at home, its origin is
- *  then at (0, 0, height). A leg force is positive when it pushes the top away from the base. Legs are massless.
- *  All structs are plain data: fill, copy and share them freely; nothing here allocates.
+ *  Frames: the base frame has x forward, y left, z up; at home the top frame is parallel to it, with its origin
+ *  at (0, 0, height). A leg force is positive when it pushes the top away from the base. Legs are massless.
+ *  All structs are plain data: fill, copy and share them freely. Nothing here allocates.
  */
 #ifndef GOUGH_MODEL_H
 #define GOUGH_MODEL_H
@@ -29,10 +29,10 @@ typedef struct gough_platform {
     double
         base_radius; /**< R_b, the unit of length of the dimensionless form; 0: mean distance of the base joints
                                      from their centroid */
-    double length_min; /**< least leg length; 0: none */
-    double length_max; /**< greatest leg length; INFINITY: none */
-    double speed_max;  /**< greatest |leg rate|; INFINITY: none */
-    double force_max;  /**< greatest |leg force|; INFINITY: none */
+    double length_min; /**< least leg length; 0: no limit */
+    double length_max; /**< greatest leg length; INFINITY: no limit */
+    double speed_max;  /**< greatest |leg rate|; INFINITY: no limit */
+    double force_max;  /**< greatest |leg force|; INFINITY: no limit */
 } gough_platform;
 
 /** A platform without joints and without limits. */
@@ -40,7 +40,7 @@ GOUGH_API gough_platform gough_platform_default(void);
 
 /** Joints in pairs on two circles: base pairs at ±half_angle about 0°, 120°, 240°, top pairs about 60°, 180°, 300°;
  *  leg 1 runs from base angle +base_half_angle to top angle 60° − top_half_angle, legs 2 … 6 follow counter-clockwise,
- *  each joining neighbours. Half angles in radians. Sets base_radius and height; limits are none. */
+ *  each joining neighbours. Half angles in radians. Sets base_radius and height; there are no limits. */
 GOUGH_API gough_platform gough_platform_symmetric(double base_radius, double base_half_angle,
                                                   double top_radius, double top_half_angle,
                                                   double height);
@@ -52,7 +52,8 @@ typedef struct gough_load {
     double inertia[3][3];     /**< about the centre of mass, axes of the top frame; symmetric */
 } gough_load;
 
-/** A validated machine with what follows from it; fill it with gough_machine_init() only. Const afterwards, shareable. */
+/** A validated machine and the quantities derived from it. Fill it with gough_machine_init() only; it is constant afterwards and
+ *  may be shared. */
 typedef struct gough_machine {
     gough_platform platform;        /**< as given */
     gough_load load;                /**< as given */
@@ -65,10 +66,10 @@ typedef struct gough_machine {
     double home_condition; /**< condition of the six equations at home (INFINITY if singular) */
 } gough_machine;
 
-/** Checks geometry and inertia and derives the rest, (1.1), (2.7).
- *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with a sentence: a number not finite, mass not positive, an inertia that no body
- *  has, two legs sharing both joints, all base or all top joints on one line, a leg of no length at home, or a machine
- *  singular in every pose (similar hexagons). A home pose that alone is singular is accepted (home_condition tells).
+/** Checks geometry and inertia and computes the derived quantities, (1.1), (2.7).
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with a sentence: a number is not finite, the mass is not positive, no body can have
+ *  the inertia, two legs share both joints, all base or all top joints lie on one line, a leg has no length at home, or the
+ *  machine is singular in every pose (similar hexagons). A machine singular only at home is accepted (see home_condition).
  *  A flat body (J_x + J_y = J_z within 1e-12) is accepted, its vanishing second moment set to 0. */
 GOUGH_API gough_status gough_machine_init(gough_machine *machine, const gough_platform *platform,
                                           const gough_load *load, const double gravity[3],
@@ -78,33 +79,33 @@ GOUGH_API gough_status gough_machine_init(gough_machine *machine, const gough_pl
 
 enum { GOUGH_FORMULA_OPERATIONS = 192, GOUGH_FORMULA_DEPTH = 24 };
 
-/** A compiled formula in t: postfix operations on a small stack. `count` 0 is the constant 0. */
+/** A compiled formula in t: postfix operations on a small stack. A `count` of 0 means the constant 0. */
 typedef struct gough_formula {
     int count; /**< operations in use */
     struct {
-        int code;                          /**< operation, private to src/model */
-        int constant;                      /**< which operands do not depend on t, private */
-        double value;                      /**< of a number, private */
+        int code;                          /**< operation; private */
+        int constant;                      /**< which operands do not depend on t; private */
+        double value;                      /**< of a number; private */
     } operation[GOUGH_FORMULA_OPERATIONS]; /**< private */
 } gough_formula;
 
 /** Compiles a formula: numbers, t, pi, + − * / ^ (right-associative; -t^2 is -(t^2)), parentheses and the functions
  *  sin cos tan asin acos atan atan2(y, x) exp log sqrt tanh ramp(t, T). ramp rises from 0 to 1 over 0 … T, twice
  *  continuously differentiable. Trigonometric functions take radians.
- *  @param text,length  the formula, not necessarily terminated
- *  @param[out] offset  byte offset of the character an error is about (may be NULL)
+ *  @param text,length  the formula, which need not be terminated
+ *  @param[out] offset  byte offset of the character with the error (may be NULL)
  *  @return GOUGH_OK or GOUGH_ERROR_INPUT with a sentence (unknown name and the nearest one, missing parenthesis, too long,
  *  too deep, empty, …). Does not allocate; safe to call concurrently; independent of the locale. */
 GOUGH_API gough_status gough_formula_compile(gough_formula *formula, const char *text,
                                              size_t length, size_t *offset, gough_error *error);
 
-/** The formula that is a constant everywhere. */
+/** A constant formula. */
 GOUGH_API gough_formula gough_formula_constant(double value);
 
-/** Whether the formula is the constant 0 (so that a disturbance is absent). */
+/** True if the formula is the constant 0, so that a disturbance is absent. */
 GOUGH_API bool gough_formula_is_zero(const gough_formula *formula);
 
-/** Value, first and second derivative at t, exact up to rounding (evaluated on jets, never differenced). Outside the domain
+/** Value, first and second derivative at t, exact up to rounding (evaluated on jets, without differences). Outside the domain
  *  of a function the results are not finite. Does not allocate. */
 GOUGH_API void gough_formula_evaluate(const gough_formula *formula, double t, double jet[3]);
 
@@ -125,64 +126,64 @@ enum gough_component {
 /** Names of the components in the order of the enumeration: "surge" … "yaw". */
 GOUGH_API const char *gough_component_name(int component);
 
-/** A point-to-point move: minimum jerk from where the program then is (0 before the first move) to target. */
+/** A point-to-point move with minimum jerk, from the program's current pose (home before the first move) to the target. */
 typedef struct gough_move {
-    double start;                    /**< time at which it begins */
+    double start;                    /**< when it begins */
     double duration;                 /**< > 0 */
     double target[GOUGH_COMPONENTS]; /**< from home */
     bool given[GOUGH_COMPONENTS];    /**< components left out keep their value */
 } gough_move;
 
-/** Recorded motion: the caller's memory, kept alive while the motion is used. Rows in increasing time.
+/** Recorded motion, in the caller's memory, which must outlive the motion. Rows in order of time.
  *  value and curvature are row-major [count][GOUGH_COMPONENTS]; curvature (second derivatives of the C² cubic spline,
  *  not-a-knot at both ends; a parabola through 3 rows, a line through 2) is filled by gough_samples_prepare(). */
 typedef struct gough_samples {
     size_t count;        /**< rows */
     const double *time;  /**< increasing */
     const double *value; /**< six components a row */
-    double *curvature;   /**< their second derivatives, as large as value */
+    double *curvature;   /**< their second derivatives, the same size as value */
 } gough_samples;
 
 /** Doubles of scratch memory that gough_samples_prepare() needs for @p count rows. */
 GOUGH_API size_t gough_samples_scratch(size_t count);
 
 /** Computes the spline through the samples, whose times need not be equally spaced.
- *  @return GOUGH_OK, or GOUGH_ERROR_INPUT: fewer than 2 rows, times not increasing, a number not finite. */
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT: fewer than 2 rows, times that do not increase, or a number that is not finite. */
 GOUGH_API gough_status gough_samples_prepare(const gough_samples *samples, double *scratch,
                                              gough_error *error);
 
-/** Where a program comes from. */
+/** How a program is given. */
 typedef enum gough_motion_kind {
     GOUGH_MOTION_FORMULAS, /**< a formula in t for each component */
     GOUGH_MOTION_MOVES,    /**< point-to-point moves */
     GOUGH_MOTION_SAMPLES   /**< recorded motion */
 } gough_motion_kind;
 
-/** The program. Zero-filled: rest at home. */
+/** The program. A zero-filled struct means rest at home. */
 typedef struct gough_motion {
-    gough_motion_kind kind;                  /**< which of the fields below hold */
+    gough_motion_kind kind;                  /**< which of the fields below are used */
     double about[3];                         /**< the point of the top frame whose motion this is */
     gough_formula formula[GOUGH_COMPONENTS]; /**< lengths, and radians times `angle_unit` */
     double
         angle_unit; /**< factor from the formulas' angles to radians; 0 means 1. (π/180 for study files;
                                                   applied to formulas only: moves and samples are in radians) */
-    const gough_move *move; /**< caller's memory, in increasing time, not overlapping */
-    size_t moves;           /**< how many */
+    const gough_move *move; /**< in the caller's memory, in order of time, not overlapping */
+    size_t moves;           /**< number of moves */
     gough_samples samples;  /**< prepared by gough_samples_prepare() */
-    double period;    /**< of the motion as run, scaled or not; 0: to be found from the formulas */
-    bool scaled;      /**< whether the two below hold; false: the motion as it is */
+    double period;    /**< of the motion, with its scaling if any; 0: found from the formulas */
+    bool scaled;      /**< whether amplitude and frequency are used; false: the motion unscaled */
     double amplitude; /**< when scaled: factor on all six components */
-    double frequency; /**< when scaled: factor on the time at which they are taken, > 0 */
+    double frequency; /**< when scaled: factor on the time at which the program is evaluated, > 0 */
 } gough_motion;
 
 /** The six components at t with their first and second derivatives: component[c][order], radians. Before the first and
- *  after the last sample the end values hold. Not finite where a formula is not. Does not allocate. */
+ *  after the last sample the components keep their end values. Not finite if a formula is not. Does not allocate. */
 GOUGH_API void gough_motion_evaluate(const gough_motion *motion, double t,
                                      double component[GOUGH_COMPONENTS][3]);
 
 /* ---- control, disturbance, initial state ---------------------------------------------------------------------- */
 
-/** F = F^p + G (l^p − l) + D (l̇^p − l̇), per leg. Zero-filled with feedforward set: open loop. */
+/** F = F^p + G (l^p − l) + D (l̇^p − l̇), for each leg. Zero-filled except for feedforward: open loop. */
 typedef struct gough_control {
     bool feedforward; /**< F^p from inverse dynamics along the program; false: F^p ≡ 0 */
     double stiffness[GOUGH_LEGS]; /**< G */
@@ -190,29 +191,28 @@ typedef struct gough_control {
 } gough_control;
 
 /** Random forces: smooth noise, twice continuously differentiable, of zero mean, independent in each leg and along each
- *  axis; (law-3). The same seed and run give the same noise. Zero-filled: none. */
+ *  axis; (law-3). The same seed and run give the same noise. Zero-filled: no noise. */
 typedef struct gough_noise {
     double leg_force; /**< root mean square of the force added to each leg */
     double force;     /**< of each component of the force on the load, base axes */
     double moment;    /**< of each component of the moment on the load, base axes */
-    double
-        interval;  /**< time over which it changes: its knots' distance; > 0 where there is noise */
-    uint64_t seed; /**< another seed, other noise */
-    uint64_t run;  /**< and so for another run */
+    double interval;  /**< time scale, the distance between its knots; > 0 if there is noise */
+    uint64_t seed;    /**< another seed gives different noise */
+    uint64_t run;     /**< another run gives different noise */
 } gough_noise;
 
 /** Formulas in t, all zero by default. */
 typedef struct gough_disturbance {
     gough_formula leg_force[GOUGH_LEGS]; /**< added to each leg */
     gough_formula
-        vertical_force; /**< a total force along the base z axis, shared by the legs: the leg forces which, in the
-                                              program's pose, have it as resultant through the centre of mass, no moment */
+        vertical_force; /**< a total force along the base z axis, shared by the legs: their forces have it as
+                                              resultant through the centre of mass in the program's pose, without a moment */
     gough_formula force[3];  /**< on the load at its centre of mass, base axes */
     gough_formula moment[3]; /**< on the load, base axes */
-    gough_noise noise;       /**< what is random */
+    gough_noise noise;       /**< random part */
 } gough_disturbance;
 
-/** Where a run starts: each part not given is the program's at t = 0. */
+/** Where a run starts. Parts that are not given have the program's value at t = 0. */
 typedef struct gough_initial {
     double component[GOUGH_COMPONENTS]; /**< from home, of the point `about` of the motion */
     bool given[GOUGH_COMPONENTS];       /**< which components are set */
@@ -222,12 +222,12 @@ typedef struct gough_initial {
     bool angular_velocity_given;        /**< whether angular_velocity is set */
 } gough_initial;
 
-/** All of it. Large (about 100 kB, mostly formulas): keep it static or on the heap. */
+/** A complete model. It is large (about 100 kB, mostly formulas): keep it static or on the heap. */
 typedef struct gough_model {
     gough_machine machine;         /**< platform and load */
     gough_motion motion;           /**< the program */
-    gough_control control;         /**< the law of the legs */
-    gough_disturbance disturbance; /**< what comes on top */
+    gough_control control;         /**< the control law */
+    gough_disturbance disturbance; /**< forces unknown to the controller */
     gough_initial initial;         /**< where a run starts */
 } gough_model;
 

@@ -1,6 +1,6 @@
 /** @file result.h
- *  What a run leaves: tables in memory, written as HDF5 or CSV, complete or not at all. This room allocates and writes files.
- *  Functions on distinct tables are safe to call concurrently, but for HDF5, whose library may be built for one thread only.
+ *  Results: tables in memory, written as HDF5 or CSV files that are complete or absent. These functions allocate and write files.
+ *  Functions on distinct tables are safe to call concurrently, except with HDF5, whose library may be built for one thread only.
  */
 #ifndef GOUGH_RESULT_H
 #define GOUGH_RESULT_H
@@ -14,10 +14,10 @@
 extern "C" {
 #endif
 
-/** Rows in memory, in the units of the output (angles in degrees, dimensionless if asked for). Opaque. */
+/** Rows in memory, in the units of the output (angles in degrees, dimensionless on request). Opaque. */
 typedef struct gough_result gough_result;
 
-/** Where the numbers of a table stand. */
+/** Units of the numbers in a table. */
 typedef struct gough_units {
     bool dimensionless; /**< unit labels "1", else SI labels */
     double length;      /**< one unit of length of the output in units of the run: 1, or R_b */
@@ -25,31 +25,31 @@ typedef struct gough_units {
     double time;        /**< of time: 1, or √(R_b/g) */
 } gough_units;
 
-/** Units of a study's output: its own, or with @p dimensionless R_b, M and √(R_b/g) (already so for dimensionless studies with
- *  R_b = M = g = 1).
- *  @return GOUGH_ERROR_INPUT if gravity is 0, so that no unit of time follows. */
+/** Units of a study's output: its own, or with @p dimensionless R_b, M and √(R_b/g) (for a dimensionless study with
+ *  R_b = M = g = 1 these are the same).
+ *  @return GOUGH_ERROR_INPUT if gravity is 0, which leaves no unit of time. */
 GOUGH_API gough_status gough_units_of_study(const gough_study *study, bool dimensionless,
                                             gough_units *units, gough_error *error);
 
-/** An empty table for a verb ("forces" or "simulate") of a study. NULL if memory is out. */
+/** An empty table for a verb ("forces" or "simulate") of a study. NULL if out of memory. */
 GOUGH_API gough_result *gough_result_new(const gough_study *study, const char *verb,
                                          const gough_units *units);
 
-/** A gough_sink: @p result is a gough_result. Quads are kept if the first row has them.
- *  @return nonzero when memory is out, or when the table would take more than a quarter of the machine's. */
+/** A gough_sink: @p result is a gough_result. It stores quads if the first row has them.
+ *  @return nonzero if out of memory, or if the table would take more than a quarter of the machine's memory. */
 GOUGH_API int gough_result_add(void *result, const gough_row *row);
 
 /** How the run ended, its time in units of the run: attributes end_time, end_cause and end_message of HDF5. */
 GOUGH_API void gough_result_set_end(gough_result *result, const gough_end *end);
 
-/** Writes the table: .h5 (HDF5) or .csv by extension, "-" CSV on standard output. CSV has 17 significant digits, 36 where the
- *  rows came as quads; HDF5 has doubles, on a dimension scale t, and opens as netCDF-4. The same table gives the same bytes, in
- *  every locale. Complete or absent, as by gough_write_file().
+/** Writes the table: .h5 (HDF5) or .csv by extension, "-" means CSV on standard output. CSV has 17 significant digits, 36 if the
+ *  rows have quads; HDF5 has doubles, on a dimension scale t, and opens as netCDF-4. The same table gives the same bytes, in
+ *  every locale. The file is complete or absent, as with gough_write_file().
  *  @return GOUGH_OK, GOUGH_ERROR_INPUT (unknown extension), GOUGH_ERROR_FILE. */
 GOUGH_API gough_status gough_result_write(const gough_result *result, const char *path,
                                           gough_error *error);
 
-/** One column of a table in memory, its numbers as they are written. */
+/** One column of a table in memory, with its numbers as they are written. */
 typedef struct gough_result_column {
     const char *name;      /**< as in the header row */
     const char *long_name; /**< what it is */
@@ -58,14 +58,14 @@ typedef struct gough_result_column {
     size_t rows;           /**< rows so far */
 } gough_result_column;
 
-/** The column at @p index, from 0. @return false, and nothing written, beyond the last. */
+/** The column at @p index, counted from 0. @return false beyond the last column; nothing is then written. */
 GOUGH_API bool gough_result_column_at(const gough_result *result, int index,
                                       gough_result_column *column);
 
 /** Frees a table; NULL is allowed. */
 GOUGH_API void gough_result_free(gough_result *result);
 
-/** A table read back, from HDF5 or CSV, of this program or of other hands (a CSV with a header row). */
+/** A table read back, from HDF5 or CSV, written by this program or any other (a CSV with a header row). */
 typedef struct gough_table {
     size_t rows;     /**< rows of numbers */
     size_t columns;  /**< numbers a row */
@@ -78,21 +78,21 @@ typedef struct gough_table {
     double end_time; /**< NaN where unknown */
 } gough_table;
 
-/** Reads a table; HDF5 is told from CSV by its first bytes, "-" is CSV on standard input. A child process reads HDF5, within
- *  limits of time and memory, so that a file which breaks the HDF5 library ends in a message too.
+/** Reads a table; HDF5 is recognised by its first bytes; "-" means CSV on standard input. HDF5 is read in a child process with
+ *  limits of time and memory, so that a file which crashes the HDF5 library still gives a message.
  *  @param[out] table  set on GOUGH_OK, else NULL
- *  @return GOUGH_OK, GOUGH_ERROR_INPUT (not such a file; of CSV with the place: `file:line:column: …`), GOUGH_ERROR_FILE.
- *  Any bytes end in one of these. */
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT (not a table; for CSV with the place: `file:line:column: …`), GOUGH_ERROR_FILE,
+ *  for any bytes. */
 GOUGH_API gough_status gough_table_read(const char *path, gough_table **table, gough_error *error);
 /** Frees a table; NULL is allowed. */
 GOUGH_API void gough_table_free(gough_table *table);
 
-/** A table of zeros to fill, its columns without names yet; free it with gough_table_free(). NULL if memory is out. */
+/** A table of zeros with unnamed columns, to be filled; free it with gough_table_free(). NULL if out of memory. */
 GOUGH_API gough_table *gough_table_new(const char *title, const char *verb, size_t columns,
                                        size_t rows);
 
 /** Names a column and its unit ("" or "1": none).
- *  @return its numbers, to be filled; NULL if memory is out */
+ *  @return its numbers, to be filled; NULL if out of memory */
 GOUGH_API double *gough_table_name(gough_table *table, size_t column, const char *name,
                                    const char *unit);
 
@@ -105,8 +105,9 @@ GOUGH_API gough_status gough_table_write(const gough_table *table, const char *s
 /** Column by name; NULL if absent. */
 GOUGH_API const double *gough_table_column(const gough_table *table, const char *name);
 
-/** Writes bytes to a file complete or not at all: beside it, write, fsync, close, each checked, then rename. A file that is
- *  replaced keeps its permissions, a link stays a link. "-" is standard output; it, devices and FIFOs are written in place.
+/** Writes bytes to a file that is complete or absent: writes a temporary file beside it, checks write, fsync and close, then
+ *  renames it. A replaced file keeps its permissions, a link stays a link. "-" means standard output, which like devices and
+ *  FIFOs is written in place.
  *  @return GOUGH_OK, or GOUGH_ERROR_FILE with a sentence that names the path. */
 GOUGH_API gough_status gough_write_file(const char *path, const void *bytes, size_t length,
                                         gough_error *error);

@@ -1,6 +1,6 @@
 /** @file simulate.h
  *  One run: the program's forces (inverse dynamics along the motion) or the motion under forces, control and
- *  disturbances (forward dynamics), as rows of named columns handed to the caller one by one.
+ *  disturbances (forward dynamics), as rows of named columns that are passed to the caller one by one.
  */
 #ifndef GOUGH_SIMULATE_H
 #define GOUGH_SIMULATE_H
@@ -71,10 +71,10 @@ typedef struct gough_column_info {
     int angle;             /**< of angle */
 } gough_column_info;
 
-/** What each column is, by gough_column. */
+/** Name and dimension of each column, by gough_column. */
 GOUGH_API extern const gough_column_info gough_column_table[GOUGH_COLUMNS];
 
-/** One row. Columns that the verb does not have are NaN (see gough_column_filled()). */
+/** One row. Columns that the verb does not fill are NaN (see gough_column_filled()). */
 typedef struct gough_row {
     double value[GOUGH_COLUMNS]; /**< by gough_column, angles in radians */
     const gough_quad
@@ -96,13 +96,14 @@ typedef enum gough_method {
 } gough_method;
 /** How i, j, k are kept orthonormal. */
 typedef enum gough_constraints { GOUGH_PROJECTION, GOUGH_NONE, GOUGH_BAUMGARTE } gough_constraints;
-/** In which numbers a run is computed: 16 or 33 digits. */
+/** Precision of a run: 16 or 33 digits. */
 typedef enum gough_precision { GOUGH_DOUBLE, GOUGH_QUADRUPLE } gough_precision;
 
 /** "dop853", "rk4", "rattle2" …; NULL outside the enumeration. */
 GOUGH_API const char *gough_method_name(int method);
 
-/** How to run; start from gough_simulation_default(): 20 units, rows each 0.05, dop853 at tolerance 1e-10, projection. */
+/** How to run; start from gough_simulation_default(): 20 units of time, a row every 0.05, dop853 with a
+ *  tolerance of 1e-10, projection. */
 typedef struct gough_simulation {
     double duration;    /**< from t = 0 */
     double output_step; /**< rows at k · output_step, k = 0 … ⌊duration/output_step + 1e-9⌋ */
@@ -116,47 +117,47 @@ typedef struct gough_simulation {
     bool reactions;                /**< fill the columns of Λ */
 } gough_simulation;
 
-/** 20 units, rows each 0.05, dop853 at tolerance 1e-10, projection, double. */
+/** 20 units of time, a row every 0.05, dop853 with a tolerance of 1e-10, projection, double precision. */
 GOUGH_API gough_simulation gough_simulation_default(void);
 
 /** Checks the options against the model.
  *  @return GOUGH_OK or GOUGH_ERROR_INPUT: duration, output_step or step not positive and finite, step not dividing
  *  output_step within 1e-9, more than 1e8 rows, tolerance outside what the precision can give (double 1e-15 … 1e-1,
- *  quadruple 1e-30 … 1e-1), a step missing where the method needs one, Baumgarte with a rattle method, a duration beyond
+ *  quadruple 1e-30 … 1e-1), a step missing that the method needs, Baumgarte with a rattle method, a duration beyond
  *  recorded motion. */
 GOUGH_API gough_status gough_simulation_check(const gough_model *model,
                                               const gough_simulation *simulation,
                                               gough_error *error);
 
-/** First column and one past the last that a run fills: forces GOUGH_T … GOUGH_CONDITION, simulate up to GOUGH_DRIFT; the six
- *  reactions besides, if asked for. @return whether @p column is filled. */
+/** First column and one past the last that a run fills: forces GOUGH_T … GOUGH_CONDITION, simulate up to GOUGH_DRIFT; both also
+ *  the six reactions if requested. @return whether @p column is filled. */
 GOUGH_API bool gough_column_filled(int column, bool simulated, bool reactions);
 
-/** One excess of a leg's limit found along the program. */
+/** One interval of the program in which a leg exceeds a limit. */
 typedef struct gough_crossing {
     gough_cause cause; /**< which limit */
     int leg;           /**< 1 … 6 */
-    double enter;      /**< when the limit is left */
-    double leave;      /**< when it is met again; INFINITY: not before the end */
-    double worst;      /**< the worst value in between (length, speed or force) */
-    double worst_time; /**< when it has that value */
+    double enter;      /**< when it begins */
+    double leave;      /**< when it ends; INFINITY: not before the end of the run */
+    double worst;      /**< the worst value in the interval (length, speed or force) */
+    double worst_time; /**< when that value is reached */
 } gough_crossing;
 
 /** Called for each crossing in order of its beginning. */
 typedef void (*gough_crossing_sink)(void *context, const gough_crossing *crossing);
 
 /** Inverse dynamics along the program, (2.1)–(2.7): rows at the output times.
- *  Limits do not end it: each crossing is located and handed to @p crossings (may be NULL) when it is over, those still open at
- *  the end of the run last; the end is then the earliest of them. A singular or nearly singular pose, a leg of no length or
- *  a formula not finite ends it.
- *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL where @p end has a cause other than done, with its time located to 1e-9 relative;
- *  GOUGH_ERROR_INPUT where a formula is not finite or the options are wrong. Allocates nothing. Thread-safe. */
+ *  Exceeded limits do not stop it: each crossing is located and passed to @p crossings (may be NULL) when it is over, and those
+ *  still open when the run ends come last; @p end is then the earliest of them. A singular or nearly singular pose, a leg of no
+ *  length or a formula that is not finite stops it.
+ *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if @p end has a cause other than done, with its time accurate to 1e-9 relative;
+ *  GOUGH_ERROR_INPUT if a formula is not finite or the options are invalid. Allocates nothing. Thread-safe. */
 GOUGH_API gough_status gough_forces(const gough_model *model, const gough_simulation *simulation,
                                     gough_sink sink, void *context, gough_crossing_sink crossings,
                                     void *crossings_context, gough_end *end, gough_error *error);
 
 /** Forward dynamics, (1.4), (1.5), under control and disturbances: rows at the output times, up to the end.
- *  Ends at the first limit left, singular pose, leg of no length or number not finite; rows before stay valid.
+ *  Stops at the first exceeded limit, singular pose, leg of no length or number that is not finite; earlier rows stay valid.
  *  @return as gough_forces(). Allocates nothing while it runs. Thread-safe. */
 GOUGH_API gough_status gough_simulate(const gough_model *model, const gough_simulation *simulation,
                                       gough_sink sink, void *context, gough_end *end,
@@ -167,59 +168,59 @@ GOUGH_API gough_status gough_simulate(const gough_model *model, const gough_simu
 /** Doubles that gough_model_flatten() writes for @p model. */
 GOUGH_API size_t gough_model_flat_size(const gough_model *model);
 
-/** Writes a model and its options as an array of doubles: for another process, another machine, a page.
+/** Writes a model and its options as an array of doubles, for another process, another machine or a page.
  *
- *  The array begins with the number of its format, 1, and the number of its doubles. It holds what the model was made from; what
- *  follows from that is found anew by gough_model_unflatten() with the same bits. Safe to call concurrently on one model.
+ *  The array begins with the number of its format, 1, and the number of its doubles. It contains what the model was made from;
+ *  gough_model_unflatten() derives the rest again, with the same bits. Safe to call concurrently on one model.
  *  @param model       validated
  *  @param simulation  how to run it
  *  @param[out] flat   gough_model_flat_size() doubles */
 GOUGH_API void gough_model_flatten(const gough_model *model, const gough_simulation *simulation,
                                    double *flat);
 
-/** Bytes of memory that gough_model_unflatten() needs beside the model, for moves or the spline of recorded motion; 0 where it
- *  needs none, or where the array's head is damaged. Never more than twice the size of the array. */
+/** Bytes of memory that gough_model_unflatten() needs beside the model, for moves or the spline of recorded motion; 0 if it
+ *  needs none or the head of the array is damaged. Never more than twice the size of the array. */
 GOUGH_API size_t gough_model_flat_memory(const double *flat, size_t count);
 
 /** Reads a model and its options from such an array, which need not be trusted.
  *
- *  A run of them has the same bits as a run of what was flattened.
+ *  A run of the result has the same bits as a run of the original.
  *  @param[out] model       complete on GOUGH_OK only
  *  @param[out] simulation  likewise, checked by gough_simulation_check()
- *  @param memory  gough_model_flat_memory() bytes, aligned for doubles; NULL where that is 0. It and @p flat, in which recorded
- *                 motion stays, must live as long as the model
+ *  @param memory  gough_model_flat_memory() bytes, aligned for doubles; NULL if that is 0. It and @p flat, which contains the
+ *                 recorded motion, must outlive the model
  *  @param flat,count  the array and its length
- *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with a sentence: another format, an array cut short or too long, a number out of its
- *  range, a formula that is none, a machine or options that their own checks refuse. */
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with a sentence: an unknown format, an array that is too short or too long, a number out
+ *  of range, an invalid formula, a machine or options that fail their own checks. */
 GOUGH_API gough_status gough_model_unflatten(gough_model *model, gough_simulation *simulation,
                                              void *memory, const double *flat, size_t count,
                                              gough_error *error);
 
-/* ---- what a run leaves in a few numbers ----------------------------------------------------------------------- */
+/* ---- the summary of a run ----------------------------------------------------------------------- */
 
 /** One leg over a run. */
 typedef struct gough_leg_summary {
     double length_min; /**< least length */
     double length_max; /**< greatest length */
     double speed;      /**< peak |rate| */
-    double force_min;  /**< least force; below 0 it pulls */
+    double force_min;  /**< least force; below 0 the leg pulls */
     double force_max;  /**< greatest force */
     double rms_force;  /**< root of the mean over time */
-    double power_min;  /**< least power; below 0 the leg takes power up */
+    double power_min;  /**< least power; below 0 the leg absorbs power */
     double power_max;  /**< greatest power */
     double energy;     /**< net work done by the leg */
     double swing_base; /**< largest angle from its direction at home, seen from the base */
     double swing_top;  /**< the same, seen from the top */
 } gough_leg_summary;
 
-/** Sums up rows as they come; fill it by gough_summary_begin(), gough_summary_add(), gough_summary_end(). */
+/** Summary of the rows so far; fill it by gough_summary_begin(), gough_summary_add(), gough_summary_end(). */
 typedef struct gough_summary {
     gough_leg_summary leg[GOUGH_LEGS]; /**< legs 1 … 6 */
     size_t rows;                       /**< rows added */
     double first_time;                 /**< t of the first row */
     double last_time;                  /**< t of the last row */
     double condition;                  /**< largest */
-    double condition_time;             /**< when it was so large */
+    double condition_time;             /**< when it occurs */
     double position_deviation;         /**< largest distance actual – program; NaN for forces */
     double angle_deviation; /**< largest angle of the rotation between them; NaN for forces */
     double drift;           /**< largest */
@@ -230,7 +231,7 @@ typedef struct gough_summary {
 
 /** An empty summary. */
 GOUGH_API void gough_summary_begin(gough_summary *summary);
-/** Takes one row in, in the units and order of the run. */
+/** Adds one row, in the units and order of the run. */
 GOUGH_API void gough_summary_add(gough_summary *summary, const gough_machine *machine,
                                  const gough_row *row);
 /** Completes the time integrals. Rows equally spaced are integrated to fourth order. */

@@ -1,5 +1,5 @@
 /** @file status.h
- *  How every function of the library answers: a status, a sentence where something is wrong, and how a run ended.
+ *  What every function of the library returns: a status, a sentence if there was an error, and how a run ended.
  */
 #ifndef GOUGH_STATUS_H
 #define GOUGH_STATUS_H
@@ -22,11 +22,11 @@ typedef enum gough_status {
     GOUGH_OK = 0, /**< done */
     GOUGH_ERROR_NUMERICAL =
         1, /**< a limit, a singular pose, no convergence: what came before is valid */
-    GOUGH_ERROR_INPUT = 2, /**< the caller's numbers or text describe nothing possible */
+    GOUGH_ERROR_INPUT = 2, /**< the caller's numbers or text are invalid */
     GOUGH_ERROR_FILE = 3   /**< reading, writing or memory failed */
 } gough_status;
 
-/** What is wrong, as one sentence that the user can act on. Empty message: nothing was wrong. */
+/** The error, as one sentence that the user can act on. The message is empty if there was no error. */
 typedef struct gough_error {
     gough_status status; /**< what the function returned */
     char message[500];   /**< the sentence, without a line end */
@@ -40,7 +40,7 @@ GOUGH_API gough_status gough_fail(gough_error *error, gough_status status, const
 #endif
     ;
 
-/** Writes a printf-style sentence, cut to @p size bytes, with a decimal point in every locale: what gough_fail() does.
+/** Writes a printf-style sentence, cut to @p size bytes, with a decimal point in every locale, as gough_fail() does.
  *  Known conversions: c d i u x s e f g %, the lengths l and z, flags, width and precision. */
 GOUGH_API void gough_sentence(char *text, size_t size, const char *format, va_list arguments)
 #if defined(__GNUC__)
@@ -51,19 +51,19 @@ GOUGH_API void gough_sentence(char *text, size_t size, const char *format, va_li
 /** Why a run ended. */
 typedef enum gough_cause {
     GOUGH_END_DONE = 0,      /**< the whole duration */
-    GOUGH_END_LEG_SHORT,     /**< a leg got shorter than its least length */
-    GOUGH_END_LEG_LONG,      /**< a leg got longer than its greatest length */
+    GOUGH_END_LEG_SHORT,     /**< a leg became shorter than its least length */
+    GOUGH_END_LEG_LONG,      /**< a leg became longer than its greatest length */
     GOUGH_END_LEG_SPEED,     /**< a leg exceeded its greatest speed */
     GOUGH_END_LEG_FORCE,     /**< a leg exceeded its greatest force */
-    GOUGH_END_LEG_NO_LENGTH, /**< both joints of a leg met: its direction is undefined */
+    GOUGH_END_LEG_NO_LENGTH, /**< both joints of a leg coincided, so that its direction is undefined */
     GOUGH_END_SINGULAR, /**< the six equations became singular or nearly so (condition over 1e8, or det J changed sign) */
-    GOUGH_END_NOT_FINITE, /**< a formula or the motion ceased to be finite */
+    GOUGH_END_NOT_FINITE, /**< a formula or the motion was no longer finite */
     GOUGH_END_NO_CONVERGENCE, /**< the stepper could not meet the tolerance, or an implicit step did not converge */
     GOUGH_END_STOPPED, /**< the caller's sink asked to stop */
-    GOUGH_END_INVALID  /**< of a sweep: the values of this run make no possible study */
+    GOUGH_END_INVALID  /**< in a sweep: the values of this run do not make a valid study */
 } gough_cause;
 
-/** Short fixed word for a cause, as in the JSON summary and the attribute `end_cause`:
+/** Fixed word for a cause, as in the JSON summary and the attribute `end_cause`:
  *  done, leg_short, leg_long, leg_speed, leg_force, leg_no_length, singular, not_finite, no_convergence, stopped,
  *  invalid. */
 GOUGH_API const char *gough_cause_name(gough_cause cause);
@@ -72,7 +72,7 @@ GOUGH_API const char *gough_cause_name(gough_cause cause);
 typedef struct gough_end {
     gough_cause cause; /**< why */
     double time;       /**< time of the end, in the study's units */
-    int leg;           /**< 1 … 6 where one leg is the cause, else 0 */
+    int leg;           /**< 1 … 6 if a leg is the cause, else 0 */
     char message[400]; /**< one sentence; empty for GOUGH_END_DONE */
 } gough_end;
 

@@ -1,5 +1,5 @@
 /** @file study.h
- *  Study files: YAML in, validated model out, every error at its place. This room allocates and reads files.
+ *  Study files: reads YAML and returns a validated model, or every error with its place. These functions allocate and read files.
  */
 #ifndef GOUGH_STUDY_H
 #define GOUGH_STUDY_H
@@ -19,7 +19,7 @@ typedef struct gough_study {
     bool dimensionless;          /**< units: dimensionless; else SI */
     gough_model *model;          /**< validated */
     gough_simulation simulation; /**< how to run it */
-    bool swept;                  /**< it has a section `sweep`, see sweep.h */
+    bool swept;                  /**< true if it has a section `sweep`, see sweep.h */
     bool
         noise_run_given; /**< it has disturbance.noise.run, be it 0: one noise for all runs of a sweep */
     char *samples;       /**< path of its recorded motion; NULL: none */
@@ -28,9 +28,8 @@ typedef struct gough_study {
 
 /** One override, as from `--set control.stiffness=50`. */
 typedef struct gough_setting {
-    const char
-        *key; /**< dotted path; a list's element by its number from 1: disturbance.leg_force.2 */
-    const char *value; /**< YAML of the value */
+    const char *key; /**< dotted path; list elements are numbered from 1: disturbance.leg_force.2 */
+    const char *value; /**< the value as YAML */
 } gough_setting;
 
 /** Opens a file for reading. It is a regular file or a descriptor of the process (`/dev/stdin`, `/dev/fd/3`); "-" is standard
@@ -40,19 +39,19 @@ GOUGH_API int gough_open_input(const char *path, gough_error *error);
 
 /** Reads, checks and prepares a study.
  *
- *  All that is wrong is said at once, up to a hundred messages in the order of the file: `file:line:column: error: sentence`,
- *  the line and a caret below; about an override `--set KEY: error: sentence`. Columns count characters from 1.
+ *  All errors are reported together, up to a hundred messages in the order of the file: `file:line:column: error: sentence`,
+ *  followed by the line and a caret; for an override `--set KEY: error: sentence`. Columns count characters from 1.
  *  @param path      file; "-" reads standard input
- *  @param settings  overrides, applied in order and before the checks; an empty value takes a key away
+ *  @param settings  overrides, applied in order before the checks; an empty value removes the key
  *  @param[out] study     set on GOUGH_OK only; free with gough_study_free()
  *  @param[out] messages  text with every error found, NULL if none; free with gough_study_free_messages()
- *  @return GOUGH_OK, GOUGH_ERROR_INPUT (the text or the machine it describes is wrong) or GOUGH_ERROR_FILE (it or its samples
- *  cannot be read). At most 64 KiB, UTF-8, one document, no anchors, aliases or tags. Any bytes end in one of these. */
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT (the text or the machine it describes is invalid) or GOUGH_ERROR_FILE (it or its samples
+ *  cannot be read), for any bytes. A study has at most 64 KiB of UTF-8, one document, no anchors, aliases or tags. */
 GOUGH_API gough_status gough_study_read(const char *path, const gough_setting *settings,
                                         size_t setting_count, gough_study **study, char **messages);
 
-/** The same for a text in memory, which need not be terminated; @p name stands for the file in messages, relative sample
- *  files are taken from its folder. */
+/** The same for a text in memory, which need not be terminated; @p name is the file's name in messages, and
+ *  relative paths of samples start from its folder. */
 GOUGH_API gough_status gough_study_parse(const char *name, const char *text, size_t length,
                                          const gough_setting *settings, size_t setting_count,
                                          gough_study **study, char **messages);
@@ -62,7 +61,7 @@ GOUGH_API void gough_study_free(gough_study *study);
 /** Frees messages; NULL is allowed. */
 GOUGH_API void gough_study_free_messages(char *messages);
 
-/** One key that a study file may have; the table that the reader checks against and the guide repeats. */
+/** One key of a study file. The reader checks against this table, and the guide repeats it. */
 typedef struct gough_key {
     const char
         *path; /**< "platform.base.radius"; "motion.moves.N.start" for each element of a list */

@@ -1,6 +1,7 @@
 /** @file sweep.h
- *  Many runs of one study with other numbers: what the section `sweep` of a study file asks for, run in lanes and threads, kept
- *  in files that a killed sweep goes on from. Runs count from 1. The same bytes for any number of lanes, threads and shards.
+ *  Many runs of one study with different numbers, as given in the section `sweep` of a study file. They run in lanes and threads,
+ *  and a sweep that was killed resumes from its file. Runs are numbered from 1. The bytes are the same for any number of lanes,
+ *  threads and shards.
  */
 #ifndef GOUGH_SWEEP_H
 #define GOUGH_SWEEP_H
@@ -13,7 +14,7 @@
 extern "C" {
 #endif
 
-/* ---- what is run ---------------------------------------------------------------------------------------------- */
+/* ---- the runs ---------------------------------------------------------------------------------------------- */
 
 /** A study with its sweep, as read. Opaque and constant: safe to use from several threads. */
 typedef struct gough_sweep gough_sweep;
@@ -32,13 +33,13 @@ typedef struct gough_sweep_key {
     const char *unit; /**< as in the table of keys: "force/length", "angle [degrees]", "" … */
     gough_sweep_kind kind; /**< by a grid, a list or a distribution */
     bool logarithmic;      /**< of a grid */
-    double least;          /**< of a grid or list; what `uniform` or `normal` have first */
-    double greatest;       /**< of a grid or list; what `uniform` or `normal` have second */
+    double least;          /**< of a grid or list; else the first number of `uniform` or `normal` */
+    double greatest;       /**< of a grid or list; else the second number */
     size_t count;          /**< values of a grid or list; 0 for a distribution */
 } gough_sweep_key;
 
 /** Reads a study and its section `sweep`; parameters, messages and status as gough_study_parse(). A study without that
- *  section, and a study that is wrong without the swept values, are errors.
+ *  section, and a study that is invalid without the swept values, are errors.
  *  @param[out] sweep  set on GOUGH_OK only; free with gough_sweep_free() */
 GOUGH_API gough_status gough_sweep_parse(const char *name, const char *text, size_t length,
                                          const gough_setting *settings, size_t setting_count,
@@ -47,25 +48,25 @@ GOUGH_API gough_status gough_sweep_parse(const char *name, const char *text, siz
 /** Frees a sweep; NULL is allowed. */
 GOUGH_API void gough_sweep_free(gough_sweep *sweep);
 
-/** The study as it stands, with none of the swept values. */
+/** The study as written, without swept values. */
 GOUGH_API const gough_study *gough_sweep_study(const gough_sweep *sweep);
 
-/** The settings that it was read with. */
+/** The settings used to read it. */
 GOUGH_API const gough_setting *gough_sweep_settings(const gough_sweep *sweep, size_t *count);
 
-/** How many runs: at most 1e8. */
+/** Number of runs, at most 1e8. */
 GOUGH_API size_t gough_sweep_runs(const gough_sweep *sweep);
 
-/** Whether several grids and lists go side by side (`combine: zip`); else each value of one is run with each of the others. */
+/** True if grids and lists are taken side by side (`combine: zip`); else each value of one runs with each value of the others. */
 GOUGH_API bool gough_sweep_zipped(const gough_sweep *sweep);
 
 /** Seed of the distributions. */
 GOUGH_API uint64_t gough_sweep_seed(const gough_sweep *sweep);
 
-/** The keys that vary, in the order of the file, which is that of the values of a run. */
+/** The keys that vary, in the order of the file, which is also the order of a run's values. */
 GOUGH_API const gough_sweep_key *gough_sweep_keys(const gough_sweep *sweep, size_t *count);
 
-/** Values of a run, in the units of the study file (angles in degrees). Of a product the last key changes fastest. The n-th
+/** Values of a run, in the units of the study file (angles in degrees). In a product the last key changes fastest. The n-th
  *  distribution from 0 draws gough_random_uniform() or gough_random_normal() of (seed, run, n). */
 GOUGH_API void gough_sweep_values(const gough_sweep *sweep, size_t run, double *value);
 
@@ -74,16 +75,16 @@ enum { GOUGH_SWEEP_TEXT = 32 };
 /** A value as text, the shortest that reads back as the same number: what `--set` takes. Independent of the locale. */
 GOUGH_API void gough_sweep_print(double value, char text[GOUGH_SWEEP_TEXT]);
 
-/** Makes the studies of single runs, one after the other; one for each thread. Opaque. */
+/** Makes the study of one run at a time. Use one maker in each thread. Opaque. */
 typedef struct gough_sweep_maker gough_sweep_maker;
 
-/** A maker for a sweep, which must outlive it; NULL if memory is out. */
+/** A maker for a sweep, which must outlive it; NULL if out of memory. */
 GOUGH_API gough_sweep_maker *gough_sweep_maker_new(const gough_sweep *sweep);
 
 /** The study of a run: the same numbers, to the bit, as the study read with its values as settings.
  *  @param[out] study  set on GOUGH_OK: the maker's, valid until its next call
- *  @return GOUGH_OK; GOUGH_ERROR_INPUT where the values make no possible study, with the sentence in @p error;
- *  GOUGH_ERROR_FILE if memory is out. */
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT if the values do not make a valid study, with the reason in @p error;
+ *  GOUGH_ERROR_FILE if out of memory. */
 GOUGH_API gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run,
                                         const gough_study **study, gough_error *error);
 
@@ -93,10 +94,10 @@ GOUGH_API uint64_t gough_sweep_noise_run(const gough_study *study, size_t run);
 /** Frees a maker; NULL is allowed. */
 GOUGH_API void gough_sweep_maker_free(gough_sweep_maker *maker);
 
-/** Which parts of a study the swept values touch, as flags; the others are the same memory in all studies of a maker. */
+/** Parts of a study changed by the swept values, as flags; the other parts are the same memory in all studies of a maker. */
 enum {
     GOUGH_SWEEP_MACHINE = 1,     /**< platform, load, gravity */
-    GOUGH_SWEEP_HEIGHT = 2,      /**< of home, with the machine */
+    GOUGH_SWEEP_HEIGHT = 2,      /**< the height at home; set together with GOUGH_SWEEP_MACHINE */
     GOUGH_SWEEP_MOTION = 4,      /**< the program */
     GOUGH_SWEEP_DISTURBANCE = 8, /**< the disturbances */
     GOUGH_SWEEP_CONTROL = 16,    /**< the control law */
@@ -109,15 +110,15 @@ GOUGH_API unsigned gough_sweep_touches(const gough_sweep *sweep, size_t key);
 
 /* ---- running it ----------------------------------------------------------------------------------------------- */
 
-/** What a run of a sweep leaves. */
+/** Result of one run of a sweep. */
 typedef struct gough_sweep_row {
     size_t run;          /**< its number, from 1 */
     const double *value; /**< swept values; valid during the call only */
     gough_outcome
-        outcome; /**< units of the study, radians; cause GOUGH_END_INVALID where the values make no study */
+        outcome; /**< units of the study, radians; cause GOUGH_END_INVALID if the values do not make a valid study */
 } gough_sweep_row;
 
-/** Called in the thread of the caller for each run in order; a value other than 0 stops the sweep. */
+/** Called in the caller's thread for each run in order; a value other than 0 stops the sweep. */
 typedef int (*gough_sweep_sink)(void *context, const gough_sweep_row *row);
 
 /** How to run; start from gough_sweep_options_default(). */
@@ -126,23 +127,23 @@ typedef struct gough_sweep_options {
     int threads;  /**< as in gough_batch_options */
     size_t first; /**< first run; 0: 1 */
     size_t last;  /**< last run; 0: all */
-    /** Called in the thread of the caller some ten times a second with the number of runs done; nonzero stops. May be NULL. */
+    /** Called in the caller's thread some ten times a second with the number of finished runs; nonzero stops. May be NULL. */
     int (*progress)(void *context, size_t done);
-    void *context; /**< of progress */
+    void *context; /**< passed to progress */
 } gough_sweep_options;
 
-/** All runs, the widest lanes, all processors. */
+/** All runs, widest lanes, all processors. */
 GOUGH_API gough_sweep_options gough_sweep_options_default(void);
 
-/** Runs a sweep. Memory is bounded whatever the number of runs.
- *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if sink or progress stopped it; GOUGH_ERROR_INPUT for options that do not fit;
- *  GOUGH_ERROR_FILE if memory is out or no thread could be started. */
+/** Runs a sweep. Memory does not grow with the number of runs.
+ *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if sink or progress stopped it; GOUGH_ERROR_INPUT for invalid options;
+ *  GOUGH_ERROR_FILE if out of memory or no thread could be started. */
 GOUGH_API gough_status gough_sweep_run(const gough_sweep *sweep, const gough_sweep_options *options,
                                        gough_sweep_sink sink, void *context, gough_error *error);
 
 /* ---- its files ------------------------------------------------------------------------------------------------ */
 
-/** What a sweep leaves in a few numbers. Runs count as done where they reached their duration. */
+/** Summary of a sweep. Runs that reached their duration count as done. */
 typedef struct gough_sweep_summary {
     gough_units units; /**< of the file's numbers; those here are in the study's */
     size_t runs;       /**< of the file */
@@ -163,29 +164,30 @@ typedef struct gough_sweep_summary {
     size_t greatest_power_run;    /**< likewise */
 } gough_sweep_summary;
 
-/** Where a sweep goes. */
+/** Output of a sweep. */
 typedef struct gough_sweep_output {
-    const char *path; /**< .h5 or .csv, "-" CSV on standard output, NULL none; of a shard: .shard */
+    const char
+        *path; /**< .h5 or .csv; "-": CSV on standard output; NULL: none; for a shard: .shard */
     bool
-        dimensionless; /**< in R_b, M and √(R_b/g) of the study as it stands; swept values stay as they are */
-    size_t shard;            /**< this part, from 1; 0: all of it */
-    size_t shards;           /**< of that many; 0: all of it */
-    const char *const *also; /**< further tables with the same rows; none for a shard */
-    size_t also_count;       /**< how many */
+        dimensionless; /**< in R_b, M and √(R_b/g) of the study as written; swept values keep its units */
+    size_t shard;            /**< number of this shard, from 1; 0: the whole sweep */
+    size_t shards;           /**< number of shards; 0: the whole sweep */
+    const char *const *also; /**< further tables with the same rows; not for a shard */
+    size_t also_count;       /**< number of further tables */
 } gough_sweep_output;
 
-/** Runs a sweep into a file, complete or absent. Until it is complete, runs done stand in PATH.part, an append-only file, and
- *  the same call goes on from there. PATH.part of another study, of other settings, of another version or in use by another
+/** Runs a sweep into a file, which is complete or absent. Until it is complete, finished runs are kept in PATH.part, to which
+ *  records are only appended, and the same call resumes from there. PATH.part of another study, of other settings, of another version or in use by another
  *  process is GOUGH_ERROR_INPUT.
  *  @param options  `first` and `last` are ignored
- *  @return as gough_sweep_run(), GOUGH_ERROR_FILE also where a file could not be written: PATH.part then stays. */
+ *  @return as gough_sweep_run(), GOUGH_ERROR_FILE also if a file could not be written; PATH.part is then kept. */
 GOUGH_API gough_status gough_sweep_write(const gough_sweep *sweep,
                                          const gough_sweep_options *options,
                                          const gough_sweep_output *output,
                                          gough_sweep_summary *summary, gough_error *error);
 
-/** Joins all shards of a sweep, in any order, to the file that the whole sweep would have left, byte for byte.
- *  @return GOUGH_OK; GOUGH_ERROR_INPUT where a file is no shard, is not of the same sweep, comes twice or is missing;
+/** Joins all shards of a sweep, in any order, into the file that the whole sweep would have written, byte for byte.
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT if a file is not a shard, belongs to a different sweep, is given twice or is missing;
  *  GOUGH_ERROR_FILE. */
 GOUGH_API gough_status gough_sweep_merge(const char *const *shard, size_t count, const char *path,
                                          gough_sweep_summary *summary, gough_error *error);
