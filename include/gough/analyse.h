@@ -73,11 +73,11 @@ typedef struct gough_rest {
 
 /** The loop at rest in a pose.
  *
- *  Without feed-forward the equilibrium is found by applying the load gradually, starting from the requested pose, (stab-14). Without
- *  damping eigenvalues are exactly real or imaginary, (stab-15).
+ *  Without feed-forward the equilibrium is found by applying the load gradually, starting from the requested pose, (stab-14).
+ *  Without damping eigenvalues are exactly real or imaginary, (stab-15).
  *  @param component  surge … yaw from home of the point `about` of the motion, radians; NULL: home
- *  @return GOUGH_OK; GOUGH_ERROR_INPUT: a component that is not finite; GOUGH_ERROR_NUMERICAL: singular pose, or no equilibrium found
- *  without feed-forward (the sentence names the pose where the search began); do not use @p rest then. Allocates nothing.
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: a component that is not finite; GOUGH_ERROR_NUMERICAL: singular pose, or no equilibrium
+ *  found without feed-forward (the sentence names the pose where the search began); do not use @p rest then. Allocates nothing.
  *  Thread-safe. */
 GOUGH_API gough_status gough_stability_at_rest(const gough_model *model,
                                                const double component[GOUGH_COMPONENTS],
@@ -93,11 +93,12 @@ typedef struct gough_period {
     double period; /**< T; 0 if the program comes to rest */
 } gough_period;
 
-/** The period of a motion: proposed by its formulas as the common period of all sines of ωt + what stays bounded, (floquet-2), or
- *  given by it; then verified on the program and both derivatives, (floquet-3), from when on decaying exponentials and ramps
- *  have died out. A program that comes to rest rests, as moves do. Recorded motion needs its period given; its last period counts.
- *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, or not with the period given, with a sentence that says by how much, which
- *  component and what to do. Under a millisecond. Allocates nothing. Thread-safe. */
+/** The period of a motion: the one given with it, or the common period of all sines of ωt and bounded terms in its formulas,
+ *  (floquet-2). It is verified on the program and both derivatives, (floquet-3), from the time when decaying exponentials and
+ *  ramps have died out. A program that comes to rest, as moves do, is reported as resting. Recorded motion needs its period
+ *  given; the last period of the record is used.
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, or not with the period given; the sentence names the component and the
+ *  difference, and suggests what to do. Takes less than a millisecond. Allocates nothing. Thread-safe. */
 GOUGH_API gough_status gough_motion_period(const gough_motion *motion, gough_period *period,
                                            gough_error *error);
 
@@ -130,8 +131,8 @@ typedef struct gough_floquet {
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, at rest (use gough_stability_at_rest()), or a tolerance outside
  *  1e-15 … 1e-3; GOUGH_ERROR_NUMERICAL: the program passes a singular pose, more than 20000 steps a period, or without
  *  feed-forward no periodic motion was found near the program, (floquet-8); do not use @p floquet then.
- *  It takes about 20 ms for a period with a few oscillations of the platform, some tenths of a second without feed-forward. Allocates nothing.
- *  Thread-safe. */
+ *  It takes about 20 ms for a period with a few oscillations of the platform, some tenths of a second without feed-forward.
+ *  Allocates nothing. Thread-safe. */
 GOUGH_API gough_status gough_floquet_multipliers(const gough_model *model,
                                                  const gough_period *period, double tolerance,
                                                  gough_floquet *floquet, gough_error *error);

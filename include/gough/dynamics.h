@@ -1,6 +1,7 @@
 /** @file dynamics.h
  *  One pose at a time: leg lengths and rates, Jacobian, inverse and forward dynamics, reactions. Suitable for
- *  a controller's cycle: nothing here allocates, there are no data-dependent branches, all functions are safe to call concurrently.
+ *  a controller's cycle: nothing here allocates, there are no data-dependent branches, all functions are safe to call
+ *  concurrently.
  */
 #ifndef GOUGH_DYNAMICS_H
 #define GOUGH_DYNAMICS_H

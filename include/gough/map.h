@@ -122,9 +122,9 @@ GOUGH_API gough_status gough_map_size(const gough_model *model, const gough_map_
 /** Computes the map. The study's disturbances are ignored.
  *  @param memory  of gough_map_size(), aligned to 64; nothing else is allocated
  *  @return GOUGH_OK, even if rows have no values, for example because the program is not periodic or passes a singular pose at
- *  that amplitude (see their errors); GOUGH_ERROR_INPUT for invalid options; GOUGH_ERROR_NUMERICAL if progress stopped it. Without
- *  feed-forward the periodic motion depends on G and must be found for each G: this is some hundred times slower, and intervals
- *  are found on the grid only. Safe to call concurrently. */
+ *  that amplitude (see their errors); GOUGH_ERROR_INPUT for invalid options; GOUGH_ERROR_NUMERICAL if progress stopped it.
+ *  Without feed-forward the periodic motion depends on G and must be found for each G: this is some hundred times slower, and
+ *  intervals are found on the grid only. Safe to call concurrently. */
 GOUGH_API gough_status gough_map_find(const gough_model *model, const gough_map_options *options,
                                       gough_map *map, void *memory, gough_error *error);
 

@@ -190,8 +190,8 @@ GOUGH_API size_t gough_model_flat_memory(const double *flat, size_t count);
  *  @param memory  gough_model_flat_memory() bytes, aligned for doubles; NULL if that is 0. It and @p flat, which contains the
  *                 recorded motion, must outlive the model
  *  @param flat,count  the array and its length
- *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with a sentence: an unknown format, an array that is too short or too long, a number out
- *  of range, an invalid formula, a machine or options that fail their own checks. */
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with a sentence: an unknown format, an array that is too short or too long, a number
+ *  out of range, an invalid formula, a machine or options that fail their own checks. */
 GOUGH_API gough_status gough_model_unflatten(gough_model *model, gough_simulation *simulation,
                                              void *memory, const double *flat, size_t count,
                                              gough_error *error);

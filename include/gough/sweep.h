@@ -177,8 +177,8 @@ typedef struct gough_sweep_output {
 } gough_sweep_output;
 
 /** Runs a sweep into a file, which is complete or absent. Until it is complete, finished runs are kept in PATH.part, to which
- *  records are only appended, and the same call resumes from there. PATH.part of another study, of other settings, of another version or in use by another
- *  process is GOUGH_ERROR_INPUT.
+ *  records are only appended, and the same call resumes from there. PATH.part of another study, of other settings, of another
+ *  version or in use by another process is GOUGH_ERROR_INPUT.
  *  @param options  `first` and `last` are ignored
  *  @return as gough_sweep_run(), GOUGH_ERROR_FILE also if a file could not be written; PATH.part is then kept. */
 GOUGH_API gough_status gough_sweep_write(const gough_sweep *sweep,
