@@ -16,6 +16,7 @@
 #include "gough/status.h"
 #include "gough/study.h"
 #include "gough/sweep.h"
+#include "gough/text.h"
 #include "gough/tune.h"
 #include "gough/version.h"
 

@@ -211,8 +211,9 @@ static void print_settings(const check *c) {
 static void print_check(const check *c) {
     const gough_units units = {
         .dimensionless = c->study->dimensionless, .length = 1, .mass = 1, .time = 1};
-    if (*c->study->title) printf("%s\n", c->study->title);
-    printf("%s is a valid study; %s\n\nLegs\n", c->study->name, units_sentence(c->study, &units));
+    print_title(stdout, c->study->title);
+    print_line(stdout, "%s is a valid study; %s", c->study->name, units_sentence(c->study, &units));
+    printf("\nLegs\n");
     print_legs(c);
     print_singularity(c);
     print_load(c);

@@ -21,7 +21,7 @@ gough_status stability_verb(int count, char **argument);
 gough_status tune_verb(int count, char **argument);
 gough_status report_verb(int count, char **argument);
 
-/* ---- line.c: what may stand on the command line ---- */
+/* ---- options.c: the options of the command line ---- */
 
 enum option_key {
     OPTION_OUTPUT = 'o',
@@ -110,7 +110,10 @@ typedef struct verb_usage {
 command_line command_line_read(const verb_usage *usage, int count, char **argument);
 void command_line_free(command_line *line);
 
-/* ---- ranges.c: what options are made of ---- */
+/* ---- ranges.c: parts of option values ---- */
+
+/* The text up to `end`, if it is one finite decimal number and nothing else. */
+bool read_decimal(const char *text, const char *end, double *value);
 
 /* "heave=0.1,yaw=10": adds to the components. Returns false with a sentence for the user. */
 bool read_pose(const char *text, double pose[GOUGH_COMPONENTS], gough_error *error);
@@ -121,9 +124,19 @@ bool read_axis(const char *name, const char *text, axis_values *axis, gough_erro
 /* "a:b", two numbers. Returns false with a sentence for the user. */
 bool read_span(const char *text, double *from, double *to, gough_error *error);
 
-/* ---- talk.c: what is said on standard error ---- */
+/* ---- talk.c: messages on standard error, and text of users in any message or summary ---- */
 
-/* "gough VERB: error: …" */
+/* A line with text of the user in it, such as a title or the name of a file: as gough_text_show() has it, so that no byte of it
+ * can drive a terminal. */
+void print_line(FILE *stream, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* The title of a study as a line of its own; nothing if there is none (NULL or ""). */
+void print_title(FILE *stream, const char *title);
+/* Ends the process with a sentence about the command line, how to ask for help, and exit code 2. */
+void usage_error(const struct argp_state *state, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+/* The same for an option that does not exist, where its name is not printable: argp would print it as it is. */
+void refuse_strange_option(const struct argp *argp, int count, char **argument);
+/* "gough VERB: error: …"; texts of the user likewise */
 void complain(const char *verb, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* "gough VERB: …" */
 void remark(const char *verb, const char *format, ...) __attribute__((format(printf, 2, 3)));

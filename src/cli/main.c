@@ -58,7 +58,7 @@ static void occupy_standard_descriptors(void) {
 static void close_output(void) {
     const bool failed = ferror(stdout) != 0;
     if (fclose(stdout) != 0 || failed) {
-        complain(NULL, "standard output could not be written");
+        complain(NULL, "cannot write to standard output");
         _exit(GOUGH_ERROR_FILE);
     }
 }
@@ -78,8 +78,9 @@ static error_t read_verb(int key, char *argument, struct argp_state *state) {
     }
     if (!*found) {
         const char *near = nearest_word(argument, name, VERBS);
-        argp_error(state, near ? "there is no verb '%s'; is '%s' meant?" : "there is no verb '%s'",
-                   argument, near);
+        usage_error(state,
+                    near ? "there is no verb '%s'; did you mean '%s'?" : "there is no verb '%s'",
+                    argument, near);
     }
     state->next = state->argc; /* the rest belongs to the verb */
     return 0;
@@ -93,7 +94,12 @@ int main(int count, char **argument) {
     argp_err_exit_status = GOUGH_ERROR_INPUT;
 
     const verb *found = NULL;
+    char name[] = "gough";
     const struct argp argp = {.parser = read_verb, .args_doc = "VERB ...", .doc = text};
+    if (count > 0) argument[0] = name; /* not what the caller made of it */
+    int leading = 1;                   /* options that stand before the verb */
+    while (leading < count && argument[leading][0] == '-') leading++;
+    refuse_strange_option(&argp, leading, argument);
     argp_parse(&argp, count, argument, ARGP_IN_ORDER, NULL, &found);
 
     int first = 1; /* only options that end the process stand before the verb */

@@ -1,10 +1,12 @@
-/* What may stand on the command line. Each verb has its own table of options; one function understands them all. */
+/* The options of the command line. Each verb has its own table of options; one function reads them all. */
 #define _GNU_SOURCE
 #include "cli/command.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { MOST_COUNTED = 100000000 };
 
 typedef struct reader {
     const verb_usage *usage;
@@ -15,33 +17,34 @@ typedef struct reader {
 static void read_setting(struct argp_state *state, command_line *line, const char *text) {
     const char *equal = strchr(text, '=');
     if (!equal || equal == text)
-        argp_error(
-            state,
-            "--set takes KEY=VALUE, as in --set control.stiffness=50; '%s' is not of this form",
-            text);
+        usage_error(state, "--set takes KEY=VALUE, as in --set control.stiffness=50; got '%s'",
+                    text);
     else {
         char *key = strndup(text, (size_t)(equal - text));
-        if (!key) argp_failure(state, 3, 0, "memory is out");
+        if (!key) {
+            complain(line->verb, "out of memory");
+            exit(GOUGH_ERROR_FILE);
+        }
         line->settings[line->setting_count++] = (gough_setting){.key = key, .value = equal + 1};
     }
 }
 
 static double read_time(struct argp_state *state, const char *option, const char *text) {
-    char *rest = NULL;
-    const double value = strtod(text, &rest);
-    if (rest == text || *rest || !isfinite(value))
-        argp_error(state, "%s takes a number, a time as in the column t; '%s' is none", option,
-                   text);
+    double value = NAN;
+    if (!read_decimal(text, text + strlen(text), &value))
+        usage_error(state, "%s takes a number, a time as in column t; got '%s'", option, text);
     return value;
 }
 
-/* A whole number from 1. */
+/* A whole number of 1 or more. */
 static size_t read_count(struct argp_state *state, const char *option, const char *text) {
-    char *rest = NULL;
-    const unsigned long value = strtoul(text, &rest, 10);
-    if (text[0] < '0' || text[0] > '9' || *rest || value < 1 || value > 100000000)
-        argp_error(state, "%s takes a whole number from 1; '%s' is none", option, text);
-    return (size_t)value;
+    size_t value = 0;
+    const size_t digits = strspn(text, "0123456789");
+    for (size_t i = 0; i < digits && value < MOST_COUNTED; i++)
+        value = 10 * value + (size_t)(text[i] - '0');
+    if (digits == 0 || text[digits] || value < 1 || value > MOST_COUNTED)
+        usage_error(state, "%s takes a whole number of 1 or more; got '%s'", option, text);
+    return value;
 }
 
 /* "3/8" */
@@ -49,13 +52,13 @@ static void read_shard(struct argp_state *state, command_line *line, const char 
     char part[16] = "";
     const char *slash = strchr(text, '/');
     if (!slash || slash == text || (size_t)(slash - text) >= sizeof part)
-        argp_error(state, "--shard takes i/n, as in --shard 3/8; '%s' is not of this form", text);
+        usage_error(state, "--shard takes i/n, as in --shard 3/8; got '%s'", text);
     else {
         memcpy(part, text, (size_t)(slash - text));
         line->shard = read_count(state, "--shard", part);
         line->shards = read_count(state, "--shard", slash + 1);
         if (line->shard > line->shards)
-            argp_error(state, "--shard %s: they are numbered from 1 to their number", text);
+            usage_error(state, "--shard i/n takes an i from 1 to n; got '%s'", text);
     }
 }
 
@@ -66,26 +69,25 @@ static void read_map_axis(struct argp_state *state, command_line *line, int key,
     axis_values *axis = key == OPTION_SWEEP_STIFFNESS ? &line->stiffness : &line->second;
     gough_error error = {0};
     if (axis->key && axis->key != key)
-        argp_error(state, "a map has two axes: --sweep-stiffness and one of --sweep-amplitude, "
-                          "--sweep-frequency and --sweep-damping");
+        usage_error(state, "a map has at most two axes: --sweep-stiffness and one of "
+                           "--sweep-amplitude, --sweep-frequency and --sweep-damping");
     if (!read_axis(name[key - OPTION_SWEEP_STIFFNESS], text, axis, &error))
-        argp_error(state, "%s", error.message);
+        usage_error(state, "%s", error.message);
     axis->key = key;
 }
 
 static void read_pose_option(struct argp_state *state, command_line *line, const char *text) {
     gough_error error = {0};
     line->posed = true;
-    if (!read_pose(text, line->pose, &error)) argp_error(state, "%s", error.message);
+    if (!read_pose(text, line->pose, &error)) usage_error(state, "%s", error.message);
 }
 
-/* A number of an option of gough tune, in the range that its sentence says. */
+/* A number of an option of gough tune, in the range that is described by `range`. */
 static double read_asked(struct argp_state *state, const char *option, const char *text,
                          double least, double below, const char *range) {
-    char *rest = NULL;
-    const double value = strtod(text, &rest);
-    if (rest == text || *rest || *text == ' ' || !(value >= least && value < below))
-        argp_error(state, "%s takes a number %s; '%s' is none", option, range, text);
+    double value = NAN;
+    if (!read_decimal(text, text + strlen(text), &value) || value < least || value >= below)
+        usage_error(state, "%s takes a number %s; got '%s'", option, range, text);
     return value;
 }
 
@@ -95,25 +97,26 @@ static void read_feedforward(struct argp_state *state, command_line *line, const
     for (int c = 0; c < 3; c++)
         if (strcmp(text, choice[c]) == 0) line->tuning.feedforward = c;
     if (line->tuning.feedforward < 0)
-        argp_error(state, "--feedforward is program, none or both, not '%s'", text);
+        usage_error(state, "--feedforward takes program, none or both; got '%s'", text);
 }
 
 static void read_stiffness(struct argp_state *state, command_line *line, const char *text) {
     gough_error error = {0};
     line->tuning.bounded = true;
     if (!read_span(text, &line->tuning.from, &line->tuning.to, &error))
-        argp_error(state, "%s", error.message);
+        usage_error(state, "%s", error.message);
 }
 
-/* Options of gough tune; whether it is one. */
+/* Reads an option of gough tune; false if it is none. */
 static bool read_tuning(int key, const char *text, struct argp_state *state, command_line *line) {
     tuning_request *t = &line->tuning;
     switch (key) {
     case OPTION_DEVIATION:
-        t->deviation = read_asked(state, "--deviation", text, 1e-300, INFINITY, "> 0");
+        t->deviation = read_asked(state, "--deviation", text, 1e-300, INFINITY, "greater than 0");
         return true;
     case OPTION_ANGLE_DEVIATION:
-        t->angle = read_asked(state, "--angle-deviation", text, 1e-300, INFINITY, "> 0, degrees");
+        t->angle = read_asked(state, "--angle-deviation", text, 1e-300, INFINITY,
+                              "greater than 0, in degrees");
         return true;
     case OPTION_DAMPING_RATIO:
         t->ratio = read_asked(state, "--damping-ratio", text, 0, 1, "from 0 to less than 1");
@@ -160,7 +163,7 @@ static error_t read_option(int key, char *text, struct argp_state *state) {
         else if (strcmp(text, "quad") == 0)
             o->precision = GOUGH_QUADRUPLE;
         else
-            argp_error(state, "--precision is double or quad, not '%s'", text);
+            usage_error(state, "--precision takes double or quad; got '%s'", text);
         break;
     case OPTION_FIGURE:
         o->figure.kind = text;
@@ -212,12 +215,12 @@ static error_t read_option(int key, char *text, struct argp_state *state) {
         break;
     case ARGP_KEY_ARG:
         if (o->files == reading->usage->most_files)
-            argp_error(state, "too many arguments: '%s'", text);
+            usage_error(state, "too many arguments, the first of them '%s'", text);
         o->file[o->files++] = text;
         break;
     case ARGP_KEY_END:
         if (o->files < reading->usage->least_files)
-            argp_error(state, "%s is missing", reading->usage->arguments);
+            usage_error(state, "%s is missing", reading->usage->arguments);
         break;
     default:
         return read_tuning(key, text, state, o) ? 0 : ARGP_ERR_UNKNOWN;
@@ -237,7 +240,7 @@ command_line command_line_read(const verb_usage *usage, int count, char **argume
                       .tuning = {NAN, NAN, NAN, NAN, 0, 0, false, 2},
                       .figure = gough_figure_default()};
     if (!o.settings || !o.file || !o.label || !o.outputs) {
-        complain(usage->verb, "memory is out");
+        complain(usage->verb, "out of memory");
         exit(GOUGH_ERROR_FILE);
     }
     reader reading = {.usage = usage, .line = &o};
@@ -246,6 +249,7 @@ command_line command_line_read(const verb_usage *usage, int count, char **argume
                               .args_doc = usage->arguments,
                               .doc = usage->text,
                               .help_filter = usage->help_filter};
+    refuse_strange_option(&argp, count, argument);
     argp_parse(&argp, count, argument, 0, NULL, &reading);
     return o;
 }

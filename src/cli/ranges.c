@@ -1,4 +1,4 @@
-/* What some options are made of: a pose by its components, the values of an axis. Numbers have a point, whatever the locale. */
+/* Parts of option values: decimal numbers, a pose given by its components, the values of an axis. */
 #define _GNU_SOURCE
 #include <math.h>
 #include <stdlib.h>
@@ -8,12 +8,9 @@
 
 enum { MOST_VALUES = 10000 };
 
-/* A number from `text` up to `end`, and nothing else. */
-static bool read_part(const char *text, const char *end, double *value) {
-    char *rest = NULL;
-    if (text == end || *text == ' ') return false;
-    *value = strtod(text, &rest);
-    return rest == end && isfinite(*value);
+bool read_decimal(const char *text, const char *end, double *value) {
+    const size_t length = (size_t)(end - text);
+    return length > 0 && gough_decimal_read(text, length, value) == length && isfinite(*value);
 }
 
 /* ---- a pose ------------------------------------------------------------------------------------------------------- */
@@ -33,9 +30,9 @@ static bool refuse_component(const char *name, size_t length, gough_error *error
     for (int c = 0; c < GOUGH_COMPONENTS; c++) known[c] = gough_component_name(c);
     const char *near = nearest_word(word, known, GOUGH_COMPONENTS);
     gough_fail(error, GOUGH_ERROR_INPUT,
-               "--pose has no component '%s'%s%s%s; there are surge, sway, heave (lengths), roll, "
-               "pitch, yaw (degrees)",
-               word, near ? "; is '" : "", near ? near : "", near ? "' meant?" : "");
+               "--pose has no component '%s'%s%s%s; the components are surge, sway, heave "
+               "(lengths), roll, pitch and yaw (degrees)",
+               word, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
     return false;
 }
 
@@ -46,15 +43,15 @@ bool read_pose(const char *text, double pose[GOUGH_COMPONENTS], gough_error *err
         double value;
         if (!equal) {
             gough_fail(error, GOUGH_ERROR_INPUT,
-                       "--pose takes components from home, as in --pose heave=0.1,yaw=10 "
-                       "(lengths and degrees); '%s' is not of this form",
+                       "--pose takes displacements from home, as in --pose heave=0.1,yaw=10 "
+                       "(lengths and degrees); got '%s'",
                        text);
             return false;
         }
         const int c = component_of(at, (size_t)(equal - at));
         if (c == GOUGH_COMPONENTS) return refuse_component(at, (size_t)(equal - at), error);
-        if (!read_part(equal + 1, end, &value)) {
-            gough_fail(error, GOUGH_ERROR_INPUT, "--pose: %s takes a number; '%.*s' is none",
+        if (!read_decimal(equal + 1, end, &value)) {
+            gough_fail(error, GOUGH_ERROR_INPUT, "--pose: %s must be a number; got '%.*s'",
                        gough_component_name(c), (int)(end - equal - 1), equal + 1);
             return false;
         }
@@ -75,7 +72,7 @@ bool read_pose(const char *text, double pose[GOUGH_COMPONENTS], gough_error *err
 static bool refuse_axis(const char *name, const char *text, const char *reason,
                         gough_error *error) {
     gough_fail(error, GOUGH_ERROR_INPUT,
-               "--%s takes from:to:count or from:to:count:log%s; found '%s'", name, reason, text);
+               "--%s takes from:to:count or from:to:count:log%s; got '%s'", name, reason, text);
     return false;
 }
 
@@ -97,19 +94,21 @@ bool read_axis(const char *name, const char *text, axis_values *axis, gough_erro
     double count;
     if (pieces < 3 || pieces > 4 || (pieces == 4 && strcmp(piece[3], "log") != 0))
         return refuse_axis(name, text, ", as in 0:2:201", error);
-    if (!read_part(piece[0], end[0], &axis->from) || !read_part(piece[1], end[1], &axis->to) ||
-        !read_part(piece[2], end[2], &count))
-        return refuse_axis(name, text, " with numbers", error);
+    if (!read_decimal(piece[0], end[0], &axis->from) ||
+        !read_decimal(piece[1], end[1], &axis->to) || !read_decimal(piece[2], end[2], &count))
+        return refuse_axis(name, text, ", three decimal numbers", error);
     if (!(count >= 2 && count <= MOST_VALUES) || floor(count) < count)
-        return refuse_axis(name, text, ", the count a whole number from 2 to 10000", error);
+        return refuse_axis(name, text, ", where count is a whole number from 2 to 10000", error);
     if (!(axis->to > axis->from))
-        return refuse_axis(name, text, ", 'to' greater than 'from'", error);
+        return refuse_axis(name, text, ", where 'to' is greater than 'from'", error);
     if (axis->from < 0 || (positive && !(axis->from > 0)))
-        return refuse_axis(name, text, positive ? ", values greater than 0" : ", no value below 0",
+        return refuse_axis(name, text,
+                           positive ? ", where all values are greater than 0"
+                                    : ", where no value is below 0",
                            error);
     axis->logarithmic = pieces == 4;
     if (axis->logarithmic && !(axis->from > 0))
-        return refuse_axis(name, text, ", with log the values greater than 0", error);
+        return refuse_axis(name, text, "; with log all values must be greater than 0", error);
     axis->count = (size_t)count;
     return true;
 }
@@ -118,12 +117,12 @@ bool read_axis(const char *name, const char *text, axis_values *axis, gough_erro
 
 bool read_span(const char *text, double *from, double *to, gough_error *error) {
     const char *piece[5], *end[5];
-    if (split(text, piece, end) == 2 && read_part(piece[0], end[0], from) &&
-        read_part(piece[1], end[1], to) && *from >= 0 && *to >= *from)
+    if (split(text, piece, end) == 2 && read_decimal(piece[0], end[0], from) &&
+        read_decimal(piece[1], end[1], to) && *from >= 0 && *to >= *from)
         return true;
     gough_fail(error, GOUGH_ERROR_INPUT,
-               "--stiffness takes two numbers, 0 <= a <= b, as in --stiffness 1:1e5; '%s' is not "
-               "of this form",
+               "--stiffness takes two numbers a:b with 0 <= a <= b, as in --stiffness 1:1e5; got "
+               "'%s'",
                text);
     return false;
 }

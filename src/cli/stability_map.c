@@ -67,7 +67,7 @@ static gough_status write_outputs(const command_line *line, const map_report *re
         }
         if (!stream || strcmp(path, "-") == 0) continue;
         char *beside = is_data(path) ? map_tongues_path(path) : NULL;
-        fprintf(stream, "wrote %s%s%s\n", path, beside ? " and " : "", beside ? beside : "");
+        print_line(stream, "wrote %s%s%s", path, beside ? " and " : "", beside ? beside : "");
         free(beside);
     }
     return GOUGH_OK;

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli/command.h"
 #include "cli/json.h"
 #include "cli/stability_map.h"
 #include "cli/summary.h"
@@ -141,7 +142,7 @@ static void print_share(FILE *stream, const map_report *report) {
 }
 
 void map_print(FILE *stream, const map_report *report, bool all) {
-    if (*report->study->title) fprintf(stream, "%s\n", report->study->title);
+    print_title(stream, report->study->title);
     print_axes(stream, report);
     print_thresholds(stream, report);
     for (size_t r = 0; r < report->rows; r++)

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli/command.h"
 #include "cli/stability.h"
 #include "cli/summary.h"
 
@@ -334,7 +335,7 @@ void stability_print(FILE *stream, const stability_report *report) {
     const gough_control *control = &report->study->model->control;
     const gough_units *u = &report->units;
     const unit_words *unit = unit_words_of(u);
-    if (*report->study->title) fprintf(stream, "%s\n", report->study->title);
+    print_title(stream, report->study->title);
     fprintf(stream, "Stability of the closed loop: %s, stiffness G = ",
             control->feedforward ? "the program's forces fed forward" : "no feed-forward");
     print_gain(stream, control->stiffness, u->mass / (u->time * u->time), unit->stiffness);

@@ -1,5 +1,6 @@
 /* The summary of forces and simulate for reading: two tables over the legs, then what holds for the run. */
 #include "cli/summary.h"
+#include "cli/command.h"
 
 #include <math.h>
 #include <string.h>
@@ -188,7 +189,7 @@ static void print_end(FILE *stream, const run_report *report, const unit_words *
 void run_report_print(FILE *stream, const run_report *report) {
     const gough_summary *s = &report->summary;
     const unit_words *unit = unit_words_of(&report->units);
-    if (*report->study->title) fprintf(stream, "%s\n", report->study->title);
+    print_title(stream, report->study->title);
     fprintf(stream, "%s: ",
             report->simulated ? "Motion under control and disturbance"
                               : "Forces along the program");
@@ -219,5 +220,5 @@ void run_report_print(FILE *stream, const run_report *report) {
     run_report_print_crossings(stream, report);
     for (size_t i = 0; i < report->outputs; i++)
         if (strcmp(report->output[i], "-") != 0)
-            fprintf(stream, "  table       %s\n", report->output[i]);
+            print_line(stream, "  table       %s", report->output[i]);
 }

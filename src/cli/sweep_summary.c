@@ -1,4 +1,5 @@
 /* The summary of a sweep, and what a study would run. */
+#include "cli/command.h"
 #include "cli/sweep.h"
 
 #include <math.h>
@@ -81,7 +82,7 @@ void sweep_print(FILE *stream, const sweep_report *report) {
     const gough_sweep_summary *s = &report->summary;
     const unit_words *unit = unit_words_of(&report->units);
     const double length = report->units.length, power = power_unit(&report->units);
-    if (report->title && *report->title) fprintf(stream, "%s\n", report->title);
+    print_title(stream, report->title);
     fprintf(stream, "%zu run%s", s->runs, s->runs == 1 ? "" : "s");
     if (s->resumed) fprintf(stream, ", %zu of them done before", s->resumed);
     const double made = (double)(s->runs - s->resumed);
@@ -109,7 +110,7 @@ void sweep_print(FILE *stream, const sweep_report *report) {
                       s->greatest_power_run);
     }
     for (size_t i = 0; i < report->outputs; i++)
-        if (strcmp(report->output[i], "-") != 0) fprintf(stream, "wrote %s\n", report->output[i]);
+        if (strcmp(report->output[i], "-") != 0) print_line(stream, "wrote %s", report->output[i]);
 }
 
 static const char *kind_words(const gough_sweep_key *key) {

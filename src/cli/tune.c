@@ -114,7 +114,7 @@ static gough_status write_outputs(const command_line *line, const tune_report *r
         fflush(stdout);
         status = is_data(path) ? gough_table_write(table, report->study->text, path, &error)
                                : gough_figure_draw(&figure, tables, NULL, 1, path, &error);
-        if (!status && stream && strcmp(path, "-") != 0) fprintf(stream, "wrote %s\n", path);
+        if (!status && stream && strcmp(path, "-") != 0) print_line(stream, "wrote %s", path);
     }
     if (status) complain(line->verb, "%s", error.message);
     gough_table_free(table);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/command.h"
 #include "cli/summary.h"
 #include "cli/tune.h"
 
@@ -181,7 +182,7 @@ void tune_print(FILE *stream, const tune_report *report) {
     const unit_words *unit = unit_words_of(&report->units);
     const gough_tuning_options *asked = &report->asked;
     const gough_tuning *first = &report->choice[0].tuning;
-    if (*report->study->title) fprintf(stream, "%s\n", report->study->title);
+    print_title(stream, report->study->title);
     fprintf(stream, "Feedback for a deviation of at most %.6g%s", asked->deviation, unit->length);
     if (isfinite(asked->angle_deviation)) fprintf(stream, " and %.6g deg", asked->angle_deviation);
     fprintf(stream, ", %.3g %% clear of instability\n%s\n", 100 * asked->margin,

@@ -1,14 +1,14 @@
 /* Decimal numbers in text to doubles, correctly rounded: exactly, by one division of whole
- * numbers of up to 4096 bits.
+ * numbers of up to 4096 bits, or of 128 bits where that is enough.
  *
  * The text is D·10^e with D a whole number. With N/M = D·10^e in whole numbers, the first 63 or
  * 64 bits of N/M and whether anything follows them decide the rounding. No double is decided by
  * more than 767 digits; of longer texts the rest only tells whether it is all zeros. */
-#include "model/decimal.h"
-
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
+
+#include "gough/text.h"
 
 enum {
     DIGITS = 770,            /* kept of D; a 1 stands for a rest that is not all zeros */
@@ -124,7 +124,25 @@ static double exact(whole *numerator, int power) {
     return rounded(quotient, numerator->count > 0, scale);
 }
 
-/* What the text says: its digits as a whole number, and the power of ten that belongs to it. */
+/* D·10^power for most numbers, D a word and power from −19 to 0: the same by one division of
+ * 128 bits. */
+static double exact_word(uint64_t D, int power) {
+    __extension__ typedef unsigned __int128 double_word;
+    uint64_t denominator = 1;
+    int scale = 64, shift = 0;
+    for (; power < 0; power++) denominator *= 10;
+    for (; D < 0x8000000000000000u; D <<= 1) scale++;
+
+    /* D is at least 2^63 now, so that the quotient has 64 bits or more */
+    const double_word numerator = (double_word)D << 64;
+    const double_word quotient = numerator / denominator;
+    while (quotient >> shift > UINT64_MAX) shift++;
+    const uint64_t kept = (uint64_t)(quotient >> shift);
+    const bool more = (double_word)kept << shift < quotient || quotient * denominator < numerator;
+    return rounded(kept, more, scale - shift);
+}
+
+/* The digits of the text as a whole number, and the power of ten that belongs to it. */
 typedef struct digits {
     whole value;
     int count;  /* digits in value, leading zeros not counted */
@@ -175,22 +193,30 @@ static size_t read_exponent(const char *text, size_t length, long *power) {
     return at;
 }
 
-size_t gough_decimal_read_(const char *text, size_t length, double *value) {
-    digits d = {.value = {.count = 0}};
-    size_t at = read_digits(text, length, &d);
-    if (at == 0) return 0;
-    at += read_exponent(text + at, length - at, &d.power);
-    if (d.rest) {
-        multiply_add(&d.value, 10, 1);
-        d.power--;
+/* The number without its sign. */
+static double value_of(digits *d) {
+    if (d->rest) {
+        multiply_add(&d->value, 10, 1);
+        d->power--;
     }
+    const long places = d->count + d->power; /* the number is below 10^places */
+    if (d->value.count == 0 || places < -330) return 0;
+    if (places > 310) return INFINITY;
+    if (d->value.count <= 2 && d->power <= 0 && d->power >= -19) {
+        const uint64_t high = d->value.count == 2 ? d->value.limb[1] : 0;
+        return exact_word(high << 32 | d->value.limb[0], (int)d->power);
+    }
+    return exact(&d->value, (int)d->power);
+}
 
-    const long places = d.count + d.power; /* the number is below 10^places */
-    if (d.value.count == 0 || places < -330)
-        *value = 0;
-    else if (places > 310)
-        *value = INFINITY;
-    else
-        *value = exact(&d.value, (int)d.power);
+size_t gough_decimal_read(const char *text, size_t length, double *value) {
+    digits d = {.value = {.count = 0}};
+    const size_t sign = length > 0 && (text[0] == '+' || text[0] == '-') ? 1 : 0;
+    size_t at = read_digits(text + sign, length - sign, &d);
+    if (at == 0) return 0;
+    at += sign;
+    at += read_exponent(text + at, length - at, &d.power);
+    const double magnitude = value_of(&d);
+    *value = sign > 0 && text[0] == '-' ? -magnitude : magnitude;
     return at;
 }

@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-#include "model/decimal.h"
+#include "gough/text.h"
 #include "model/words.h"
 
 enum {
@@ -182,7 +182,7 @@ static gough_status unexpected(compiler *c) {
 static gough_status read_number(compiler *c) {
     double value = 0;
     const size_t at = c->at;
-    const size_t bytes = gough_decimal_read_(c->text + at, c->length - at, &value);
+    const size_t bytes = gough_decimal_read(c->text + at, c->length - at, &value);
     if (bytes == 0) return FAIL(c, at, "a number needs a digit besides its point");
     c->at += bytes;
     if (!real_finite(value)) return FAIL(c, at, "the number is too large for a double");

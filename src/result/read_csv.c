@@ -2,13 +2,12 @@
  * A byte-order mark, CRLF and quoted names are accepted; numbers are read the same in every locale. */
 #define _POSIX_C_SOURCE 200809L
 
-#include <errno.h>
-#include <locale.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+#include "gough/text.h"
 #include "result.h"
 
 enum { COLUMN_CAP = 4096, NAME_CAP = 200 };
@@ -66,32 +65,13 @@ static bool is_word(piece cell, const char *word) {
     return length == strlen(word) && strncasecmp(cell.begin, word, length) == 0;
 }
 
-static const char *skip_digits(const char *at, const char *end, int *count) {
-    while (at < end && *at >= '0' && *at <= '9') {
-        at++;
-        *count += 1;
-    }
-    return at;
+/* Whether a cell is a decimal number, and nothing else. */
+static bool is_decimal(piece cell, double *value) {
+    const size_t length = (size_t)(cell.end - cell.begin);
+    return length > 0 && gough_decimal_read(cell.begin, length, value) == length;
 }
 
-/* Whether a cell is a decimal number, and only that: [sign] digits [. digits] [e [sign] digits]. */
-static bool is_decimal(piece cell) {
-    const char *at = cell.begin;
-    int digits = 0, exponent_digits = 0;
-    if (at < cell.end && (*at == '-' || *at == '+')) at++;
-    at = skip_digits(at, cell.end, &digits);
-    if (at < cell.end && *at == '.') at = skip_digits(at + 1, cell.end, &digits);
-    if (digits == 0) return false;
-    if (at < cell.end && (*at == 'e' || *at == 'E')) {
-        at++;
-        if (at < cell.end && (*at == '-' || *at == '+')) at++;
-        at = skip_digits(at, cell.end, &exponent_digits);
-        if (exponent_digits == 0) return false;
-    }
-    return at == cell.end;
-}
-
-/* Called in the C locale. The text is terminated, and a comma or a line's end stops strtod in time. */
+/* A decimal number, or nan or inf as tables of gough have them. */
 static gough_status read_number(const reader *r, piece cell, double *value) {
     if (cell.begin == cell.end)
         return fail_at(r, cell.begin, "a number is missing (write nan where there is none)");
@@ -103,20 +83,14 @@ static gough_status read_number(const reader *r, piece cell, double *value) {
         *value = *cell.begin == '-' ? -INFINITY : INFINITY;
         return GOUGH_OK;
     }
-    if (!is_decimal(cell)) {
+    if (!is_decimal(cell, value)) {
         const size_t length = (size_t)(cell.end - cell.begin);
         char shown[32], sentence[100];
-        size_t used = 0;
-        for (; used < length && used < sizeof shown - 1; used++) {
-            const char c = cell.begin[used];
-            shown[used] = c >= ' ' && c <= '~' ? c : '?';
-        }
-        shown[used] = '\0';
+        const size_t whole = gough_text_show(cell.begin, length, shown, sizeof shown);
         snprintf(sentence, sizeof sentence, "'%s%s' is not a number", shown,
-                 used < length ? "..." : "");
+                 whole < sizeof shown ? "" : "...");
         return fail_at(r, cell.begin, sentence);
     }
-    *value = strtod(cell.begin, NULL);
     if (isinf(*value)) return fail_at(r, cell.begin, "this number is beyond the range of a double");
     return GOUGH_OK;
 }
@@ -157,13 +131,14 @@ static gough_status read_name(const reader *r, gough_table *table, size_t column
         cell.end--;
     }
     const size_t length = (size_t)(cell.end - cell.begin);
+    double number;
     if (length == 0) return fail_at(r, place, "a column has no name");
     if (length > NAME_CAP) return fail_at(r, place, "this column's name is too long");
     if (!is_clean_text(cell))
         return fail_at(r, place, "this column's name is not printable text in UTF-8");
     if (memchr(cell.begin, ';', length) != NULL)
         return fail_at(r, place, "columns must be separated by commas, not semicolons");
-    if (is_decimal(cell))
+    if (is_decimal(cell, &number))
         return fail_at(r, place, "the first row must name the columns (t,x,y,...), not be numbers");
 
     table->name[column] = strndup(cell.begin, length);
@@ -238,12 +213,6 @@ gough_status result_read_csv(const char *path, const char *text, size_t length, 
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "%s:1:1: the file is empty; a table begins with a row of column names",
                           path);
-    const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (plain == (locale_t)0) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
-    const locale_t before = uselocale(plain);
-    gough_status status = read_header(&r, table);
-    if (status == GOUGH_OK) status = read_rows(&r, table);
-    uselocale(before);
-    freelocale(plain);
-    return status;
+    const gough_status status = read_header(&r, table);
+    return status == GOUGH_OK ? read_rows(&r, table) : status;
 }

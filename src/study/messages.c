@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gough/text.h"
+
 struct study_message {
     study_message *next;
     study_place place;
@@ -39,33 +41,14 @@ size_t study_character(const char *text, size_t length, unsigned *code) {
     return size;
 }
 
-/* One printable character, or ? for anything else; bytes of text taken, at least 1. */
-static size_t printable(const char *text, size_t length, const char **shown, size_t *size) {
-    unsigned code = 0;
-    const size_t taken = study_character(text, length, &code);
-    const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x2028 ||
-                         code == 0x2029 || (code >= 0x202A && code <= 0x202E) ||
-                         (code >= 0x2066 && code <= 0x2069) || code == 0xFEFF;
-    if (taken == 0 || control) {
-        *shown = "?";
-        *size = 1;
-        return taken ? taken : 1;
-    }
-    *shown = text;
-    *size = taken;
-    return taken;
-}
-
 static const char *shown_text(study_arena *arena, const char *text, size_t length, size_t most) {
-    char *copy = study_arena_take(arena, 4 * most + sizeof "…");
+    size_t used = 0, at = 0, n = 0;
+    char *copy = study_arena_take(arena, (most < length ? most : length) * GOUGH_SHOWN_CHARACTER +
+                                             sizeof "…");
     if (!copy) return "";
-    size_t used = 0, at = 0;
-    for (size_t n = 0; at < length && n < most; n++) {
-        const char *shown;
-        size_t size;
-        at += printable(text + at, length - at, &shown, &size);
-        memcpy(copy + used, shown, size);
-        used += size;
+    for (; at < length && n < most; n++) {
+        at += gough_character_show(text + at, length - at, copy + used);
+        used += strlen(copy + used);
     }
     if (at < length) memcpy(copy + used, "…", sizeof "…");
     return copy;
@@ -94,8 +77,7 @@ void study_say(study_messages *messages, gough_status status, study_place place,
     va_end(arguments);
     study_message *message = study_arena_take(messages->arena, sizeof *message);
     if (!message) return;
-    message->sentence = study_arena_copy(messages->arena, sentence, strlen(sentence));
-    if (!message->sentence) return;
+    message->sentence = study_printable(messages->arena, sentence);
     message->place = place;
     message->order = messages->count++;
     if (messages->last)
@@ -140,7 +122,7 @@ void study_place_find(study_place place, size_t *line, size_t *column) {
     *column = 1 + count_characters(place.source->text + begin, place.offset - begin);
 }
 
-/* The line of the place and a caret below, cut to a window where it is long; tabs stay so that the caret stands right. */
+/* The line of the place and a caret below, cut to a window if it is long; tabs stay, so that the caret is below its character. */
 static void write_line(FILE *out, study_place place, size_t column) {
     const study_source *source = place.source;
     size_t begin = line_begin(place);
@@ -151,39 +133,43 @@ static void write_line(FILE *out, study_place place, size_t column) {
     const size_t skip =
         count > WIDEST_LINE && column > WIDEST_LINE / 2 ? column - WIDEST_LINE / 2 : 0;
     if (skip) fputs("…", out);
-    size_t at = begin, n = 0;
-    char pad[WIDEST_LINE + 1];
-    size_t pads = 0;
+    size_t at = begin, n = 0, pads = 0;
+    char pad[WIDEST_LINE * GOUGH_SHOWN_CHARACTER];
     for (; at < end && n < skip + WIDEST_LINE; n++) {
+        char shown[GOUGH_SHOWN_CHARACTER] = "\t";
         const bool tab = source->text[at] == '\t';
-        const char *shown;
-        size_t size;
-        at += printable(source->text + at, end - at, &shown, &size);
+        at += tab ? 1 : gough_character_show(source->text + at, end - at, shown);
         if (n < skip) continue;
-        fwrite(tab ? "\t" : shown, 1, tab ? 1 : size, out);
-        if (n + 1 < column) pad[pads++] = tab ? '\t' : ' ';
+        fputs(shown, out);
+        if (n + 1 >= column) continue;
+        /* an escape is as wide as it is long, any other character one column */
+        const size_t width = shown[0] == '\\' ? strlen(shown) : 1;
+        memset(pad + pads, tab ? '\t' : ' ', width);
+        pads += width;
     }
-    fprintf(out, "%s\n%s%.*s%*s\n", at < end ? "…" : "", skip ? " " : "", (int)pads, pad,
-            (int)(column - skip - pads), "^");
+    fprintf(out, "%s\n%s%.*s^\n", at < end ? "…" : "", skip ? " " : "", (int)pads, pad);
+}
+
+/* The name of a source, for which a file may have any bytes. */
+static void write_name(FILE *out, const char *name) {
+    for (size_t at = 0, length = strlen(name); at < length;) {
+        char shown[GOUGH_SHOWN_CHARACTER];
+        at += gough_character_show(name + at, length - at, shown);
+        fputs(shown, out);
+    }
 }
 
 static void write_message(FILE *out, const study_message *message) {
     const study_place place = message->place;
-    if (!place.source) {
-        fprintf(out, "error: %s\n", message->sentence);
-        return;
-    }
-    if (!place.source->text) {
-        fprintf(out, "%s: error: %s\n", place.source->name, message->sentence);
+    if (place.source) write_name(out, place.source->name);
+    if (!place.source || !place.source->text) {
+        fprintf(out, "%serror: %s\n", place.source ? ": " : "", message->sentence);
         return;
     }
     size_t line, column;
     study_place_find(place, &line, &column);
-    if (place.source->setting)
-        fprintf(out, "%s: error: %s\n", place.source->name, message->sentence);
-    else
-        fprintf(out, "%s:%zu:%zu: error: %s\n", place.source->name, line, column,
-                message->sentence);
+    if (!place.source->setting) fprintf(out, ":%zu:%zu", line, column);
+    fprintf(out, ": error: %s\n", message->sentence);
     write_line(out, place, column);
 }
 

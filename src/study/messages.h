@@ -48,10 +48,10 @@ void study_place_find(study_place place, size_t *line, size_t *column);
 /* Length of the UTF-8 character at text, 0 if there is none (broken, overlong, surrogate, beyond U+10FFFF). */
 size_t study_character(const char *text, size_t length, unsigned *code);
 
-/* User's text for a sentence: at most about 40 characters, what is not printable replaced by ?. */
+/* Text of the user for a sentence: at most 40 characters, in the form of gough_text_show(). */
 const char *study_quote(study_arena *arena, const char *text, size_t length);
 
-/* A whole sentence, what is not printable replaced by ?. */
+/* A whole sentence in that form. */
 const char *study_printable(study_arena *arena, const char *sentence);
 
 #endif

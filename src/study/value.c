@@ -1,41 +1,14 @@
-/* Scalars of a study: numbers read independent of the locale, words, formulas, and what is wrong with them. */
-#define _GNU_SOURCE /* strtod_l */
+/* Scalars of a study: numbers, words, formulas, and what is wrong with them. */
+#define _POSIX_C_SOURCE 200809L /* strncasecmp */
 #include "study/value.h"
 
-#include <locale.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+#include "gough/text.h"
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-static size_t skip_digits(const char *text, size_t length, size_t at) {
-    while (at < length && is_digit(text[at])) at++;
-    return at;
-}
-
-/* Length of the decimal number at the start of text; 0 if there is none. */
-static size_t decimal_length(const char *text, size_t length) {
-    size_t at = length && (text[0] == '+' || text[0] == '-') ? 1 : 0;
-    const size_t whole = skip_digits(text, length, at);
-    size_t digits = whole - at;
-    at = whole;
-    if (at < length && text[at] == '.') {
-        const size_t end = skip_digits(text, length, at + 1);
-        digits += end - at - 1;
-        at = end;
-    }
-    if (digits == 0) return 0;
-    if (at < length && (text[at] == 'e' || text[at] == 'E')) {
-        size_t power = at + 1;
-        if (power < length && (text[power] == '+' || text[power] == '-')) power++;
-        const size_t end = skip_digits(text, length, power);
-        if (end > power) at = end;
-    }
-    return at;
-}
 
 static bool is_infinity_or_nan(const char *text, size_t length) {
     static const char *const words[] = {".inf", "inf", ".nan", "nan", "infinity"};
@@ -47,13 +20,9 @@ static bool is_infinity_or_nan(const char *text, size_t length) {
 
 study_decimal study_decimal_read(const char *text, size_t length, double *value, size_t *rest) {
     *value = NAN;
-    *rest = decimal_length(text, length);
+    *rest = gough_decimal_read(text, length, value);
     if (*rest == 0) return is_infinity_or_nan(text, length) ? STUDY_NOT_FINITE : STUDY_NO_DECIMAL;
     if (*rest < length) return STUDY_DECIMAL_AND_MORE;
-    const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (plain == (locale_t)0) return STUDY_NO_DECIMAL;
-    *value = strtod_l(text, NULL, plain);
-    freelocale(plain);
     return isfinite(*value) ? STUDY_DECIMAL : STUDY_NOT_FINITE;
 }
 

@@ -13,8 +13,7 @@ typedef enum study_decimal {
     STUDY_NOT_FINITE
 } study_decimal;
 
-/* Reads a decimal number, correctly rounded, whatever the locale: [+-]digits[.digits][e[+-]digits].
- * The text must be followed by a byte that is no part of a number.
+/* Reads a decimal number by gough_decimal_read(); value: NaN unless there is one.
  * rest: offset of what is left after the number (of STUDY_DECIMAL_AND_MORE). */
 study_decimal study_decimal_read(const char *text, size_t length, double *value, size_t *rest);
 

@@ -117,21 +117,21 @@ run stability heave.yaml --set control.feedforward=none
 expect_code 1 "no rest without any force"
 
 # ---- usage ----
-refused "is 'heave' meant?" stability heave.yaml --pose heav=0.1
+refused "did you mean 'heave'?" stability heave.yaml --pose heav=0.1
 refused "lengths and degrees" stability heave.yaml --pose heave
-refused "takes a number" stability heave.yaml --pose heave=0.1x
+refused "must be a number" stability heave.yaml --pose heave=0.1x
 refused "given twice" stability heave.yaml --pose heave=0.1,heave=0.2
 refused "give both" stability heave.yaml --at 1
 refused "give one of them" stability heave.yaml --matrix --at 1 --pose yaw=1
 refused "from:to:count" stability heave.yaml --sweep-stiffness 0:2
 refused "whole number" stability heave.yaml --sweep-stiffness 0:2:2.5
 refused "whole number" stability heave.yaml --sweep-stiffness 0:2:1e9
-refused "'to' greater than 'from'" stability heave.yaml --sweep-stiffness 2:1:5
-refused "no value below 0" stability heave.yaml --sweep-stiffness -1:1:5
+refused "'to' is greater than 'from'" stability heave.yaml --sweep-stiffness 2:1:5
+refused "no value is below 0" stability heave.yaml --sweep-stiffness -1:1:5
 refused "greater than 0" stability heave.yaml --sweep-stiffness 0:1:5:log
 refused "greater than 0" stability heave.yaml --sweep-stiffness 0:1:5 --sweep-frequency 0:1:5
-refused "with numbers" stability heave.yaml --sweep-stiffness nan:1:5
-refused "a map has two axes" stability heave.yaml --sweep-stiffness 0:1:5 --sweep-damping 0:1:3 --sweep-amplitude 0:1:3
+refused "three decimal numbers" stability heave.yaml --sweep-stiffness nan:1:5
+refused "a map has at most two axes" stability heave.yaml --sweep-stiffness 0:1:5 --sweep-damping 0:1:3 --sweep-amplitude 0:1:3
 refused "give --sweep-stiffness too" stability heave.yaml --sweep-damping 0:1:3
 refused "-o is where a map goes" stability heave.yaml -o x.csv
 refused "do not go with it" stability heave.yaml --sweep-stiffness 0:1:5 --matrix

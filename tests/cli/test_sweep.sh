@@ -213,8 +213,8 @@ refused "no section \`sweep\`" sweep study.yaml --set sweep=
 refused "there is no run 28" sweep study.yaml --run 28
 refused "a shard needs an output" sweep study.yaml --shard 1/2 -o a.csv
 refused "--shard takes i/n" sweep study.yaml --shard 2 -o a.shard
-refused "numbered from 1" sweep study.yaml --shard 3/2 -o a.shard
-refused "whole number from 1" sweep study.yaml --threads zero
+refused "takes an i from 1 to n" sweep study.yaml --shard 3/2 -o a.shard
+refused "whole number of 1 or more" sweep study.yaml --threads zero
 refused "lanes" sweep study.yaml --lanes 3 -o lanes.csv
 [[ ! -e lanes.csv.part ]] || fail "a refused sweep leaves a part"
 finish

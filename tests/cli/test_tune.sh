@@ -132,13 +132,13 @@ refused() { # refused SENTENCE ARGUMENT…
     grep -qF -- "$sentence" err || fail "$*: does not say '$sentence' but: $(cat err)"
 }
 refused "--deviation is missing" heave.yaml
-refused "--deviation takes a number > 0" heave.yaml --deviation 0
-refused "--deviation takes a number > 0" heave.yaml --deviation 1e-3x
+refused "--deviation takes a number greater than 0" heave.yaml --deviation 0
+refused "--deviation takes a number greater than 0" heave.yaml --deviation 1e-3x
 refused "from 0 to less than 1" heave.yaml --deviation 1e-3 --damping-ratio 1
 refused "from 0 to 0.5" heave.yaml --deviation 1e-3 --margin nan
 refused "program, none or both" heave.yaml --deviation 1e-3 --feedforward yes
-refused "two numbers, 0 <= a <= b" heave.yaml --deviation 1e-3 --stiffness 3
-refused "two numbers, 0 <= a <= b" heave.yaml --deviation 1e-3 --stiffness 5:3
+refused "two numbers a:b with 0 <= a <= b" heave.yaml --deviation 1e-3 --stiffness 3
+refused "two numbers a:b with 0 <= a <= b" heave.yaml --deviation 1e-3 --stiffness 5:3
 refused "home is unstable without feedback: sway–tilt grows unless G is over 0.894107" heave.yaml --deviation 1e-3 --stiffness 0:0
 refused "the search allows only 0.5" heave.yaml --deviation 1e-3 --stiffness 0.1:0.5
 refused "STUDY is missing" --deviation 1e-3

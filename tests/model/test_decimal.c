@@ -7,13 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/decimal.h"
+#include "gough/text.h"
 #include "model/helpers.h"
 
 static void same_as_strtod(const char *text) {
     double read = -1;
     char *end = NULL;
-    const size_t bytes = gough_decimal_read_(text, strlen(text), &read);
+    const size_t bytes = gough_decimal_read(text, strlen(text), &read);
     const double right = strtod(text, &end);
     ck_assert_msg(bytes == (size_t)(end - text), "%s: %zu bytes read", text, bytes);
     ck_assert_msg(memcmp(&read, &right, sizeof read) == 0, "%s: %a, not %a", text, read, right);
@@ -50,6 +50,16 @@ START_TEST(reads_known_hard_cases) {
         "1e",
         "1e+",
         "1E5",
+        "-1",
+        "+1",
+        "-0",
+        "-1.5e-3",
+        "+.5",
+        "18446744073709551615",
+        "18446744073709551615e-19",
+        "9223372036854775807e-19",
+        "9999999999999999999e-20",
+        "1e-19",
         "7.8459735791271921e65",
         "3.5844466002796428e298",
         "00000000000000000000000000000000000000000000000000000000000000000000000000000000001.5",
@@ -88,7 +98,7 @@ START_TEST(reads_printed_doubles_back) {
         memcpy(&x, &bits, sizeof x);
         if (!isfinite(x)) continue;
         sprintf(text, "%.17g", x);
-        ck_assert_uint_eq(gough_decimal_read_(text, strlen(text), &back), strlen(text));
+        ck_assert_uint_eq(gough_decimal_read(text, strlen(text), &back), strlen(text));
         ck_assert_msg(memcmp(&x, &back, sizeof x) == 0, "%s: %a, not %a", text, back, x);
     }
 }
@@ -131,20 +141,29 @@ START_TEST(decides_ties_by_the_last_of_a_thousand_digits) {
 }
 END_TEST
 
+START_TEST(reads_a_hexadecimal_number_as_zero_and_text) {
+    double value = 7;
+    ck_assert_uint_eq(gough_decimal_read("0x10", 4, &value), 1);
+    ck_assert(value >= 0 && value <= 0);
+    ck_assert_uint_eq(gough_decimal_read("-0x1p3", 6, &value), 2);
+}
+END_TEST
+
 START_TEST(takes_nothing_that_is_no_number) {
-    static const char *const TEXTS[] = {"", ".", "e5", "-1", "+1", " 1", "x", ",5", "inf", "nan"};
+    static const char *const TEXTS[] = {"",     ".",    "e5",  "-",  "+", "--1", "+-1", "- 1", "-.",
+                                        "-inf", "+nan", "-e1", " 1", "x", ",5",  "inf", "nan"};
     for (size_t i = 0; i < sizeof TEXTS / sizeof TEXTS[0]; i++) {
         double value = 7;
-        ck_assert_uint_eq(gough_decimal_read_(TEXTS[i], strlen(TEXTS[i]), &value), 0);
+        ck_assert_uint_eq(gough_decimal_read(TEXTS[i], strlen(TEXTS[i]), &value), 0);
     }
 }
 END_TEST
 
 START_TEST(stops_at_the_given_length) {
     double value = 0;
-    ck_assert_uint_eq(gough_decimal_read_("1234e5", 3, &value), 3);
+    ck_assert_uint_eq(gough_decimal_read("1234e5", 3, &value), 3);
     ck_assert(value >= 123 && value <= 123);
-    ck_assert_uint_eq(gough_decimal_read_("12e5", 3, &value), 2);
+    ck_assert_uint_eq(gough_decimal_read("12e5", 3, &value), 2);
     ck_assert(value >= 12 && value <= 12);
 }
 END_TEST
@@ -152,7 +171,7 @@ END_TEST
 START_TEST(reads_points_in_a_comma_locale) {
     double value = 0;
     locale_with_comma();
-    const size_t bytes = gough_decimal_read_("1.5", 3, &value);
+    const size_t bytes = gough_decimal_read("1.5", 3, &value);
     locale_reset();
     ck_assert_uint_eq(bytes, 3);
     ck_assert(value >= 1.5 && value <= 1.5);
@@ -167,6 +186,7 @@ int main(void) {
     tcase_add_test(tests, rounds_random_decimals_correctly);
     tcase_add_test(tests, reads_printed_doubles_back);
     tcase_add_test(tests, decides_ties_by_the_last_of_a_thousand_digits);
+    tcase_add_test(tests, reads_a_hexadecimal_number_as_zero_and_text);
     tcase_add_test(tests, takes_nothing_that_is_no_number);
     tcase_add_test(tests, stops_at_the_given_length);
     tcase_add_test(tests, reads_points_in_a_comma_locale);

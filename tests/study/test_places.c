@@ -269,7 +269,7 @@ END_TEST
 
 START_TEST(control_characters_never_reach_the_terminal) {
     expect_more("control: {\"stiff\\e[31mness\": 1}\n",
-                "study.yaml:8:11: error: unknown key `stiff?[31mness`; did you mean "
+                "study.yaml:8:11: error: unknown key `stiff\\x1b[31mness`; did you mean "
                 "`stiffness`?\n"
                 "control: {\"stiff\\e[31mness\": 1}\n"
                 "          ^\n");

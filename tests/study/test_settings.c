@@ -124,7 +124,7 @@ START_TEST(errors_stand_at_the_setting) {
            "^\n");
     expect("", SETTINGS("title=a\xff"),
            "--set title: error: byte 0xFF is not UTF-8 here; save the file as UTF-8\n"
-           "title=a?\n"
+           "title=a\\xff\n"
            "       ^\n");
 }
 END_TEST

@@ -1,0 +1,44 @@
+/** @file text.h
+ *  Text that users write: the one grammar of decimal numbers, in study files, tables and on the command line, and how any text
+ *  is shown in messages and summaries.
+ */
+#ifndef GOUGH_TEXT_H
+#define GOUGH_TEXT_H
+
+#include <stddef.h>
+
+#include "gough/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Reads the decimal number at the start of a text: an optional sign, digits with at most one point, and an optional exponent
+ *  (e or E, an optional sign, digits). No spaces, no hexadecimal digits, no infinity, no NaN.
+ *  @param text,length  need not be terminated
+ *  @param[out] value   the nearest double, ties to even; infinite if the number is too large. Written only if there is a number
+ *  @return the number of bytes read; 0 if the text does not begin with a number. The locale has no influence. Allocates nothing.
+ *  Safe to call concurrently. */
+GOUGH_API size_t gough_decimal_read(const char *text, size_t length, double *value);
+
+/** Room for any character as gough_character_show() writes it, with the terminating zero. */
+enum { GOUGH_SHOWN_CHARACTER = 12 };
+
+/** One character of a text in a form that is safe to show: printable characters as they are, and control characters, marks that
+ *  change the direction of text, other characters without a glyph, and bytes that are not UTF-8 as escapes (\\x1b, \\u202e,
+ *  \\U000e0041).
+ *  @param text,length  what is left of the text, at least one byte
+ *  @param[out] shown   the character or its escape, terminated
+ *  @return the number of bytes of @p text that it stands for, at least 1. Safe to call concurrently. */
+GOUGH_API size_t gough_character_show(const char *text, size_t length,
+                                      char shown[GOUGH_SHOWN_CHARACTER]);
+
+/** A whole text in that form. What does not fit is left out at the end, never a part of a character or an escape.
+ *  @param[out] shown  at most @p size bytes, terminated; may be NULL if @p size is 0
+ *  @return the bytes that the whole form takes, without the terminating zero. Safe to call concurrently. */
+GOUGH_API size_t gough_text_show(const char *text, size_t length, char *shown, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
