@@ -44,10 +44,12 @@ typedef struct gough_eigenvalue {
     gough_mode mode; /**< its mode */
 } gough_eigenvalue;
 
-/** Least stiffness with which a mode does not grow at rest. */
+/** The stiffness above which a mode at rest does not grow. */
 typedef struct gough_threshold {
-    double stiffness; /**< G, the same in all legs; 0: the mode needs no feedback */
-    gough_mode mode;  /**< the mode that grows below it, (stab-10) */
+    double
+        stiffness; /**< G, the same in all legs; 0: constant leg forces do not make the mode grow */
+    bool neutral;  /**< and they do not hold it either: any G > 0 does */
+    gough_mode mode; /**< what moves at the threshold, (stab-10) */
 } gough_threshold;
 
 /** The loop at rest. */
@@ -61,13 +63,19 @@ typedef struct gough_rest {
     double
         asymmetry; /**< largest |K − Kᵀ| of the stiffness found, over its largest element: 0 up to rounding */
     double
-        trace; /**< of the translational part of K_geo: < 0 tells that without feedback some mode grows */
-    double trace_theorem; /**< −2Mg/h of (stab-5), NaN if the joints are not in two level planes */
+        trace; /**< of the translational part of K_geo: if < 0, some mode grows without feedback */
+    double
+        trace_theorem; /**< −2Mg/h of (stab-5); NaN if the joints are not in two level planes h ≠ 0 apart */
     gough_eigenvalue eigenvalue
         [GOUGH_LINEAR]; /**< by falling growth rate, then by rising frequency; the positive one of a pair ±ω first */
     gough_threshold threshold[6]; /**< by falling stiffness */
-    bool
-        stable; /**< no growth rate over 1e-7 in units of √(g/R_b) (or, without gravity, as it is) */
+    int growing;  /**< how many eigenvalues grow, (stab-17); they are the first ones */
+    int neutral;  /**< freedoms with neither a positive nor a negative stiffness */
+    int drifting; /**< of those, the ones without damping too: a velocity there is kept for ever. Not
+                         counted where something grows */
+    gough_mode neutral_mode[6]; /**< the modes that drift; if none drifts, the neutral ones */
+    bool decaying;              /**< every small deviation dies out */
+    bool stable;   /**< nothing grows and nothing drifts: small deviations stay small */
     double growth; /**< largest growth rate */
 } gough_rest;
 

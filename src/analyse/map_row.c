@@ -153,8 +153,6 @@ static void no_values(sample *s, double stiffness) {
 
 static int look_at_rest(void *context, double stiffness, sample *s) {
     map_worker *w = context;
-    const gough_machine *m = &w->model.machine;
-    const double unit = m->gravity_magnitude > 0 ? sqrt(m->gravity_magnitude / m->base_radius) : 1;
     gough_rest rest;
 
     set_stiffness(w, stiffness);
@@ -165,8 +163,9 @@ static int look_at_rest(void *context, double stiffness, sample *s) {
     }
     for (int i = 0; i < GOUGH_LINEAR; i++) {
         const gough_eigenvalue *e = &rest.eigenvalue[i];
-        sample_add(s, e->value, e->value[0], 1e-7 * unit, &e->mode);
+        sample_add(s, e->value, e->value[0], i < rest.growing ? -INFINITY : INFINITY, &e->mode);
     }
+    s->stable = rest.stable;
     return 0;
 }
 

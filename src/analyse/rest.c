@@ -8,17 +8,13 @@
 #include "analyse/equilibrium.h"
 #include "analyse/linear.h"
 #include "analyse/mode.h"
+#include "analyse/symmetric.h"
+#include "analyse/verdict.h"
 
-enum { FREEDOMS = 6, WORK = 512 };
-
-/* of the symmetric problem, below it an eigenvalue is no more than the rounding of the largest */
-static const double rounding = 16 * 2.3e-16;
+enum { WORK = 512 };
 
 /* eigenvalues this close, relative to the largest, are one */
 static const double same_value = 1e-9;
-
-/* a growth rate over this, in √(g/R_b), is instability */
-static const double growth_limit = 1e-7;
 
 /* joints this far out of a plane, in base radii, are in it */
 static const double plane_tolerance = 1e-9;
@@ -27,8 +23,8 @@ static const double plane_tolerance = 1e-9;
 static const double greatest_asymmetry = 1e-6;
 
 static const char no_eigenvalues[] =
-    "the eigenvalues of the loop at rest were not found: its numbers are too far apart in size; "
-    "use units in which they are near 1";
+    "could not compute the eigenvalues of the loop at rest: its numbers differ too much in size; "
+    "choose units in which they are near 1";
 
 /* the loop at rest and what follows from its pose */
 typedef struct {
@@ -61,6 +57,23 @@ static void measure(double K[FREEDOMS][FREEDOMS], double radius, double *skew, d
     }
 }
 
+/* −M̄ times a block of A's lower half: K at the columns from 0, C at those from 6 */
+static void lower_block(const at_rest *r, linear_matrix A, int column,
+                        double found[FREEDOMS][FREEDOMS]) {
+    for (int i = 0; i < FREEDOMS; i++) {
+        for (int j = 0; j < FREEDOMS; j++) {
+            found[i][j] = 0;
+            for (int k = 0; k < FREEDOMS; k++) found[i][j] -= r->mass[i][k] * A[6 + k][column + j];
+        }
+    }
+}
+
+static void symmetric_part(double found[FREEDOMS][FREEDOMS], double part[FREEDOMS][FREEDOMS]) {
+    for (int i = 0; i < FREEDOMS; i++) {
+        for (int j = 0; j < FREEDOMS; j++) part[i][j] = 0.5 * (found[i][j] + found[j][i]);
+    }
+}
+
 /* (stab-15): K = −M̄ A₂₁ of a loop at rest, made symmetric; returns the asymmetry found */
 static gough_status stiffness_of(const at_rest *r, const linear_loop *loop, double *asymmetry,
                                  double K[FREEDOMS][FREEDOMS], gough_error *error) {
@@ -70,17 +83,10 @@ static gough_status stiffness_of(const at_rest *r, const linear_loop *loop, doub
     const gough_status status = linear_check(loop, 0, NULL, A, wrong, error);
 
     if (status != GOUGH_OK) return status;
-    for (int i = 0; i < FREEDOMS; i++) {
-        for (int j = 0; j < FREEDOMS; j++) {
-            found[i][j] = 0;
-            for (int k = 0; k < FREEDOMS; k++) found[i][j] -= r->mass[i][k] * A[6 + k][j];
-        }
-    }
+    lower_block(r, A, 0, found);
     measure(found, loop->machine->base_radius, &skew, &size);
     if (asymmetry != NULL) *asymmetry = size > 0 ? skew / size : 0;
-    for (int i = 0; i < FREEDOMS; i++) {
-        for (int j = 0; j < FREEDOMS; j++) K[i][j] = 0.5 * (found[i][j] + found[j][i]);
-    }
+    symmetric_part(found, K);
     return GOUGH_OK;
 }
 
@@ -99,31 +105,6 @@ static gough_status parts_of_stiffness(const at_rest *r, gough_rest *rest, gough
 }
 
 /* ---- eigenvalues ---------------------------------------------------------------------------------------------- */
-
-/* K v = κ B v with symmetric K and B > 0, κ rising; those that are but rounding become 0. Returns the largest |κ|, or −1. */
-static double symmetric_problem(const double *K, const double *B, double kappa[FREEDOMS],
-                                double complex shape[FREEDOMS][6]) {
-    double a[FREEDOMS * FREEDOMS], b[FREEDOMS * FREEDOMS], work[WORK], largest = 0;
-
-    memcpy(a, K, sizeof a);
-    memcpy(b, B, sizeof b);
-    for (int i = 0; i < FREEDOMS * FREEDOMS; i++) {
-        if (!isfinite(a[i]) || !isfinite(b[i])) return -1;
-    }
-    if (LAPACKE_dsygv_work(LAPACK_COL_MAJOR, 1, 'V', 'U', FREEDOMS, a, FREEDOMS, b, FREEDOMS, kappa,
-                           work, WORK) != 0) {
-        return -1;
-    }
-    for (int k = 0; k < FREEDOMS; k++) {
-        for (int i = 0; i < FREEDOMS; i++) shape[k][i] = a[i + FREEDOMS * k];
-        if (!isfinite(kappa[k])) return -1;
-        largest = fmax(largest, fabs(kappa[k]));
-    }
-    for (int k = 0; k < FREEDOMS; k++) {
-        if (fabs(kappa[k]) <= rounding * largest) kappa[k] = 0;
-    }
-    return largest;
-}
 
 static void equal_apart(const gough_machine *machine, const double kappa[FREEDOMS], double largest,
                         double complex shape[FREEDOMS][6]) {
@@ -211,19 +192,18 @@ static gough_status eigenvalues(const at_rest *r, double K[FREEDOMS][FREEDOMS], 
                                 gough_error *error) {
     const gough_machine *machine = r->loop.machine;
     double complex value[GOUGH_LINEAR], shape[GOUGH_LINEAR][6];
+    double found_damping[FREEDOMS][FREEDOMS], C[FREEDOMS][FREEDOMS];
     bool damping = false, found;
-    double unit = 1;
 
     for (int v = 0; v < GOUGH_LEGS; v++) damping |= fabs(r->loop.control->damping[v]) > 0;
     found = damping ? damped(r, rest->matrix, value, shape) : undamped(r, K[0], value, shape);
     if (!found) return gough_fail(error, GOUGH_ERROR_NUMERICAL, "%s", no_eigenvalues);
 
     list_eigenvalues(machine, value, shape, rest);
-    rest->growth = rest->eigenvalue[0].value[0];
-    if (machine->gravity_magnitude > 0) {
-        unit = sqrt(machine->gravity_magnitude / machine->base_radius);
-    }
-    rest->stable = rest->growth <= growth_limit * unit;
+    lower_block(r, rest->matrix, 6, found_damping);
+    symmetric_part(found_damping, C);
+    if (!verdict_at_rest(machine, r->mass[0], K, C, rest))
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL, "%s", no_eigenvalues);
     return GOUGH_OK;
 }
 
@@ -243,6 +223,7 @@ static gough_status thresholds(const gough_machine *machine, gough_rest *rest, g
     equal_apart(machine, kappa, largest, shape);
     for (int k = 0; k < FREEDOMS; k++) {
         rest->threshold[k].stiffness = kappa[k] < 0 ? -kappa[k] : 0;
+        rest->threshold[k].neutral = !(kappa[k] < 0) && !(kappa[k] > 0);
         mode_of(machine, shape[k], &rest->threshold[k].mode);
     }
     return GOUGH_OK;
@@ -279,7 +260,7 @@ static void traces(const at_rest *r, gough_rest *rest) {
     memcpy(base, machine->platform.base, sizeof base);
     h = level_of(top, up, tolerance) - level_of(base, up, tolerance);
     rest->trace = rest->geometric[0][0] + rest->geometric[1][1] + rest->geometric[2][2];
-    rest->trace_theorem = -2 * machine->load.mass * g / h;
+    rest->trace_theorem = fabs(h) > tolerance ? 0 - 2 * machine->load.mass * g / h : NAN;
 }
 
 /* (stab-15) at the equilibrium, whose forces count as fed forward: the loop about it is the same */

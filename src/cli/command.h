@@ -140,6 +140,9 @@ void refuse_strange_option(const struct argp *argp, int count, char **argument);
 void complain(const char *verb, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* "gough VERB: …" */
 void remark(const char *verb, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Remarks, if computation shows it, that the loop of a study to be simulated is unstable (growth.c). */
+void remark_growth(const char *verb, const gough_study *study, const gough_units *units);
 /* whether colours may be used on a stream */
 bool colourful(FILE *stream);
 /* the candidate nearest to a misspelled word; NULL if none is near */

@@ -45,12 +45,6 @@ static int by_beginning(const void *left, const void *right) {
     return a->leg - b->leg;
 }
 
-static bool open_loop(const gough_control *control) {
-    bool loose = control->feedforward;
-    for (int i = 0; i < GOUGH_LEGS; i++) loose = loose && !(fabs(control->stiffness[i]) > 0);
-    return loose;
-}
-
 /* Says why a run ended; the table and the summary are the answer, this is the reason for the exit code. */
 static void explain_end(const command_line *line, const run_report *report) {
     if (report->end.cause == GOUGH_END_DONE) return;
@@ -122,10 +116,7 @@ static gough_status run_study(const command_line *line, const gough_study *study
         complain(line->verb, "memory is out");
         return GOUGH_ERROR_FILE;
     }
-    if (report->simulated && !line->quiet && open_loop(&study->model->control))
-        remark(line->verb,
-               "open loop: a hexapod at rest under given leg forces always has a growing mode, and "
-               "round-off grows with it; feedback (control.stiffness) is what holds it");
+    if (report->simulated && !line->quiet) remark_growth(line->verb, study, &report->units);
 
     interrupt_outputs(line->verb, line->outputs, line->output_count, 0);
     status = run_report_fill(report, line, result, &error);

@@ -1,5 +1,6 @@
 /* Stability as JSON: the same keys in the same order always; null where there is no number. Complex numbers are pairs [re, im]. */
 #include <math.h>
+#include <string.h>
 
 #include "cli/json.h"
 #include "cli/stability.h"
@@ -31,6 +32,18 @@ static json_t *pose_object(const double pose[GOUGH_COMPONENTS]) {
     return object;
 }
 
+/* Modes that neither stiffness nor damping resists, each name once. */
+static json_t *drift_list(const gough_rest *rest) {
+    json_t *list = json_array();
+    for (int i = 0; i < rest->drifting; i++) {
+        const char *name = rest->neutral_mode[i].name;
+        bool known = false;
+        for (int k = 0; k < i; k++) known = known || strcmp(name, rest->neutral_mode[k].name) == 0;
+        if (!known) json_array_append_new(list, json_words(name));
+    }
+    return list;
+}
+
 /* The keys of a loop at rest. */
 static void set_rest(json_t *object, const gough_rest *rest, const double pose[GOUGH_COMPONENTS]) {
     json_t *eigenvalues = json_array(), *modes = json_array(), *thresholds = json_array();
@@ -52,6 +65,8 @@ static void set_rest(json_t *object, const gough_rest *rest, const double pose[G
     json_object_set_new(object, "trace", json_number(rest->trace));
     json_object_set_new(object, "trace_theorem", json_number(rest->trace_theorem));
     json_object_set_new(object, "asymmetry", json_number(rest->asymmetry));
+    json_object_set_new(object, "drifts", drift_list(rest));
+    json_object_set_new(object, "decays", json_boolean(rest->decaying));
 }
 
 /* The loop where the program ends, when that is not home. */

@@ -33,7 +33,7 @@ static void print_axes(FILE *stream, const map_report *report) {
 static void print_thresholds(FILE *stream, const map_report *report) {
     const char *unit = unit_words_of(&report->units)->stiffness;
     if (!report->rest) return;
-    fprintf(stream, "\nLeast stiffness at rest at home, by mode\n");
+    fprintf(stream, "\nLeast stiffness at home and at rest, for each mode\n");
     for (int i = 0; i < 6; i++) {
         const gough_threshold *t = &report->rest->threshold[i];
         const bool again = i > 0 && strcmp(t->mode.name, t[-1].mode.name) == 0 &&
@@ -41,29 +41,30 @@ static void print_thresholds(FILE *stream, const map_report *report) {
         if (again) continue;
         fprintf(stream, "  ");
         stability_pad(stream, t->mode.name, 20);
-        fprintf(stream, "%12.6g%s\n", t->stiffness, unit);
+        fprintf(stream, "%12.6g%s%s\n", t->stiffness, unit,
+                t->neutral ? "   any G > 0 holds it" : "");
     }
 }
 
 static const char *kind_words(gough_interval_kind kind) {
     switch (kind) {
     case GOUGH_INTERVAL_STATIC:
-        return "below its threshold";
+        return "below threshold";
     case GOUGH_INTERVAL_PLUS:
-        return "resonance, mu = +1";
+        return "resonance at +1";
     case GOUGH_INTERVAL_MINUS:
-        return "resonance, mu = -1";
+        return "resonance at -1";
     case GOUGH_INTERVAL_COMBINATION:
-        return "two modes together";
+        return "two modes";
     }
     return "";
 }
 
 static void print_cell(FILE *stream, double value) {
     if (isfinite(value))
-        fprintf(stream, "%13.6g", value);
+        fprintf(stream, "%12.6g", value);
     else
-        fprintf(stream, "%13s", "-");
+        fprintf(stream, "%12s", "-");
 }
 
 /* At rest there is no motion to be in resonance with. */
@@ -89,7 +90,8 @@ static void print_row_heading(FILE *stream, const map_report *report, const goug
     if (lower)
         fprintf(stream, "At %s %.6g%s, ", map_axis_name(report), row->value, second_unit(report));
     if (row->error.status)
-        fprintf(stream, "%s values: %s\n", lower ? "no" : "No", row->error.message);
+        fprintf(stream, "%s values: %s\n", lower ? "there are no" : "There are no",
+                row->error.message);
     else if (row->period.resting)
         fprintf(stream, "%s the program rests: ", lower ? "where" : "Where");
     else
@@ -104,21 +106,21 @@ static void print_row(FILE *stream, const map_report *report, size_t r) {
     print_row_heading(stream, report, row);
     if (row->error.status) return;
     if (row->intervals == 0) {
-        fprintf(stream, "nothing grows at any G of this range\n");
+        fprintf(stream, "nothing grows at any G in this range\n");
         return;
     }
     const table_heading from = heading_of("from G", unit->stiffness),
                         rate = heading_of("rate", *unit->time ? " 1/s" : "");
-    fprintf(stream, "where a mode grows\n  %-20s%13s%13s %13s%13s%13s\n", "mode", from.text, "to",
-            row->period.resting ? "" : "per period", rate.text, "at G");
+    fprintf(stream, "ranges of G in which a mode grows\n  %-20s%12s%12s %12s%12s%12s\n", "mode",
+            from.text, "to", row->period.resting ? "" : "per period", rate.text, "at G");
     for (size_t i = 0; i < row->intervals; i++) {
         const gough_interval *one = &report->map.interval[r * report->options.intervals + i];
         print_interval(stream, one, row->period.resting);
         cut = cut || one->cut;
     }
-    if (cut) fprintf(stream, "  + goes on above the range of this map\n");
+    if (cut) fprintf(stream, "  + the range continues above this map\n");
     if (row->intervals_missed)
-        fprintf(stream, "  and %zu more intervals; a narrower range of G tells them\n",
+        fprintf(stream, "  and %zu more ranges; a map over a narrower range of G lists them\n",
                 row->intervals_missed);
 }
 
@@ -137,8 +139,8 @@ static void print_share(FILE *stream, const map_report *report) {
     size_t stable = 0;
     const size_t points = report->rows * report->options.stiffness.count;
     for (size_t p = 0; p < points; p++) stable += report->map.point[p].stable;
-    fprintf(stream, "\nNothing grows at %zu of the %zu points of the map (%.3g %%).\n", stable,
-            points, 100.0 * (double)stable / (double)points);
+    fprintf(stream, "\n%zu of the %zu points of the map are stable (%.3g %%).\n", stable, points,
+            100.0 * (double)stable / (double)points);
 }
 
 void map_print(FILE *stream, const map_report *report, bool all) {

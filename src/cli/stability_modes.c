@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli/paragraph.h"
 #include "cli/stability.h"
 
 enum { AXES = 6 };
@@ -101,7 +102,6 @@ void stability_mode_words(const gough_mode *const *mode, int count, double arm,
 }
 
 void stability_pad(FILE *stream, const char *text, int width) {
-    int shown = 0;
-    for (const char *at = text; *at; at++) shown += ((unsigned char)*at & 0xC0) != 0x80;
+    const int shown = text_columns(text);
     fprintf(stream, "%s%*s", text, width > shown ? width - shown : 0, "");
 }

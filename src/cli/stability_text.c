@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/paragraph.h"
 #include "cli/stability.h"
 #include "cli/summary.h"
 
@@ -12,6 +13,12 @@ static const double TWO_PI = 6.283185307179586477;
 
 /* growth by no more than this counts as none, as in gough_rest and gough_floquet */
 static const double tolerance = 1e-7;
+
+/* real and imaginary parts of eigenvalues below this part of the largest are rounding */
+static const double rounding = 1e-12;
+
+/* a smaller multiplier prints as 0: one period leaves nothing of the deviation in double precision */
+static const double least_multiplier = 1e-16;
 
 /* ---- numbers of one value together ------------------------------------------------------------------------------- */
 
@@ -27,30 +34,32 @@ typedef struct value_group {
     int count;
 } value_group;
 
-static bool alike(const value_group *group, const mode_value *one, double scale) {
-    const double near = 1e-6 * scale;
+/* Values that differ by no more than the rounding of their own size, and of the largest. */
+static bool alike(const value_group *group, const mode_value *one, double own, double largest) {
+    const double near = 1e-6 * own + rounding * largest;
     return fabs(group->value[0] - one->value[0]) <= near &&
            fabs(group->value[1] - one->value[1]) <= near &&
            strcmp(group->mode[0]->name, one->mode->name) == 0;
 }
 
-/* Groups of equal values; of conjugates the upper one stands for both. */
-static int group_values(const mode_value value[GOUGH_LINEAR], bool relative,
+/* Groups of equal values; of conjugates the upper one stands for both. Eigenvalues are rounded in proportion to the largest of
+ * them, multipliers each in proportion to itself. */
+static int group_values(const mode_value value[GOUGH_LINEAR], bool multipliers,
                         value_group group[GOUGH_LINEAR]) {
-    double scale = 0;
+    double largest = 0;
     int groups = 0;
-    for (int i = 0; i < GOUGH_LINEAR; i++)
-        scale = fmax(scale, hypot(value[i].value[0], value[i].value[1]));
+    for (int i = 0; i < GOUGH_LINEAR && !multipliers; i++)
+        largest = fmax(largest, hypot(value[i].value[0], value[i].value[1]));
     for (int i = 0; i < GOUGH_LINEAR; i++) {
-        const double own = relative ? hypot(value[i].value[0], value[i].value[1]) : scale;
+        const double own = hypot(value[i].value[0], value[i].value[1]);
+        const double none = fmax(1e-9 * own, rounding * largest);
         int g = 0;
-        if (value[i].value[1] < -1e-9 * own) continue;
-        while (g < groups && !alike(&group[g], &value[i], own)) g++;
+        if (value[i].value[1] < -none) continue;
+        while (g < groups && !alike(&group[g], &value[i], own, largest)) g++;
         if (g == groups) {
             group[groups++] = (value_group){.value = {value[i].value[0], value[i].value[1]}};
-            /* round-off beside numbers of size 1 is no growth and no frequency */
             for (int k = 0; k < 2; k++)
-                if (fabs(value[i].value[k]) < 1e-9 * own) group[g].value[k] = 0;
+                if (fabs(value[i].value[k]) < none) group[g].value[k] = 0;
         }
         group[g].mode[group[g].count++] = value[i].mode;
     }
@@ -70,45 +79,65 @@ static int name_width(const value_group *group, int groups) {
     int widest = 4;
     for (int g = 0; g < groups; g++) {
         char name[GOUGH_MODE_NAME + 16];
-        int width = 0;
         name_group(&group[g], name);
-        for (const char *at = name; *at; at++) width += ((unsigned char)*at & 0xC0) != 0x80;
+        const int width = text_columns(name);
         if (width > widest) widest = width;
     }
     return widest + 2;
 }
 
-static void print_name(FILE *stream, const value_group *group, int width) {
+static int print_name(FILE *stream, const value_group *group, int width) {
     char name[GOUGH_MODE_NAME + 16];
     name_group(group, name);
     fprintf(stream, "    ");
     stability_pad(stream, name, width);
+    return 4 + width;
 }
 
-static void print_moves(FILE *stream, const stability_report *report, const value_group *group) {
+static bool same_shape(const gough_mode *a, const gough_mode *b) {
+    double apart = 0;
+    for (int i = 0; i < 6; i++)
+        apart =
+            fmax(apart, hypot(a->shape[i][0] - b->shape[i][0], a->shape[i][1] - b->shape[i][1]));
+    return apart <= 1e-9;
+}
+
+/* What moves, at the end of a line that has `used` columns, or on one of its own. */
+static void print_moves(FILE *stream, const stability_report *report, const value_group *group,
+                        int used) {
     char words[MODE_WORDS];
-    stability_mode_words(group->mode, group->count, report->arm,
-                         unit_words_of(&report->units)->length, words);
-    fprintf(stream, "   %s\n", words);
+    const gough_mode *mode[GOUGH_LINEAR];
+    int count = 0;
+    for (int i = 0; i < group->count; i++) /* λ = 0 of what drifts is double, with one shape */
+        if (!count || !same_shape(mode[count - 1], group->mode[i])) mode[count++] = group->mode[i];
+    stability_mode_words(mode, count, report->arm, unit_words_of(&report->units)->length, words);
+    if (used + 3 + text_columns(words) <= 100) {
+        fprintf(stream, "   %s\n", words);
+    } else {
+        fputc('\n', stream);
+        print_paragraph(stream, "        ", 8, "%s", words);
+    }
 }
 
 /* A number, or a dash where it says nothing. */
-static void print_cell(FILE *stream, double value) {
+static int print_cell(FILE *stream, double value, int width) {
     if (isfinite(value))
-        fprintf(stream, "%18.6g", value);
+        fprintf(stream, "%*.6g", width, value);
     else
-        fprintf(stream, "%18s", "-");
+        fprintf(stream, "%*s", width, "-");
+    return width;
 }
 
-static void print_heading(FILE *stream, const char *what, const char *unit) {
+static void print_heading(FILE *stream, const char *what, const char *unit, int width) {
     const table_heading heading = heading_of(what, unit);
-    fprintf(stream, "%18s", heading.text);
+    fprintf(stream, "%*s", width, heading.text);
 }
 
 /* ---- at rest ----------------------------------------------------------------------------------------------------- */
 
 static void print_eigenvalues(FILE *stream, const stability_report *report,
                               const gough_rest *rest) {
+    enum { RATE = 13, FREQUENCY = 18, TIME = 15 };
     const unit_words *unit = unit_words_of(&report->units);
     mode_value value[GOUGH_LINEAR];
     value_group group[GOUGH_LINEAR];
@@ -116,21 +145,23 @@ static void print_eigenvalues(FILE *stream, const stability_report *report,
         value[i] = (mode_value){{rest->eigenvalue[i].value[0], rest->eigenvalue[i].value[1]},
                                 &rest->eigenvalue[i].mode};
     const int groups = group_values(value, false, group), width = name_width(group, groups);
-    fprintf(stream, "  Deviations go as exp(lambda t): the twelve lambda, conjugates as one\n    ");
+    fprintf(stream,
+            "  Small deviations go as exp(lambda t); conjugate pairs of the twelve lambda are "
+            "listed once\n    ");
     stability_pad(stream, "mode", width);
-    print_heading(stream, "growth rate", *unit->time ? " 1/s" : "");
-    print_heading(stream, "frequency", *unit->time ? " rad/s" : "");
-    print_heading(stream, "tenfold in", unit->time);
-    print_heading(stream, "period", unit->time);
+    print_heading(stream, "growth", *unit->time ? " 1/s" : "", RATE);
+    print_heading(stream, "frequency", *unit->time ? " rad/s" : "", FREQUENCY);
+    print_heading(stream, "tenfold in", unit->time, TIME);
+    print_heading(stream, "period", unit->time, TIME);
     fprintf(stream, "   moves\n");
     for (int g = 0; g < groups; g++) {
         const double rate = group[g].value[0], frequency = group[g].value[1];
-        print_name(stream, &group[g], width);
-        print_cell(stream, rate);
-        print_cell(stream, frequency);
-        print_cell(stream, TENFOLD / fabs(rate));
-        print_cell(stream, TWO_PI / frequency);
-        print_moves(stream, report, &group[g]);
+        int used = print_name(stream, &group[g], width);
+        used += print_cell(stream, rate, RATE);
+        used += print_cell(stream, frequency, FREQUENCY);
+        used += print_cell(stream, TENFOLD / fabs(rate), TIME);
+        used += print_cell(stream, TWO_PI / frequency, TIME);
+        print_moves(stream, report, &group[g], used);
     }
 }
 
@@ -140,65 +171,152 @@ static double least_gain(const double gain[GOUGH_LEGS]) {
     return least;
 }
 
+/* "50 N/m" or "4 to 6 N/m" */
+typedef struct gain_words {
+    char text[64];
+} gain_words;
+
+static gain_words words_of_gain(const double gain[GOUGH_LEGS], double unit, const char *word) {
+    const double least = least_gain(gain);
+    double greatest = 0;
+    gain_words words;
+    for (int i = 0; i < GOUGH_LEGS; i++) greatest = fmax(greatest, gain[i]);
+    if (greatest > least)
+        snprintf(words.text, sizeof words.text, "%.6g to %.6g%s", least / unit, greatest / unit,
+                 word);
+    else
+        snprintf(words.text, sizeof words.text, "%.6g%s", least / unit, word);
+    return words;
+}
+
+static bool same_threshold(const gough_threshold *a, const gough_threshold *b) {
+    return fabs(a->stiffness - b->stiffness) <= 1e-9 * fabs(b->stiffness) &&
+           a->neutral == b->neutral && strcmp(a->mode.name, b->mode.name) == 0;
+}
+
 static void print_thresholds(FILE *stream, const stability_report *report, const gough_rest *rest) {
     const unit_words *unit = unit_words_of(&report->units);
     const double stiffness_unit = report->units.mass / (report->units.time * report->units.time);
-    const double *gain = report->study->model->control.stiffness;
-    fprintf(stream, "  Least stiffness G, the same in all legs, from which each mode holds\n");
-    for (int i = 0, next; i < 6; i = next) {
+    const gain_words gain =
+        words_of_gain(report->study->model->control.stiffness, stiffness_unit, unit->stiffness);
+    bool told[6] = {false};
+    fprintf(stream, "  Least stiffness G, the same in all legs, above which each mode is stable\n");
+    for (int i = 0; i < 6; i++) {
         const gough_threshold *t = &rest->threshold[i];
-        next = i + 1;
-        while (next < 6 &&
-               fabs(rest->threshold[next].stiffness - t->stiffness) <= 1e-9 * fabs(t->stiffness) &&
-               strcmp(rest->threshold[next].mode.name, t->mode.name) == 0)
-            next++;
+        int modes = 0;
+        if (told[i]) continue;
+        for (int k = i; k < 6; k++) {
+            if (told[k] || !same_threshold(&rest->threshold[k], t)) continue;
+            told[k] = true;
+            modes++;
+        }
         fprintf(stream, "    ");
         stability_pad(stream, t->mode.name, 20);
         fprintf(stream, "%12.6g%s", t->stiffness, unit->stiffness);
-        if (next - i > 1) fprintf(stream, "   (%d modes)", next - i);
-        if (!(t->stiffness > 0)) fprintf(stream, "   needs no feedback");
+        if (modes > 1) fprintf(stream, "   (%d modes)", modes);
+        if (t->neutral)
+            fprintf(stream, "   neutral without feedback; any G > 0 holds it");
+        else if (!(t->stiffness > 0))
+            fprintf(stream, "   needs no feedback");
         fprintf(stream, "\n");
     }
-    fprintf(stream, "    %-20s%12.6g%s\n", "this study", least_gain(gain) / stiffness_unit,
-            unit->stiffness);
+    fprintf(stream, "    %-20s%s\n", "this study has", gain.text);
 }
 
-/* (stab-5), where it holds. */
+/* What constant leg forces do in this pose: as computed, and by (stab-5) where that holds. */
 static void print_trace(FILE *stream, const stability_report *report, const gough_rest *rest) {
-    const unit_words *unit = unit_words_of(&report->units);
-    if (!(rest->trace < 0))
+    const char *unit = unit_words_of(&report->units)->stiffness;
+    const bool theorem = fabs(rest->trace_theorem) > 0;
+    const gough_threshold *largest = &rest->threshold[0];
+    if (!(largest->stiffness > 0)) {
+        bool neutral = false;
+        for (int i = 0; i < 6; i++) neutral = neutral || rest->threshold[i].neutral;
+        print_paragraph(stream, "  ", 2,
+                        neutral ? "Without feedback nothing grows in this pose, but not every "
+                                  "mode is held (trace of the translational stiffness %.6g%s)."
+                                : "Without feedback nothing grows in this pose: constant leg "
+                                  "forces hold it (trace of the translational stiffness %.6g%s).",
+                        rest->trace + 0, unit);
+    } else if (theorem && rest->trace < 0) {
+        print_paragraph(
+            stream, "  ", 2,
+            "Without feedback some mode always grows: the translational stiffness of "
+            "constant leg forces has the trace -2Mg/h = %.6g%s < 0, wherever the joints "
+            "lie in their two level planes, the top ones h above.",
+            rest->trace_theorem, unit);
+    } else if (rest->trace < 0) {
+        print_paragraph(stream, "  ", 2,
+                        "Without feedback some mode grows in this pose: the translational "
+                        "stiffness of constant leg forces has the trace %.6g%s < 0.",
+                        rest->trace, unit);
+    } else {
+        print_paragraph(stream, "  ", 2,
+                        "Without feedback %s grows in this pose, although the translational "
+                        "stiffness of constant leg forces has the trace %.6g%s.",
+                        largest->mode.name, rest->trace + 0, unit);
+    }
+}
+
+/* "sway, tilt or yaw": each name once */
+static void name_neutral(const gough_rest *rest, char words[6 * GOUGH_MODE_NAME]) {
+    const int count = rest->drifting > 0 ? rest->drifting : rest->neutral;
+    const char *name[6];
+    int names = 0;
+    for (int i = 0; i < count; i++) {
+        bool known = false;
+        for (int k = 0; k < names; k++)
+            known = known || strcmp(name[k], rest->neutral_mode[i].name) == 0;
+        if (!known) name[names++] = rest->neutral_mode[i].name;
+    }
+    words[0] = '\0';
+    for (int k = 0; k < names; k++) {
+        if (k) strcat(words, k + 1 < names ? ", " : " or ");
+        strcat(words, name[k]);
+    }
+}
+
+/* The slowest decay, where double precision can tell it from none beside the fastest. */
+static void print_decay(FILE *stream, const gough_rest *rest, const char *time) {
+    double fastest = 0;
+    for (int i = 0; i < GOUGH_LINEAR; i++)
+        fastest = fmax(fastest, hypot(rest->eigenvalue[i].value[0], rest->eigenvalue[i].value[1]));
+    if (-rest->growth > rounding * fastest)
         fprintf(stream,
-                "  The translational stiffness of constant leg forces has the trace %.6g%s, which "
-                "proves no growth.\n",
-                rest->trace, unit->stiffness);
-    else if (isfinite(rest->trace_theorem))
-        fprintf(
-            stream,
-            "  Without feedback some mode always grows: the translational stiffness of constant "
-            "leg forces has the\n  trace -2Mg/h = %.6g%s < 0, wherever the joints in their two "
-            "level planes.\n",
-            rest->trace_theorem, unit->stiffness);
+                "  Stable: every deviation dies out; the slowest falls to a tenth in %.4g%s.\n",
+                TENFOLD / -rest->growth, time);
     else
-        fprintf(
-            stream,
-            "  Without feedback some mode always grows: the translational stiffness of constant "
-            "leg forces has the\n  trace %.6g%s < 0.\n",
-            rest->trace, unit->stiffness);
+        print_paragraph(stream, "  ", 2,
+                        "Stable: every deviation dies out, but the slowest takes longer than "
+                        "%.1g%s to fall to a tenth.",
+                        TENFOLD / (rounding * fastest), time);
 }
 
 static void print_rest_verdict(FILE *stream, const stability_report *report,
                                const gough_rest *rest) {
     const unit_words *unit = unit_words_of(&report->units);
-    if (!rest->stable)
-        fprintf(stream, "  Unstable: %s grows tenfold in %.4g%s.\n", rest->eigenvalue[0].mode.name,
-                TENFOLD / rest->growth, unit->time);
+    char neutral[6 * GOUGH_MODE_NAME];
+    name_neutral(rest, neutral);
+    if (rest->growing > 0)
+        fprintf(stream, "  Unstable: a deviation in %s grows tenfold every %.4g%s.\n",
+                rest->eigenvalue[0].mode.name, TENFOLD / rest->growth, unit->time);
+    else if (rest->drifting > 0)
+        print_paragraph(stream, "  ", 2,
+                        "Unstable: nothing resists motion in %s. A platform that moves there keeps "
+                        "its velocity and drifts away.",
+                        neutral);
+    else if (rest->decaying)
+        print_decay(stream, rest, unit->time);
+    else if (rest->neutral > 0)
+        print_paragraph(stream, "  ", 2,
+                        "Bounded, not stable in the strict sense: nothing grows, but a "
+                        "displacement in %s stays for ever, because no stiffness acts on it.",
+                        neutral);
     else if (report->damped)
-        fprintf(stream, "  Stable: every deviation dies out, the slowest to a tenth in %.4g%s.\n",
-                TENFOLD / fmax(-rest->growth, 0), unit->time);
+        fprintf(stream, "  Bounded: nothing grows, but damping does not reach every mode, and what "
+                        "it misses never dies out.\n");
     else
-        fprintf(
-            stream,
-            "  Stable in that nothing grows; without damping (D = 0) nothing dies out either.\n");
+        fprintf(stream,
+                "  Bounded: nothing grows, but without damping (D = 0) nothing dies out.\n");
 }
 
 /* "heave 0.1, yaw 10 deg" */
@@ -218,11 +336,10 @@ static void print_sag(FILE *stream, const stability_report *report, const double
     double shown[3];
     for (int k = 0; k < 3; k++)
         shown[k] = fabs(position[k]) < 1e-12 * report->arm ? 0.0 : position[k];
-    fprintf(
-        stream,
-        "  Without feed-forward the springs carry the load: it rests with the top at %.6g, %.6g, "
-        "%.6g%s\n",
-        shown[0], shown[1], shown[2], unit_words_of(&report->units)->length);
+    fprintf(stream,
+            "  Without feed-forward the loop rests where springs and load balance, with the top at"
+            "\n  %.6g, %.6g, %.6g%s\n",
+            shown[0], shown[1], shown[2], unit_words_of(&report->units)->length);
 }
 
 static void print_rest(FILE *stream, const stability_report *report, const gough_rest *rest,
@@ -235,11 +352,10 @@ static void print_rest(FILE *stream, const stability_report *report, const gough
     print_eigenvalues(stream, report, rest);
     print_thresholds(stream, report, rest);
     print_trace(stream, report, rest);
-    fprintf(stream,
-            "  Checked: the stiffness found is symmetric within %.1g of its largest element",
+    fprintf(stream, "  Checked: the stiffness is symmetric to %.1g of its largest element",
             rest->asymmetry);
     if (fabs(rest->trace_theorem) > 0)
-        fprintf(stream, ",\n  its trace differs from the theorem's by %.1g of it",
+        fprintf(stream, ";\n  its trace differs from -2Mg/h by %.1g of it",
                 fabs(rest->trace - rest->trace_theorem) / fabs(rest->trace_theorem));
     fprintf(stream, ".\n");
     print_rest_verdict(stream, report, rest);
@@ -248,6 +364,7 @@ static void print_rest(FILE *stream, const stability_report *report, const gough
 /* ---- about the program ------------------------------------------------------------------------------------------- */
 
 static void print_multipliers(FILE *stream, const stability_report *report) {
+    enum { CELL = 16 };
     const gough_floquet *f = &report->floquet;
     mode_value value[GOUGH_LINEAR];
     value_group group[GOUGH_LINEAR];
@@ -255,35 +372,39 @@ static void print_multipliers(FILE *stream, const stability_report *report) {
         value[i] = (mode_value){{f->multiplier[i].value[0], f->multiplier[i].value[1]},
                                 &f->multiplier[i].mode};
     const int groups = group_values(value, true, group), width = name_width(group, groups);
-    fprintf(
-        stream,
-        "  Deviations are multiplied by mu in each period: the twelve mu, conjugates as one\n    ");
+    const table_heading rate_heading =
+        heading_of("growth", *unit_words_of(&report->units)->time ? " 1/s" : "");
+    fprintf(stream,
+            "  A small deviation is multiplied by mu in each period; conjugate pairs of the "
+            "twelve mu are\n  listed once, and what moves is that at the period's "
+            "beginning\n    ");
     stability_pad(stream, "mode", width);
-    fprintf(stream, "%18s%18s%18s   moves at the period's beginning\n", "|mu|", "angle [deg]",
-            "growth rate");
+    fprintf(stream, "%*s%*s%*s   moves\n", CELL, "|mu|", CELL, "angle [deg]", CELL,
+            rate_heading.text);
     for (int g = 0; g < groups; g++) {
         const double size = hypot(group[g].value[0], group[g].value[1]);
         const double rate = log(size) / f->period;
-        print_name(stream, &group[g], width);
-        print_cell(stream, size);
-        print_cell(stream, atan2(group[g].value[1], group[g].value[0]) * DEGREES);
-        print_cell(stream, fabs(rate) * f->period < 1e-9 ? 0 : rate);
-        print_moves(stream, report, &group[g]);
+        const bool none = size < least_multiplier;
+        int used = print_name(stream, &group[g], width);
+        used += print_cell(stream, none ? 0 : size, CELL);
+        used += print_cell(
+            stream, none ? NAN : atan2(group[g].value[1], group[g].value[0]) * DEGREES, CELL);
+        used += print_cell(stream, fabs(rate) * f->period < 1e-9 ? 0 : rate, CELL);
+        print_moves(stream, report, &group[g], used);
     }
 }
 
 static void print_floquet_checks(FILE *stream, const gough_floquet *f) {
-    fprintf(stream, "  Checked: ");
     if (isfinite(f->pair_defect))
-        fprintf(stream,
-                "without damping the product of all mu is 1, here within %.1g, and they come in "
-                "pairs mu, 1/mu,\n  here within %.1g; %zu steps.\n",
-                f->determinant_defect, f->pair_defect, f->steps);
+        print_paragraph(stream, "  ", 2,
+                        "Checked: without damping the product of all mu is 1 (here to %.1g) and "
+                        "they come in pairs mu, 1/mu (here to %.1g); %zu steps.",
+                        f->determinant_defect, f->pair_defect, f->steps);
     else
-        fprintf(stream,
-                "the product of all mu is exp of the trace's integral, here within %.1g; %zu "
-                "steps.\n",
-                f->determinant_defect, f->steps);
+        print_paragraph(stream, "  ", 2,
+                        "Checked: the product of all mu is exp of the integral of the trace (here "
+                        "to %.1g); %zu steps.",
+                        f->determinant_defect, f->steps);
 }
 
 static void print_floquet_verdict(FILE *stream, const stability_report *report) {
@@ -291,14 +412,19 @@ static void print_floquet_verdict(FILE *stream, const stability_report *report) 
     const gough_floquet *f = &report->floquet;
     const double tenfold = f->period * TENFOLD / fabs(log(f->growth));
     if (!f->stable)
-        fprintf(stream, "  Unstable: %s grows %.6g-fold in each period, tenfold in %.4g%s.\n",
-                f->multiplier[0].mode.name, f->growth, tenfold, unit->time);
+        print_paragraph(stream, "  ", 2,
+                        "Unstable: a deviation in %s grows %.6g-fold in each period, tenfold in "
+                        "%.4g%s.",
+                        f->multiplier[0].mode.name, f->growth, tenfold, unit->time);
     else if (f->growth < 1 - tolerance)
-        fprintf(stream, "  Stable: every deviation dies out, the slowest to a tenth in %.4g%s.\n",
+        fprintf(stream,
+                "  Stable: every deviation dies out; the slowest falls to a tenth in %.4g%s.\n",
                 tenfold, unit->time);
+    else if (report->damped)
+        fprintf(stream, "  Bounded: nothing grows, but not every deviation dies out.\n");
     else
-        fprintf(stream, "  Bounded: nothing grows%s.\n",
-                report->damped ? "" : "; without damping (D = 0) nothing dies out either");
+        fprintf(stream,
+                "  Bounded: nothing grows, but without damping (D = 0) nothing dies out.\n");
 }
 
 static void print_program(FILE *stream, const stability_report *report) {
@@ -310,25 +436,14 @@ static void print_program(FILE *stream, const stability_report *report) {
         fprintf(stream, ", from t = %.4g%s on", report->floquet.start, unit->time);
     fprintf(stream, "\n");
     if (!report->study->model->control.feedforward)
-        fprintf(stream,
-                "  Without feed-forward the loop has a periodic motion of its own, %.4g%s from the "
-                "program when the period begins:\n  it is judged here, and a run that starts far "
-                "from it may not get there\n",
-                report->sag, unit->length);
+        print_paragraph(stream, "  ", 2,
+                        "Without feed-forward the loop has a periodic motion of its own, %.4g%s "
+                        "from the program when the period begins. The multipliers are those of "
+                        "this motion; a run that starts far from it may not reach it.",
+                        report->sag, unit->length);
     print_multipliers(stream, report);
     print_floquet_checks(stream, &report->floquet);
     print_floquet_verdict(stream, report);
-}
-
-/* "50 N/m" or "4 to 6 N/m" */
-static void print_gain(FILE *stream, const double gain[GOUGH_LEGS], double unit, const char *word) {
-    double greatest = 0;
-    const double least = least_gain(gain);
-    for (int i = 0; i < GOUGH_LEGS; i++) greatest = fmax(greatest, gain[i]);
-    if (greatest > least)
-        fprintf(stream, "%.6g to %.6g%s", least / unit, greatest / unit, word);
-    else
-        fprintf(stream, "%.6g%s", least / unit, word);
 }
 
 void stability_print(FILE *stream, const stability_report *report) {
@@ -336,18 +451,20 @@ void stability_print(FILE *stream, const stability_report *report) {
     const gough_units *u = &report->units;
     const unit_words *unit = unit_words_of(u);
     print_title(stream, report->study->title);
-    fprintf(stream, "Stability of the closed loop: %s, stiffness G = ",
-            control->feedforward ? "the program's forces fed forward" : "no feed-forward");
-    print_gain(stream, control->stiffness, u->mass / (u->time * u->time), unit->stiffness);
-    fprintf(stream, ", damping D = ");
-    print_gain(stream, control->damping, u->mass / u->time, unit->damping);
-    fprintf(stream, "\n%s\n", units_sentence(report->study, u));
+    const gain_words stiffness =
+        words_of_gain(control->stiffness, u->mass / (u->time * u->time), unit->stiffness);
+    const gain_words damping = words_of_gain(control->damping, u->mass / u->time, unit->damping);
+    print_paragraph(stream, "", 0,
+                    "Stability of the closed loop: %s, stiffness G = %s, damping D = %s",
+                    control->feedforward ? "the program's forces fed forward" : "no feed-forward",
+                    stiffness.text, damping.text);
+    fprintf(stream, "%s\n", units_sentence(report->study, u));
     print_rest(stream, report, &report->rest, report->pose, "");
     if (report->ends)
         print_rest(stream, report, &report->last, report->last_pose, " where the program ends");
     if (report->periodic)
         print_program(stream, report);
     else if (!report->posed)
-        fprintf(stream, "\nThe program %s: no period, no multipliers.\n",
+        fprintf(stream, "\nThe program %s, so there is no period and there are no multipliers.\n",
                 report->period.start > 0 ? "comes to rest" : "rests");
 }

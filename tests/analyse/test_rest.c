@@ -454,9 +454,11 @@ START_TEST(nothing_moves_without_gravity_and_springs) {
         gough_rest rest;
         model->control.feedforward = forward;
         rest = at_rest(model, NULL);
-        ck_assert(rest.stable && fabs(rest.growth) <= 0 && fabs(rest.trace_theorem) <= 0);
+        ck_assert(!rest.stable && rest.growing == 0 && rest.neutral == 6 && rest.drifting == 6);
+        ck_assert(!rest.decaying && fabs(rest.growth) <= 0 && fabs(rest.trace_theorem) <= 0);
         for (int k = 0; k < 12; k++) ck_assert(fabs(rest.eigenvalue[k].value[1]) <= 0);
-        for (int k = 0; k < 6; k++) ck_assert(fabs(rest.threshold[k].stiffness) <= 0);
+        for (int k = 0; k < 6; k++)
+            ck_assert(fabs(rest.threshold[k].stiffness) <= 0 && rest.threshold[k].neutral);
     }
     free(model);
 }
@@ -475,7 +477,7 @@ START_TEST(free_freedoms_do_not_grow_by_rounding) {
               GOUGH_OK);
     for (int v = 0; v < 3; v++) model->control.stiffness[2 * v] = 1e6;
     rest = at_rest(model, NULL);
-    ck_assert(rest.stable && fabs(rest.growth) <= 0);
+    ck_assert(!rest.stable && rest.growing == 0 && rest.drifting == 3 && fabs(rest.growth) <= 0);
     for (int k = 0; k < 12; k++) {
         const double frequency = fabs(rest.eigenvalue[k].value[1]);
         ck_assert(k < 6 ? frequency <= 0 : frequency > 100);
@@ -554,7 +556,7 @@ START_TEST(numbers_without_meaning_are_refused) {
     gough_error error;
 
     ck_assert(gough_machine_init(&model->machine, &platform, &load, gravity, &error) == GOUGH_OK);
-    refused(model, NULL, GOUGH_ERROR_NUMERICAL, "too far apart", "units");
+    refused(model, NULL, GOUGH_ERROR_NUMERICAL, "differ too much", "units");
     free(model);
 }
 END_TEST
