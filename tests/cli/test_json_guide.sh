@@ -65,9 +65,9 @@ json loop-1.json stability own-machine.yaml
 json loop-2.json stability paper-heave.yaml --matrix
 json loop-3.json stability own-machine.yaml --set 'motion={moves: [{start: 1, duration: 2, heave: 0.02}]}'
 hold '## stability' loop-*.json
-# the pose at the end of a program has the keys from `pose` to `asymmetry`, and `stable`
+# the pose at the end of a program has the keys from `pose` to `decays`, and `stable`
 jq -r '.last | keys[]' loop-3.json | sort >last
-documented '## stability' | grep -v '[.]' | awk 'BEGIN { split("pose eigenvalues modes thresholds growth_rate trace trace_theorem asymmetry stable", a, " "); for (i in a) of[a[i]] = 1 } of[$0]' | sort >listed
+documented '## stability' | grep -v '[.]' | awk 'BEGIN { split("pose eigenvalues modes thresholds growth_rate trace trace_theorem asymmetry drifts decays stable", a, " "); for (i in a) of[a[i]] = 1 } of[$0]' | sort >listed
 cmp -s last listed || fail "keys of \`last\`: $(diff last listed | tr '\n' ' ')"
 
 json map.json stability paper-heave.yaml --sweep-stiffness 0.1:2:5 --sweep-amplitude 0:1:3
