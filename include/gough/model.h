@@ -152,6 +152,53 @@ GOUGH_API size_t gough_samples_scratch(size_t count);
 GOUGH_API gough_status gough_samples_prepare(const gough_samples *samples, double *scratch,
                                              gough_error *error);
 
+/** What gough_samples_unwrap() changed. */
+typedef struct gough_unwrapping {
+    size_t turns[3]; /**< rows at which roll, pitch, yaw jumped by whole turns */
+    size_t flips;    /**< rows at which all three jumped to other angles of the same rotation */
+    size_t first;    /**< index of the first such row; 0: none */
+} gough_unwrapping;
+
+/** Makes the angles of recorded motion continuous, in place, (motion-7): an angle that jumps by more than half a turn
+ *  from one row to the next gets the whole turns that bring it back, and where (roll + 180°, 180° − pitch, yaw + 180°), which
+ *  is the same rotation, lies nearer to the row before than (roll, pitch, yaw), it takes their place. The first row and
+ *  every rotation stay as they are. Call it before gough_samples_prepare().
+ *  @param count      rows
+ *  @param value      six components a row, as in gough_samples
+ *  @param half_turn  180 where the angles are in degrees, π in radians
+ *  Cannot fail; rows that are not finite are left to gough_samples_prepare(). Safe to call concurrently. */
+GOUGH_API gough_unwrapping gough_samples_unwrap(size_t count, double *value, double half_turn);
+
+/** Doubles of scratch memory that gough_samples_low_pass() and gough_samples_smooth() need for @p count rows. */
+GOUGH_API size_t gough_samples_smooth_scratch(size_t count);
+
+/** Takes fast changes out of one component of recorded motion, in place and without lag, by a smoothing spline,
+ *  (motion-8). A sine of frequency f keeps its phase and 1/(1 + (f/cutoff)⁶) of its amplitude: half at the cutoff, 98.5 %
+ *  at half of it; that is a Butterworth filter of third order run forwards and backwards. Near the ends of the record the
+ *  spline goes on with constant acceleration. The times need not be equally spaced; rows weigh by the time they stand for.
+ *  @param count      rows; fewer than 4 are left as they are
+ *  @param time       in increasing order
+ *  @param value      six components a row, as in gough_samples; only @p component is read and written
+ *  @param component  GOUGH_SURGE … GOUGH_YAW; unwrap angles first
+ *  @param cutoff     > 0, in cycles per unit of time; INFINITY changes nothing
+ *  @param scratch    gough_samples_smooth_scratch() doubles
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with @p value unchanged: a number not finite, times not increasing, a cutoff not
+ *  above 0. Takes time proportional to @p count; does not allocate; safe to call concurrently. */
+GOUGH_API gough_status gough_samples_low_pass(size_t count, const double *time, double *value,
+                                              int component, double cutoff, double *scratch,
+                                              gough_error *error);
+
+/** The same with the lowest cutoff, to 0.5 %, whose changes are no larger than allowed.
+ *  @param deviation    allowed root mean square of the changes, in the unit of the component; 0 changes nothing
+ *  @param greatest     allowed change of any one value, in the same unit; INFINITY: any
+ *  @param[out] cutoff  the cutoff found, in cycles per unit of time; INFINITY where even the weakest smoothing (two cycles
+ *                      a row) changes more, so that nothing was changed. Never below half a cycle per record.
+ *  The other parameters and the errors are those of gough_samples_low_pass(). For values rounded to steps of q, the
+ *  deviation is q/√12. */
+GOUGH_API gough_status gough_samples_smooth(size_t count, const double *time, double *value,
+                                            int component, double deviation, double greatest,
+                                            double *cutoff, double *scratch, gough_error *error);
+
 /** How a program is given. */
 typedef enum gough_motion_kind {
     GOUGH_MOTION_FORMULAS, /**< a formula in t for each component */

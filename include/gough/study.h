@@ -11,6 +11,44 @@
 extern "C" {
 #endif
 
+enum {
+    GOUGH_REMARKS = 24,      /**< at most about one record */
+    GOUGH_REMARK_TEXT = 400, /**< bytes of a sentence, its end included */
+};
+
+/** A sentence about a study that is valid: what was changed in reading it, or a warning of what may falsify its results. */
+typedef struct gough_remark {
+    bool warning;                     /**< results may be wrong unless something is done about it */
+    char sentence[GOUGH_REMARK_TEXT]; /**< UTF-8, in the study's units, without a full stop */
+} gough_remark;
+
+/** One column of recorded motion. Lengths and times are in the study's units, angles in degrees. */
+typedef struct gough_record_column {
+    bool given; /**< the file has it */
+    double
+        step; /**< its values are written in steps of this size, the largest where they differ; 0: none found */
+    double
+        rounding; /**< greatest acceleration that rounding to the steps of values and times can make */
+    double motion;       /**< greatest acceleration of the motion, without that */
+    double cutoff;       /**< of the smoothing, in cycles per unit of time; INFINITY: as recorded */
+    double change;       /**< root mean square of what smoothing changed */
+    double worst_change; /**< and the greatest */
+} gough_record_column;
+
+/** What the reader found out about recorded motion (`motion.samples`). */
+typedef struct gough_record {
+    double
+        time_step; /**< the times are written in steps of this size; 0: none found, or the times are exact */
+    double interval; /**< time between rows, without gaps; where rows are uneven, its mean */
+    bool
+        even; /**< rows come at equal intervals or whole multiples, but for rounding of the times */
+    bool retimed;                                 /**< the rounding was taken out of the times */
+    gough_unwrapping unwrapped;                   /**< what was done to the angles */
+    gough_record_column column[GOUGH_COMPONENTS]; /**< surge … yaw */
+    size_t remarks;                               /**< how many sentences follow */
+    gough_remark remark[GOUGH_REMARKS];           /**< in the order of what they are about */
+} gough_record;
+
 /** A study as read. All memory belongs to it; free it with gough_study_free(). */
 typedef struct gough_study {
     char *title;                 /**< UTF-8, never NULL; "" if none */
@@ -19,6 +57,7 @@ typedef struct gough_study {
     bool dimensionless;          /**< units: dimensionless; else SI */
     gough_model *model;          /**< validated */
     gough_simulation simulation; /**< how to run it */
+    const gough_record *record;  /**< what is known of its recorded motion; NULL: it has none */
     bool swept;                  /**< true if it has a section `sweep`, see sweep.h */
     bool
         noise_run_given; /**< it has disturbance.noise.run, be it 0: one noise for all runs of a sweep */

@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "cli/json.h"
 #include "cli/machine.h"
+#include "cli/record.h"
 #include "cli/summary.h"
 #include "cli/sweep.h"
 
@@ -171,6 +172,7 @@ static void print_program(const check *c) {
         moving++;
     }
     if (!moving) printf("  rest at home\n");
+    if (c->study->record) record_print(stdout, c->study->record, c->study->dimensionless);
     const double *about = motion->about;
     if (fabs(about[0]) + fabs(about[1]) + fabs(about[2]) > 0)
         printf("  of the point         %.6g, %.6g, %.6g%s of the top frame\n", about[0], about[1],
@@ -253,6 +255,8 @@ static json_t *program_object(const check *c) {
         json_object_set_new(program, "samples", json_integer((json_int_t)motion->samples.count));
         json_object_set_new(program, "span", json_numbers(span, 2));
         json_object_set_new(program, "ends", json_string("not-a-knot"));
+        if (c->study->record)
+            json_object_set_new(program, "record", record_object(c->study->record));
     }
     for (int k = 0; k < GOUGH_COMPONENTS; k++)
         json_object_set_new(program, gough_component_name(k),

@@ -149,13 +149,24 @@ static gough_status check_inputs(const command_line *line, const gough_study *st
     return status;
 }
 
+/* What was done to recorded motion, and warnings: these are printed with -q as well. */
+static void say_record(const command_line *line, const gough_record *record) {
+    for (size_t i = 0; record && i < record->remarks; i++) {
+        const gough_remark *one = &record->remark[i];
+        if (one->warning || !line->quiet)
+            remark(line->verb, "%s%s", one->warning ? "warning: " : "", one->sentence);
+    }
+}
+
 gough_status read_study(const command_line *line, gough_study **study) {
     char *messages = NULL;
     const gough_status status =
         gough_study_read(line->file[0], line->settings, line->setting_count, study, &messages);
     if (status == GOUGH_ERROR_FILE && !messages) complain(line->verb, "out of memory");
     say_messages(messages);
-    return status ? status : check_inputs(line, *study);
+    if (status) return status;
+    say_record(line, (*study)->record);
+    return check_inputs(line, *study);
 }
 
 gough_status read_sweep(const command_line *line, const gough_study *study, gough_sweep **sweep) {

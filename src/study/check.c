@@ -172,6 +172,7 @@ static void check_value(study_messages *messages, study_node *node, const study_
             study_say_shape(messages, node, phrase);
         break;
     case SHAPE_CONSTRAINTS:
+    case SHAPE_SMOOTH:
         if (node->kind == STUDY_MAPPING)
             check_mapping(messages, node, rule->path);
         else if (single)

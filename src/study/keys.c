@@ -20,6 +20,7 @@
 #define NAME_FORMULA_OR_SIX "formula or six formulas"
 #define NAME_FORMULA_VECTOR "three formulas"
 #define NAME_CONSTRAINTS "choice or mapping"
+#define NAME_SMOOTH "choice or mapping"
 #define NAME_WHOLE "whole number"
 #define NAME_SWEPT "mapping of paths"
 
@@ -33,6 +34,7 @@
 #define TEXT_FEEDFORWARD "program, none"
 #define TEXT_METHOD "dop853, rk4, rattle2, rattle4, rattle6, rattle8"
 #define TEXT_CONSTRAINTS "projection, none"
+#define TEXT_SMOOTH "rounding, none"
 #define TEXT_SEED "0 to 9007199254740992"
 #define TEXT_RUNS "1 to 100000000"
 #define TEXT_STEPS "2 to 100000000"
@@ -59,6 +61,8 @@
     { TEXT_METHOD, "", -INFINITY, INFINITY, false }
 #define BOUND_CONSTRAINTS                                                                          \
     { TEXT_CONSTRAINTS, "", -INFINITY, INFINITY, false }
+#define BOUND_SMOOTH                                                                               \
+    { TEXT_SMOOTH, "", -INFINITY, INFINITY, false }
 #define BOUND_SEED                                                                                 \
     { TEXT_SEED, "a whole number from 0 to 9007199254740992", 0, 0x1p53, false }
 #define BOUND_RUNS                                                                                 \
@@ -119,6 +123,7 @@ const char *study_shape_phrase(study_shape shape) {
         [SHAPE_FORMULA_OR_SIX] = "a formula or a list of six formulas",
         [SHAPE_FORMULA_VECTOR] = "a list of three formulas",
         [SHAPE_CONSTRAINTS] = "a word or {baumgarte: [alpha, beta]}",
+        [SHAPE_SMOOTH] = "rounding, none or a mapping such as {heave: 0.0001}",
         [SHAPE_WHOLE] = "a whole number",
         [SHAPE_SWEPT] = "a mapping such as {control.stiffness: [10, 20, 50]}",
     };

@@ -24,6 +24,7 @@ typedef enum study_shape {
     SHAPE_FORMULA_OR_SIX,
     SHAPE_FORMULA_VECTOR,
     SHAPE_CONSTRAINTS, /* a choice, or a mapping */
+    SHAPE_SMOOTH,      /* likewise */
     SHAPE_SWEPT        /* a mapping of paths to what they vary over */
 } study_shape;
 

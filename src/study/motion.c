@@ -78,7 +78,26 @@ static void build_moves(study_build *build, study_node *list) {
     build->study->model->motion.moves = count;
 }
 
-static void build_samples(study_build *build, study_node *file) {
+static study_smoothing read_smoothing(const study_node *motion) {
+    const study_node *smooth = study_node_child(motion, "smooth");
+    const study_node *cutoff = study_node_child(motion, "cutoff");
+    study_smoothing how = {.kind = STUDY_AS_RECORDED};
+    if (cutoff && !cutoff->wrong) {
+        how.kind = STUDY_SMOOTH_CUTOFF;
+        how.cutoff = study_number(cutoff);
+    } else if (smooth && !smooth->wrong && smooth->kind == STUDY_MAPPING) {
+        how.kind = STUDY_SMOOTH_DEVIATIONS;
+        for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+            const study_node *deviation = study_node_child(smooth, gough_component_name(c));
+            if (deviation) how.deviation[c] = study_number(deviation);
+        }
+    } else if (smooth && !smooth->wrong) {
+        how.kind = strcmp(smooth->text, "rounding") == 0 ? STUDY_SMOOTH_ROUNDING : STUDY_EXACT;
+    }
+    return how;
+}
+
+static void build_samples(study_build *build, const study_node *motion, study_node *file) {
     study_messages *messages = build->messages;
     const char *folder = file->text[0] == '/' ? "" : build->folder;
     const size_t length = strlen(folder);
@@ -87,9 +106,30 @@ static void build_samples(study_build *build, study_node *file) {
     memcpy(path, folder, length);
     memcpy(path + length, file->text, file->length);
     build->samples_path = path;
-    study_samples_read(messages, study_node_place(file, false), path,
-                       &build->study->model->motion.samples, &build->samples);
-    if (!build->samples) study_node_mark(file);
+    study_recording recording = {.smoothing = read_smoothing(motion),
+                                 .dimensionless = build->study->dimensionless,
+                                 .record = build->record,
+                                 .samples = &build->study->model->motion.samples};
+    study_samples_read(messages, study_node_place(file, false), path, &recording);
+    build->samples = recording.memory;
+    if (build->samples)
+        build->study->record = build->record;
+    else
+        study_node_mark(file);
+}
+
+/* Smoothing is for records, and by one rule. */
+static void check_smoothing(study_build *build, const study_node *motion) {
+    study_node *smooth = study_node_child(motion, "smooth");
+    study_node *cutoff = study_node_child(motion, "cutoff");
+    study_node *either = smooth ? smooth : cutoff;
+    if (smooth && cutoff)
+        study_node_say(build->messages, cutoff, study_node_place(cutoff, true),
+                       "`motion` has `cutoff` beside `smooth`; give one of them");
+    if (either && !study_node_child(motion, "samples") && !study_node_meant(motion, "samples"))
+        study_node_say(build->messages, either, study_node_place(either, true),
+                       "`motion.%s` smooths recorded motion; there is no `motion.samples`",
+                       either->key->text);
 }
 
 bool study_motion_build(study_build *build) {
@@ -100,7 +140,8 @@ bool study_motion_build(study_build *build) {
     if (node->kind != STUDY_MAPPING || !find_kind(build, node, &motion->kind)) return false;
     study_node *samples = study_node_child(node, "samples");
     study_node *moves = study_node_child(node, "moves");
-    if (samples && !samples->wrong) build_samples(build, samples);
+    check_smoothing(build, node);
+    if (samples && !samples->wrong) build_samples(build, node, samples);
     if (moves && !moves->wrong) build_moves(build, moves);
     if (node->wrong) return false;
     for (int c = 0; c < GOUGH_COMPONENTS; c++)

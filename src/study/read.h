@@ -9,6 +9,7 @@
 typedef struct study_memory {
     gough_move *moves;
     void *samples;
+    gough_record record;
 } study_memory;
 
 /* The guarded, parsed and checked tree of a text that outlives it, settings applied; NULL where there is none. What is wrong

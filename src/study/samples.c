@@ -3,9 +3,11 @@
 #include "study/samples.h"
 
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/record.h"
 #include "study/source.h"
 #include "study/value.h"
 
@@ -26,7 +28,8 @@ typedef struct table {
     int column[COLUMNS]; /* what the cells of a row are, in order */
     size_t columns;
     size_t rows;
-    double *time, *value;
+    double *time, *value; /* angles in degrees */
+    study_digits digits[COLUMNS];
     size_t errors;
 } table;
 
@@ -66,71 +69,82 @@ static cell next_cell(const table *csv, size_t begin, size_t end, size_t *next) 
     return found;
 }
 
+static const char *column_name(int column) {
+    return column == TIME ? "t" : gough_component_name(column);
+}
+
 static int column_of(const char *name) {
-    if (strcmp(name, "t") == 0) return TIME;
-    for (int c = 0; c < GOUGH_COMPONENTS; c++)
-        if (strcmp(name, gough_component_name(c)) == 0) return c;
+    for (int c = 0; c < COLUMNS; c++)
+        if (strcmp(name, column_name(c)) == 0) return c;
     return -1;
 }
 
-/* What the cell of the header names; what is wrong with it is said. */
+/* Whether the text is what a table looks like that has no header, or other separators; said for the whole row. */
+static bool say_no_header(table *csv, size_t begin, size_t end) {
+    const char *text = csv->source->text;
+    size_t next = begin, rest;
+    double value;
+    const cell head = next_cell(csv, begin, end, &next);
+    const size_t length = head.end - head.begin;
+    if (begin == end) {
+        say(csv, begin, "the first row must name the columns, as in t,heave");
+    } else if (study_decimal_read(text + head.begin, length, &value, &rest) == STUDY_DECIMAL) {
+        study_say(csv->messages, GOUGH_ERROR_INPUT, (study_place){csv->source, head.begin},
+                  "the first row must name the columns, as in t,heave; found the number %s",
+                  study_quote(csv->messages->arena, text + head.begin, length));
+        csv->errors++;
+    } else if (memchr(text + begin, ';', end - begin)) {
+        say(csv, begin, "columns are separated by commas, not by semicolons");
+    }
+    return csv->errors > 0;
+}
+
+/* What the cell of the header names; -1, with what is wrong said, where it names nothing. */
 static int header_cell(table *csv, cell head) {
     study_arena *arena = csv->messages->arena;
-    const char *text = csv->source->text + head.begin;
-    const size_t length = head.end - head.begin;
-    const char *names[COLUMNS] = {[TIME] = "t"};
-    for (int c = 0; c < GOUGH_COMPONENTS; c++) names[c] = gough_component_name(c);
-    const char *name = study_quote(arena, text, length);
+    const char *name = study_quote(arena, csv->source->text + head.begin, head.end - head.begin);
+    const char *names[COLUMNS];
+    for (int c = 0; c < COLUMNS; c++) names[c] = column_name(c);
     const int column = column_of(name);
     const char *nearest = study_nearest(name, names, COLUMNS);
     const study_place place = {csv->source, head.begin};
-    double value;
-    size_t rest;
-    if (column >= 0) {
-        for (size_t i = 0; i < csv->columns; i++)
-            if (csv->column[i] == column) say(csv, head.begin, "this column is there twice");
-        return column;
+    for (size_t i = 0; column >= 0 && i < csv->columns; i++) {
+        if (csv->column[i] != column) continue;
+        say(csv, head.begin, "this column is there twice");
+        return -1;
     }
+    if (column >= 0) return column;
     csv->errors++;
-    if (study_decimal_read(text, length, &value, &rest) == STUDY_DECIMAL)
+    if (head.begin == head.end)
+        study_say(csv->messages, GOUGH_ERROR_INPUT, place, "a column has no name");
+    else if (nearest)
         study_say(csv->messages, GOUGH_ERROR_INPUT, place,
-                  "the first row must name the columns, as in t,heave; found the number %s", name);
-    else if (length == 0)
-        study_say(csv->messages, GOUGH_ERROR_INPUT, place, "a column without a name");
-    else if (memchr(text, ';', length))
-        study_say(csv->messages, GOUGH_ERROR_INPUT, place,
-                  "columns are separated by commas, not by semicolons");
+                  "unknown column `%s`; did you mean `%s`?", name, nearest);
     else
-        study_say(csv->messages, GOUGH_ERROR_INPUT, place, "unknown column `%s`; %s%s%s", name,
-                  nearest ? "did you mean `" : "known are t, surge, sway, heave, roll, pitch, yaw",
-                  nearest ? nearest : "", nearest ? "`?" : "");
+        study_say(csv->messages, GOUGH_ERROR_INPUT, place,
+                  "unknown column `%s`; the columns are t, surge, sway, heave, roll, pitch and yaw",
+                  name);
     return -1;
 }
 
+/* All columns that are wrong are named. */
 static bool read_header(table *csv) {
     const size_t begin = csv->at, end = line_end(csv, begin);
     bool has_time = false;
-    if (begin == end) {
-        say(csv, begin, "the first row must name the columns, as in t,heave");
-        return false;
-    }
+    csv->at = next_line(csv, end);
+    if (say_no_header(csv, begin, end)) return false;
     cell head;
     size_t next = begin;
     do {
         head = next_cell(csv, next, end, &next);
-        if (csv->columns == COLUMNS) {
-            say(csv, head.begin, "more columns than t, surge, sway, heave, roll, pitch and yaw");
-            break;
-        }
         const int column = header_cell(csv, head);
-        if (csv->errors) break;
         has_time |= column == TIME;
-        csv->column[csv->columns++] = column;
-    } while (!head.last);
-    if (!csv->errors && !has_time) say(csv, begin, "a column t, the time, is missing");
+        if (column >= 0) csv->column[csv->columns++] = column;
+    } while (!head.last && csv->errors < MOST_ERRORS);
+    if (csv->errors) return false;
+    if (!has_time) say(csv, begin, "the column t, the time, is missing");
     if (!csv->errors && csv->columns < 2)
-        say(csv, begin, "no motion here: beside t a column such as heave is needed");
-    csv->at = next_line(csv, end);
+        say(csv, begin, "there is no motion: beside t, a column such as heave is needed");
     return csv->errors == 0;
 }
 
@@ -145,6 +159,20 @@ static void say_cell(table *csv, cell there, study_decimal kind) {
         study_say(csv->messages, GOUGH_ERROR_INPUT, place, "`%s` is not finite", quote);
     else
         study_say(csv->messages, GOUGH_ERROR_INPUT, place, "`%s` is not a number", quote);
+}
+
+/* A time that does not increase; where it is the one of the row before, the times may have too few decimals. */
+static void say_time(table *csv, size_t at) {
+    const double now = csv->time[csv->rows], before = csv->time[csv->rows - 1];
+    const int decimals = -csv->digits[TIME].place;
+    char advice[100] = "";
+    if (!(now < before) && decimals > 0 && decimals < 9)
+        snprintf(advice, sizeof advice,
+                 "; if times are rounded to %d decimal%s, write more of them", decimals,
+                 decimals == 1 ? "" : "s");
+    study_say(csv->messages, GOUGH_ERROR_INPUT, (study_place){csv->source, at},
+              "the time %.9g must be greater than %.9g in the row before%s", now, before, advice);
+    csv->errors++;
 }
 
 /* Reads one row into its place; one with a wrong cell does not count. */
@@ -167,12 +195,15 @@ static void read_row(table *csv, size_t begin, size_t end) {
         const study_decimal kind = study_decimal_read(csv->source->text + there.begin,
                                                       there.end - there.begin, &number, &rest);
         const int column = csv->column[count++];
+        if (kind == STUDY_DECIMAL)
+            study_digits_take(&csv->digits[column], csv->source->text + there.begin,
+                              there.end - there.begin);
         if (kind != STUDY_DECIMAL)
             say_cell(csv, there, kind);
         else if (column == TIME)
             csv->time[csv->rows] = number, time_at = there.begin;
         else
-            value[column] = column >= GOUGH_ROLL ? number * (PI / 180) : number;
+            value[column] = number;
     } while (!there.last && csv->errors < MOST_ERRORS);
     if (csv->errors > before) return;
     if (count < csv->columns) {
@@ -180,7 +211,7 @@ static void read_row(table *csv, size_t begin, size_t end) {
                   "this row ends after %zu of %zu cells", count, csv->columns);
         csv->errors++;
     } else if (csv->rows > 0 && !(csv->time[csv->rows] > csv->time[csv->rows - 1])) {
-        say(csv, time_at, "time must increase from row to row");
+        say_time(csv, time_at);
     } else if (csv->rows == 0 && csv->time[0] > 0) {
         say(csv, time_at, "the record must begin at time 0 or before, where a run begins");
     }
@@ -234,23 +265,44 @@ static double *lay_out(table *csv, size_t rows) {
     return all;
 }
 
-static bool prepare(table *csv, gough_samples *samples) {
+/* Smoothed as asked for, in radians, with its spline. */
+static gough_status finish(const table *csv, study_recording *recording, double *scratch,
+                           gough_error *error) {
+    gough_samples *samples = recording->samples;
+    study_record_table made = {.count = csv->rows,
+                               .time = csv->time,
+                               .value = csv->value,
+                               .curvature = samples->curvature,
+                               .scratch = scratch,
+                               .clock = csv->digits[TIME]};
+    memcpy(made.digits, csv->digits, sizeof made.digits);
+    const gough_status status = study_record_make(&made, recording, error);
+    if (status != GOUGH_OK) return status;
+    for (size_t i = 0; i < csv->rows; i++)
+        for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++)
+            csv->value[i * GOUGH_COMPONENTS + (size_t)c] *= PI / 180;
+    return gough_samples_prepare(samples, scratch, error);
+}
+
+static bool prepare(table *csv, study_recording *recording) {
     gough_error error = {.message = ""};
-    double *scratch = malloc((gough_samples_scratch(csv->rows) + 1) * sizeof *scratch);
+    const size_t size = study_record_scratch(csv->rows) + gough_samples_scratch(csv->rows);
+    double *scratch = malloc(size * sizeof *scratch);
     if (!scratch) {
         csv->messages->arena->exhausted = true;
         return false;
     }
-    const gough_status status = gough_samples_prepare(samples, scratch, &error);
+    const gough_status status = finish(csv, recording, scratch, &error);
     free(scratch);
     if (status != GOUGH_OK) say(csv, 0, study_printable(csv->messages->arena, error.message));
     return status == GOUGH_OK;
 }
 
 void study_samples_parse(study_messages *messages, const study_source *source,
-                         gough_samples *samples, void **memory) {
+                         study_recording *recording) {
     table csv = {.messages = messages, .source = source};
-    *memory = NULL;
+    recording->memory = NULL;
+    *recording->record = (gough_record){.remarks = 0};
     if (source->length >= 3 && memcmp(source->text, "\xEF\xBB\xBF", 3) == 0) csv.at = 3;
     if (!read_header(&csv)) return;
     const size_t lines = count_lines(source);
@@ -261,28 +313,28 @@ void study_samples_parse(study_messages *messages, const study_source *source,
     double *all = lay_out(&csv, lines);
     if (!all) return;
     read_rows(&csv);
-    *samples = (gough_samples){.count = csv.rows,
-                               .time = csv.time,
-                               .value = csv.value,
-                               .curvature = csv.value + lines * GOUGH_COMPONENTS};
-    if (csv.errors == 0 && prepare(&csv, samples)) {
-        *memory = all;
+    *recording->samples = (gough_samples){.count = csv.rows,
+                                          .time = csv.time,
+                                          .value = csv.value,
+                                          .curvature = csv.value + lines * GOUGH_COMPONENTS};
+    if (csv.errors == 0 && prepare(&csv, recording)) {
+        recording->memory = all;
         return;
     }
     free(all);
-    *samples = (gough_samples){.count = 0};
+    *recording->samples = (gough_samples){.count = 0};
 }
 
 void study_samples_read(study_messages *messages, study_place place, const char *path,
-                        gough_samples *samples, void **memory) {
+                        study_recording *recording) {
     size_t length = 0;
     char *text = study_source_read(messages, place, path, MOST_BYTES, true, &length);
     study_source *source = study_arena_take(messages->arena, sizeof *source);
-    *memory = NULL;
+    recording->memory = NULL;
     /* messages point into the text until they are written, so it lives as long as they do */
     char *kept = text && source ? study_arena_copy(messages->arena, text, length) : NULL;
     free(text);
     if (!kept) return;
     *source = (study_source){study_printable(messages->arena, path), kept, length, 1, false};
-    study_samples_parse(messages, source, samples, memory);
+    study_samples_parse(messages, source, recording);
 }

@@ -2,16 +2,38 @@
 #ifndef STUDY_SAMPLES_H
 #define STUDY_SAMPLES_H
 
-#include "gough/model.h"
+#include "gough/study.h"
 #include "study/messages.h"
 
-/* Reads the text of a sample file, angles in degrees there and in radians here, and prepares the spline.
- * memory: one allocation that holds all of it, to be freed by the caller; NULL where an error was said. */
+/* How a record is smoothed: `motion.smooth` and `motion.cutoff`. */
+typedef struct study_smoothing {
+    enum {
+        STUDY_AS_RECORDED,       /* nothing is said about it: rounding that matters is warned of */
+        STUDY_EXACT,             /* none: the values are meant as they are written */
+        STUDY_SMOOTH_ROUNDING,   /* by as much as rounding moved the values */
+        STUDY_SMOOTH_DEVIATIONS, /* by these root mean squares */
+        STUDY_SMOOTH_CUTOFF      /* below this frequency */
+    } kind;
+    double deviation[GOUGH_COMPONENTS]; /* lengths, and angles in degrees; 0: as recorded */
+    double cutoff;                      /* cycles per unit of time */
+} study_smoothing;
+
+/* A record to be read. */
+typedef struct study_recording {
+    study_smoothing smoothing;
+    bool dimensionless;     /* the units of sentences */
+    gough_record *record;   /* receives what was found out */
+    gough_samples *samples; /* receives the motion, angles in radians, its spline prepared */
+    void *
+        memory; /* one allocation that holds all of it, to be freed by the caller; NULL where an error was said */
+} study_recording;
+
+/* Reads the text of a sample file, angles in degrees there. */
 void study_samples_parse(study_messages *messages, const study_source *source,
-                         gough_samples *samples, void **memory);
+                         study_recording *recording);
 
 /* Reads a file; the errors about it stand at the place in the study that names it. */
 void study_samples_read(study_messages *messages, study_place place, const char *path,
-                        gough_samples *samples, void **memory);
+                        study_recording *recording);
 
 #endif

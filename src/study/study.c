@@ -69,9 +69,12 @@ static void build_study(study_messages *messages, const study_node *root, gough_
     const study_node *title = study_node_child(root, "title");
     const bool given = title && title->kind == STUDY_SCALAR;
     const char *folder = study_folder(messages->arena, study->name);
-    study_build build = {
-        .messages = messages, .root = root, .folder = folder ? folder : "", .study = study};
     study_memory *memory = study->memory_;
+    study_build build = {.messages = messages,
+                         .root = root,
+                         .folder = folder ? folder : "",
+                         .study = study,
+                         .record = &memory->record};
     study_model_build(&build);
     memory->moves = build.moves;
     memory->samples = build.samples;

@@ -227,8 +227,11 @@ static void write_values(gough_sweep_maker *maker, study_messages *said, size_t 
 static void rebuild(gough_sweep_maker *maker, study_messages *said) {
     gough_study *study = maker->study;
     study_memory *memory = study->memory_;
-    study_build build = {
-        .messages = said, .root = maker->root, .folder = maker->folder, .study = study};
+    study_build build = {.messages = said,
+                         .root = maker->root,
+                         .folder = maker->folder,
+                         .study = study,
+                         .record = &memory->record};
     study_model_rebuild(&build, maker->touches);
     if (!(maker->touches & STUDY_MOTION)) return;
     free(memory->moves);

@@ -42,7 +42,8 @@ static makeup makeup_of(study_shape shape) {
 }
 
 static bool is_mapping(study_shape shape) {
-    return shape == SHAPE_MAPPING || shape == SHAPE_CONSTRAINTS || shape == SHAPE_MOVES;
+    return shape == SHAPE_MAPPING || shape == SHAPE_CONSTRAINTS || shape == SHAPE_SMOOTH ||
+           shape == SHAPE_MOVES;
 }
 
 /* The next part of a path, cut off; NULL at its end. */

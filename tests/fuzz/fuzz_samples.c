@@ -11,11 +11,19 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     study_arena arena = {NULL, false};
     study_messages messages = {.arena = &arena};
     gough_samples samples = {.count = 0};
-    void *memory = NULL;
+    static const study_smoothing kinds[] = {
+        {.kind = STUDY_AS_RECORDED},
+        {.kind = STUDY_SMOOTH_ROUNDING},
+        {.kind = STUDY_SMOOTH_DEVIATIONS, .deviation = {0.1, 0.1, 0.1, 0.1, 0.1, 0.1}},
+        {.kind = STUDY_SMOOTH_CUTOFF, .cutoff = 1}};
+    static gough_record record;
+    study_recording recording = {
+        .smoothing = kinds[size % 4], .record = &record, .samples = &samples};
     const char *text = study_arena_copy(&arena, (const char *)data, size);
     const study_source source = {"fuzz.csv", text, size, 0, false};
     if (!text) return 0;
-    study_samples_parse(&messages, &source, &samples, &memory);
+    study_samples_parse(&messages, &source, &recording);
+    void *memory = recording.memory;
     if ((memory == NULL) != (messages.count > 0) || (memory && samples.count < 2)) abort();
     char *written = study_messages_write(&messages);
     if (!written || (messages.count > 0 && !strstr(written, "error: "))) abort();

@@ -119,7 +119,8 @@ START_TEST(a_missing_file_is_a_file_error_at_the_key) {
     reading_free(&made);
     made = read_more("motion:\n  samples: /dev/zero\n", NULL);
     ck_assert_int_eq(made.status, GOUGH_ERROR_FILE);
-    ck_assert_ptr_nonnull(strstr(made.messages, "`/dev/zero` is a device; a regular file is needed"));
+    ck_assert_ptr_nonnull(
+        strstr(made.messages, "`/dev/zero` is a device; a regular file is needed"));
     reading_free(&made);
 }
 END_TEST
@@ -129,19 +130,45 @@ START_TEST(refuses_wrong_headers) {
     EXPECT_CSV("t,heav\n0,0\n1,1\n",
                "@:1:3: error: unknown column `heav`; did you mean `heave`?\nt,heav\n  ^\n");
     EXPECT_CSV("t,heave,zzz\n0,0,0\n",
-               "@:1:9: error: unknown column `zzz`; known are t, surge, sway, heave, roll, pitch, "
-               "yaw\nt,heave,zzz\n        ^\n");
+               "@:1:9: error: unknown column `zzz`; the columns are t, surge, sway, heave, roll, "
+               "pitch and yaw\nt,heave,zzz\n        ^\n");
     EXPECT_CSV("t,heave,heave\n0,0,0\n",
                "@:1:9: error: this column is there twice\nt,heave,heave\n        ^\n");
-    EXPECT_CSV("t,,heave\n0,0,0\n", "@:1:3: error: a column without a name\nt,,heave\n  ^\n");
+    EXPECT_CSV("t,,heave\n0,0,0\n", "@:1:3: error: a column has no name\nt,,heave\n  ^\n");
     EXPECT_CSV("heave,yaw\n0,0\n",
-               "@:1:1: error: a column t, the time, is missing\nheave,yaw\n^\n");
-    EXPECT_CSV("t\n0\n1\n", "@:1:1: error: no motion here: beside t a column such as heave is "
-                            "needed\nt\n^\n");
+               "@:1:1: error: the column t, the time, is missing\nheave,yaw\n^\n");
+    EXPECT_CSV("t\n0\n1\n", "@:1:1: error: there is no motion: beside t, a column such as "
+                            "heave is needed\nt\n^\n");
     EXPECT_CSV("0,1\n1,2\n", "@:1:1: error: the first row must name the columns, as in t,heave; "
                              "found the number 0\n0,1\n^\n");
     EXPECT_CSV("t;heave\n0;1\n",
                "@:1:1: error: columns are separated by commas, not by semicolons\nt;heave\n^\n");
+}
+END_TEST
+
+START_TEST(names_all_wrong_columns_at_once) {
+    EXPECT_CSV("time,heav,zzz,t,roll,roll,,yaw_deg\n0,0,0,0,0,0,0,0\n",
+               "@:1:1: error: unknown column `time`; the columns are t, surge, sway, heave, roll, "
+               "pitch and yaw\ntime,heav,zzz,t,roll,roll,,yaw_deg\n^\n"
+               "@:1:6: error: unknown column `heav`; did you mean `heave`?\n"
+               "time,heav,zzz,t,roll,roll,,yaw_deg\n     ^\n"
+               "@:1:11: error: unknown column `zzz`; the columns are t, surge, sway, heave, roll, "
+               "pitch and yaw\ntime,heav,zzz,t,roll,roll,,yaw_deg\n          ^\n"
+               "@:1:22: error: this column is there twice\n"
+               "time,heav,zzz,t,roll,roll,,yaw_deg\n                     ^\n"
+               "@:1:27: error: a column has no name\n"
+               "time,heav,zzz,t,roll,roll,,yaw_deg\n                          ^\n"
+               "@:1:28: error: unknown column `yaw_deg`; the columns are t, surge, sway, heave, "
+               "roll, pitch and yaw\n"
+               "time,heav,zzz,t,roll,roll,,yaw_deg\n                           ^\n");
+    /* eight and more columns are no reason to stop */
+    EXPECT_CSV("t,surge,sway,heave,roll,pitch,yaw,speed,heave\n0,0,0,0,0,0,0,0,0\n",
+               "@:1:35: error: unknown column `speed`; the columns are t, surge, sway, heave, "
+               "roll, pitch and yaw\nt,surge,sway,heave,roll,pitch,yaw,speed,heave\n"
+               "                                  ^\n"
+               "@:1:41: error: this column is there twice\n"
+               "t,surge,sway,heave,roll,pitch,yaw,speed,heave\n"
+               "                                        ^\n");
 }
 END_TEST
 
@@ -162,8 +189,11 @@ END_TEST
 
 START_TEST(refuses_times_that_do_not_increase) {
     EXPECT_CSV("t,heave\n0,0\n1,0\n1,0\n0.5,0\n2,0\n",
-               "@:4:1: error: time must increase from row to row\n1,0\n^\n"
-               "@:5:1: error: time must increase from row to row\n0.5,0\n^\n");
+               "@:4:1: error: the time 1 must be greater than 1 in the row before\n1,0\n^\n"
+               "@:5:1: error: the time 0.5 must be greater than 1 in the row before\n0.5,0\n^\n");
+    EXPECT_CSV("t,heave\n0.00,0\n0.01,0\n0.01,0\n0.02,0\n",
+               "@:4:1: error: the time 0.01 must be greater than 0.01 in the row before; if times "
+               "are rounded to 2 decimals, write more of them\n0.01,0\n^\n");
     EXPECT_CSV("heave,t\n0,0.5\n0,1\n", "@:2:3: error: the record must begin at time 0 or before, "
                                         "where a run begins\n0,0.5\n  ^\n");
 }
@@ -181,14 +211,13 @@ START_TEST(refuses_nul_bytes_and_garbage) {
     EXPECT_CSV("t,heave\n0,0\n1,\0\n", "@:3:3: error: `\\x00` is not a number\n1,\\x00\n  ^\n");
     EXPECT_CSV("\x7f"
                "ELF\x02\x01\x01\0\0",
-               "@:1:1: error: unknown column `\\x7fELF\\x02\\x01\\x01\\x00\\x00`; known are t, "
-               "surge, sway, heave, roll, "
-               "pitch, yaw\n\\x7fELF\\x02\\x01\\x01\\x00\\x00\n^\n");
+               "@:1:1: error: unknown column `\\x7fELF\\x02\\x01\\x01\\x00\\x00`; the columns are "
+               "t, surge, sway, heave, roll, pitch and yaw\n"
+               "\\x7fELF\\x02\\x01\\x01\\x00\\x00\n^\n");
     EXPECT_CSV(
         "t\0,heave\n0,0\n",
-        "@:1:1: error: unknown column `t\\x00`; known are t, surge, sway, heave, roll, pitch, "
-        "yaw\nt\\x00,heave\n"
-        "^\n");
+        "@:1:1: error: unknown column `t\\x00`; the columns are t, surge, sway, heave, roll, "
+        "pitch and yaw\nt\\x00,heave\n^\n");
 }
 END_TEST
 
@@ -241,12 +270,12 @@ START_TEST(a_hundred_thousand_rows_are_read) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("study/samples", 60, reads_columns_in_any_order,
-                     accepts_cr_lf_and_byte_order_mark, accepts_empty_lines_at_the_end,
-                     path_starts_from_the_folder_of_the_study,
-                     a_missing_file_is_a_file_error_at_the_key, refuses_wrong_headers,
-                     refuses_wrong_rows_all_at_once, refuses_times_that_do_not_increase,
-                     refuses_fewer_than_two_rows, refuses_nul_bytes_and_garbage,
-                     stops_after_twenty_errors, refuses_a_run_beyond_the_record,
-                     refuses_more_than_64_mib, a_hundred_thousand_rows_are_read);
+    return SUITE_RUN(
+        "study/samples", 60, reads_columns_in_any_order, accepts_cr_lf_and_byte_order_mark,
+        accepts_empty_lines_at_the_end, path_starts_from_the_folder_of_the_study,
+        a_missing_file_is_a_file_error_at_the_key, refuses_wrong_headers,
+        names_all_wrong_columns_at_once, refuses_wrong_rows_all_at_once,
+        refuses_times_that_do_not_increase, refuses_fewer_than_two_rows,
+        refuses_nul_bytes_and_garbage, stops_after_twenty_errors, refuses_a_run_beyond_the_record,
+        refuses_more_than_64_mib, a_hundred_thousand_rows_are_read);
 }

@@ -1,0 +1,201 @@
+/* What a record is like and what is done to it: angles are made continuous, the accelerations that the rounding of its
+ * digits makes are held against those of the motion, and what is asked to be smoothed is smoothed. (motion-7) to (motion-9).
+ * Lengths and times in the study's units, angles in degrees. */
+#include "study/record.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "study/record_text.h"
+
+static const double TURN = 6.28318530717958647693;
+
+/* What rounding does to one column. */
+typedef struct doubt {
+    double deviation; /* root mean square of the error of a value */
+    double greatest;  /* and its bound */
+    double rounding;  /* the acceleration that it can make, as recorded */
+} doubt;
+
+size_t study_record_scratch(size_t count) {
+    return gough_samples_smooth_scratch(count) + count * GOUGH_COMPONENTS;
+}
+
+static const double *at(const study_record_table *table, size_t row, int c) {
+    return table->value + row * GOUGH_COMPONENTS + (size_t)c;
+}
+
+static bool changes(const study_record_table *table, int c) {
+    for (size_t i = 1; i < table->count; i++)
+        if (fabs(*at(table, i, c) - *at(table, 0, c)) > 0) return true;
+    return false;
+}
+
+/* Rate of the component at a row. */
+static double rate(const study_record_table *table, size_t i, int c) {
+    const size_t low = i > 0 ? i - 1 : 0, high = i + 1 < table->count ? i + 1 : i;
+    return (*at(table, high, c) - *at(table, low, c)) / (table->time[high] - table->time[low]);
+}
+
+/* (motion-9): errors of at most e in rows h and h' apart make accelerations of at most 12 e/(h h') in the spline, and of
+ * 4 e/(h h') in a parabola through three rows. A value is wrong by half its step, and by half the step of the times at its
+ * rate. */
+static doubt doubt_of(const study_record_table *table, const study_quantum *step, double time_step,
+                      int c) {
+    const double factor = table->count > 3 ? 12 : 4;
+    double squares = 0, fastest = 0;
+    doubt found = {.rounding = 0};
+    for (size_t i = 0; i < table->count; i++) {
+        const double v = fabs(rate(table, i, c));
+        squares += v * v;
+        fastest = fmax(fastest, v);
+        if (i == 0 || i + 1 == table->count) continue;
+        const double before = table->time[i] - table->time[i - 1],
+                     after = table->time[i + 1] - table->time[i];
+        const double error = (step->greatest + v * time_step) / 2;
+        found.rounding = fmax(found.rounding, factor * error / before / after);
+    }
+    const double of_times = time_step * sqrt(squares / (double)table->count);
+    found.deviation = sqrt((step->mean * step->mean + of_times * of_times) / 12);
+    found.greatest = (step->greatest + fastest * time_step) / 2;
+    return found;
+}
+
+/* What is left of it below a cutoff: white noise of deviation σ in rows h apart has the spectrum σ²h, and the filter
+ * leaves √(σ² h ω_c⁵/18) of it in the second derivative; peaks are √12 times as high, as they are without a filter. */
+static double left_by(const doubt *d, double interval, double cutoff) {
+    const double omega = TURN * cutoff;
+    const double left = sqrt(12.0 / 18) * d->deviation * sqrt(interval * pow(omega, 5));
+    return fmin(left, d->rounding);
+}
+
+/* Greatest acceleration of a component in the prepared spline. */
+static double acceleration(const study_record_table *table, int c) {
+    double most = 0;
+    for (size_t i = 0; i < table->count; i++)
+        most = fmax(most, fabs(table->curvature[i * GOUGH_COMPONENTS + (size_t)c]));
+    return most;
+}
+
+/* The strongest smoothing that moves values no further than rounding may have done; a half more is left for errors of the
+ * smooth curve itself. */
+static gough_status smooth_rounding(const study_record_table *table, double *value, int c,
+                                    const doubt *d, double *cutoff, gough_error *error) {
+    return gough_samples_smooth(table->count, table->time, value, c, d->deviation,
+                                1.5 * d->greatest, cutoff, table->scratch, error);
+}
+
+static gough_status smooth(const study_record_table *table, const study_smoothing *how, int c,
+                           const doubt *d, double *cutoff, gough_error *error) {
+    *cutoff = INFINITY;
+    switch (how->kind) {
+    case STUDY_SMOOTH_ROUNDING:
+        return smooth_rounding(table, table->value, c, d, cutoff, error);
+    case STUDY_SMOOTH_DEVIATIONS:
+        return gough_samples_smooth(table->count, table->time, table->value, c, how->deviation[c],
+                                    INFINITY, cutoff, table->scratch, error);
+    case STUDY_SMOOTH_CUTOFF:
+        if (table->count > 3) *cutoff = how->cutoff;
+        return gough_samples_low_pass(table->count, table->time, table->value, c, how->cutoff,
+                                      table->scratch, error);
+    default:
+        return GOUGH_OK;
+    }
+}
+
+/* Root mean square and greatest of what smoothing changed. */
+static void measure_change(const study_record_table *table, const double *before, int c,
+                           gough_record_column *column) {
+    double squares = 0;
+    for (size_t i = 0; i < table->count; i++) {
+        const double moved = fabs(*at(table, i, c) - before[i * GOUGH_COMPONENTS + (size_t)c]);
+        squares += moved * moved;
+        column->worst_change = fmax(column->worst_change, moved);
+    }
+    column->change = sqrt(squares / (double)table->count);
+}
+
+static gough_status prepare(const study_record_table *table, const double *value,
+                            gough_error *error) {
+    const gough_samples spline = {table->count, table->time, value, table->curvature};
+    return gough_samples_prepare(&spline, table->scratch, error);
+}
+
+/* Where rounding may hide the motion, the motion is what is left when rounding is smoothed away. `copy`: the values as
+ * recorded. */
+static void uncover_motion(const study_record_table *table, const doubt *d, gough_record *record,
+                           double *copy) {
+    double cutoff, smoothed[GOUGH_COMPONENTS] = {0};
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        const gough_record_column *column = &record->column[c];
+        if (isfinite(column->cutoff) || column->rounding <= 0.05 * column->motion) continue;
+        if (smooth_rounding(table, copy, c, &d[c], &cutoff, NULL) == GOUGH_OK && isfinite(cutoff))
+            smoothed[c] = 1;
+    }
+    if (prepare(table, copy, NULL) != GOUGH_OK) return;
+    for (int c = 0; c < GOUGH_COMPONENTS; c++)
+        if (smoothed[c] > 0) record->column[c].motion = acceleration(table, c);
+}
+
+static void find_clock(study_record_table *table, study_recording *recording) {
+    gough_record *record = recording->record;
+    const study_clock clock =
+        study_clock_find(&table->clock, table->time, table->count, table->scratch);
+    record->interval = clock.interval;
+    record->time_step = clock.step;
+    record->even = clock.even;
+    record->retimed =
+        clock.even && clock.step > 0 && recording->smoothing.kind == STUDY_SMOOTH_ROUNDING;
+    if (record->retimed) study_clock_set(&clock, table->time, table->count);
+}
+
+/* copy: the values as recorded */
+static gough_status smooth_columns(const study_record_table *table,
+                                   const study_recording *recording, const doubt *d,
+                                   const double *copy, gough_error *error) {
+    gough_record *record = recording->record;
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        gough_record_column *column = &record->column[c];
+        if (!changes(table, c)) continue;
+        const gough_status status =
+            smooth(table, &recording->smoothing, c, &d[c], &column->cutoff, error);
+        if (status != GOUGH_OK) return status;
+        if (!isfinite(column->cutoff)) continue;
+        measure_change(table, copy, c, column);
+        column->rounding = left_by(&d[c], record->interval, column->cutoff);
+    }
+    return GOUGH_OK;
+}
+
+gough_status study_record_make(study_record_table *table, study_recording *recording,
+                               gough_error *error) {
+    gough_record *record = recording->record;
+    double *copy = table->scratch + gough_samples_smooth_scratch(table->count);
+    study_quantum step[GOUGH_COMPONENTS];
+    doubt d[GOUGH_COMPONENTS] = {{0, 0, 0}};
+    /* before whole turns are added: large angles may be written with fewer decimals */
+    for (int c = 0; c < GOUGH_COMPONENTS; c++)
+        step[c] = study_quantum_find(&table->digits[c], table->value + c, GOUGH_COMPONENTS,
+                                     table->count, table->scratch);
+    record->unwrapped = gough_samples_unwrap(table->count, table->value, 180);
+    find_clock(table, recording);
+    const double time_step = record->retimed ? 0 : record->time_step;
+    memcpy(copy, table->value, table->count * GOUGH_COMPONENTS * sizeof *copy);
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        gough_record_column *column = &record->column[c];
+        column->cutoff = INFINITY;
+        column->given = table->digits[c].any;
+        if (!changes(table, c)) continue;
+        d[c] = doubt_of(table, &step[c], time_step, c);
+        column->step = step[c].greatest;
+        column->rounding = table->count > 2 ? d[c].rounding : 0;
+    }
+    gough_status status = smooth_columns(table, recording, d, copy, error);
+    if (status == GOUGH_OK) status = prepare(table, table->value, error);
+    if (status != GOUGH_OK) return status;
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) record->column[c].motion = acceleration(table, c);
+    study_record_say_jumps(table, recording);
+    uncover_motion(table, d, record, copy);
+    study_record_say_rest(table, recording);
+    return GOUGH_OK;
+}

@@ -1,0 +1,25 @@
+/* What a record is like, what is done to it, and what must be said about both. */
+#ifndef STUDY_RECORD_H
+#define STUDY_RECORD_H
+
+#include "study/quantum.h"
+#include "study/samples.h"
+
+/* A record as read: angles in degrees. */
+typedef struct study_record_table {
+    size_t count;
+    double *time;
+    double *value;     /* six components a row */
+    double *curvature; /* as large; overwritten */
+    double *scratch;   /* study_record_scratch() doubles */
+    study_digits digits[GOUGH_COMPONENTS], clock;
+} study_record_table;
+
+size_t study_record_scratch(size_t count);
+
+/* Makes the angles continuous, smooths as asked for, finds the steps of all columns and the accelerations they make, and
+ * writes the remarks, all into recording->record. */
+gough_status study_record_make(study_record_table *table, study_recording *recording,
+                               gough_error *error);
+
+#endif

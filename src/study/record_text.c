@@ -1,0 +1,161 @@
+/* The sentences about a record, in the study's units: what was changed, and what may falsify the forces. */
+#include "study/record_text.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double MUCH = 0.1;        /* of the motion's acceleration: more is warned of */
+static const double QUARTER_TURN = 90; /* between two rows: no rotation is drawn by such rows */
+
+typedef struct units {
+    const char *length, *time, *acceleration, *turning, *frequency;
+} units;
+
+static const units *units_of(const study_recording *recording) {
+    static const units both[2] = {
+        {" m", " s", " m/s^2", " deg/s^2", "cycles per s"},
+        {"", "", "", " deg per unit of time squared", "cycles per unit of time"}};
+    return &both[recording->dimensionless];
+}
+
+static const char *acceleration_unit(const units *u, int c) {
+    return c < GOUGH_ROLL ? u->acceleration : u->turning;
+}
+
+static void say(const study_recording *recording, bool warning, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static void say(const study_recording *recording, bool warning, const char *format, ...) {
+    gough_record *record = recording->record;
+    if (record->remarks == GOUGH_REMARKS) return;
+    gough_remark *remark = &record->remark[record->remarks++];
+    va_list list;
+    va_start(list, format);
+    remark->warning = warning;
+    vsnprintf(remark->sentence, sizeof remark->sentence, format, list);
+    va_end(list);
+}
+
+static const char *times(size_t count) { return count == 1 ? "once" : "several times"; }
+
+/* "t = 1 s and t = 1.5 s": the rows before and after a jump. */
+static const char *between(const study_record_table *table, size_t row, const units *u,
+                           char text[80]) {
+    snprintf(text, 80, "t = %.6g%s and t = %.6g%s", table->time[row - 1], u->time, table->time[row],
+             u->time);
+    return text;
+}
+
+static void say_unwrapped(const study_record_table *table, const study_recording *recording) {
+    const gough_unwrapping *done = &recording->record->unwrapped;
+    char where[80], names[40] = "";
+    size_t jumps = done->flips, columns = 0;
+    if (!done->first) return;
+    between(table, done->first, units_of(recording), where);
+    for (int a = 0; a < 3; a++) {
+        if (!done->turns[a]) continue;
+        snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s",
+                 columns ? " and " : "", gough_component_name(GOUGH_ROLL + a));
+        jumps = done->turns[a] > jumps ? done->turns[a] : jumps;
+        columns++;
+    }
+    if (columns)
+        say(recording, false,
+            "motion.samples: %s jump%s by a whole turn (%s, first between %s); the angles are read "
+            "as continuous, which is the same rotation",
+            names, columns == 1 ? "s" : "", times(jumps), where);
+    if (done->flips)
+        say(recording, false,
+            "motion.samples: roll, pitch and yaw jump together to other angles of the same "
+            "rotation, roll + 180, 180 - pitch, yaw + 180 deg (%s, first between %s); the "
+            "continuous ones are used",
+            times(done->flips), where);
+}
+
+/* Angles that still jump by more than a quarter turn between two rows. */
+static void say_jump(const study_record_table *table, const study_recording *recording, int c) {
+    const units *u = units_of(recording);
+    const size_t stride = GOUGH_COMPONENTS;
+    size_t worst = 0;
+    double most = QUARTER_TURN;
+    for (size_t i = 1; i < table->count; i++) {
+        const double *now = table->value + i * stride + (size_t)c;
+        const double jump = fabs(now[0] - *(now - stride));
+        if (jump > most) most = jump, worst = i;
+    }
+    if (!worst) return;
+    char where[80];
+    const double *m = table->curvature + worst * stride + (size_t)c;
+    say(recording, true,
+        "motion.samples: %s jumps by %.3g deg between %s, which is no whole turn; the spline "
+        "through these rows makes %.3g%s",
+        gough_component_name(c), most, between(table, worst, u, where),
+        fmax(fabs(m[0]), fabs(*(m - stride))), u->turning);
+}
+
+void study_record_say_jumps(const study_record_table *table, const study_recording *recording) {
+    say_unwrapped(table, recording);
+    for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++) say_jump(table, recording, c);
+}
+
+/* What to do about it, by what was tried. */
+static const char *cure(const study_recording *recording, char text[160]) {
+    const char *frequency = units_of(recording)->frequency;
+    switch (recording->smoothing.kind) {
+    case STUDY_EXACT:
+        snprintf(text, 160, "`motion.smooth: none` takes the values as exact");
+        break;
+    case STUDY_SMOOTH_CUTOFF:
+        snprintf(text, 160, "lower `motion.cutoff`, or record more digits");
+        break;
+    case STUDY_SMOOTH_ROUNDING:
+    case STUDY_SMOOTH_DEVIATIONS:
+        snprintf(text, 160, "use `motion.cutoff` (%s), or record more digits", frequency);
+        break;
+    default:
+        snprintf(text, 160,
+                 "use `motion.smooth: rounding` or `motion.cutoff` (%s), or record more digits",
+                 frequency);
+    }
+    return text;
+}
+
+/* Accelerations that rounding can make, where they matter beside those of the motion. */
+static void say_rounding(const study_recording *recording, int c) {
+    const gough_record *record = recording->record;
+    const gough_record_column *column = &record->column[c];
+    const units *u = units_of(recording);
+    const char *name = gough_component_name(c), *unit = acceleration_unit(u, c);
+    char advice[160], step[80] = "", clock[80] = "";
+    if (!(column->rounding > MUCH * column->motion)) return;
+    if (column->step > 0)
+        snprintf(step, sizeof step, "values of %s in steps of %.3g%s", name, column->step,
+                 c < GOUGH_ROLL ? u->length : " deg");
+    if (record->time_step > 0 && !record->retimed)
+        snprintf(clock, sizeof clock, "%stimes in steps of %.3g%s%s", *step ? " and " : "",
+                 record->time_step, u->time, *step ? "" : " for a moving ");
+    say(recording, recording->smoothing.kind != STUDY_EXACT,
+        "motion.samples has %s%s%s: rounding to them %s accelerations of up to %.3g%s, "
+        "beside %.3g%s of the motion itself; %s",
+        step, clock, *step ? "" : name, isfinite(column->cutoff) ? "can still make" : "can make",
+        column->rounding, unit, column->motion, unit, cure(recording, advice));
+}
+
+void study_record_say_rest(const study_record_table *table, const study_recording *recording) {
+    const gough_record *record = recording->record;
+    const units *u = units_of(recording);
+    (void)table;
+    if (record->retimed)
+        say(recording, false,
+            "motion.samples: the times, rounded to %.3g%s, are read as equal steps of %.6g%s",
+            record->time_step, u->time, record->interval, u->time);
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) say_rounding(recording, c);
+    if (recording->smoothing.kind == STUDY_SMOOTH_CUTOFF &&
+        recording->smoothing.cutoff > 0.5 / record->interval)
+        say(recording, false,
+            "motion.cutoff: %.6g %s is above half of the rows' frequency, %.6g; it smooths almost "
+            "nothing",
+            recording->smoothing.cutoff, u->frequency, 0.5 / record->interval);
+}
