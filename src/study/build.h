@@ -13,7 +13,7 @@ typedef struct study_build {
     gough_move *moves; /* memory of the model, the caller's to free */
     void *samples;
     const char *samples_path; /* memory of the arena; NULL: none */
-    gough_record *record; /* the study's memory for what is found out about recorded motion */
+    gough_record *record;     /* the study's memory for what is found out about recorded motion */
 } study_build;
 
 /* Parts of a study that can be filled by themselves, as flags; those of gough_sweep_touches(). */

@@ -6,8 +6,13 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "gough/dynamics.h"
+
+static const double DEGREE = 3.14159265358979323846 / 180;
 static const double MUCH = 0.1;        /* of the motion's acceleration: more is warned of */
 static const double QUARTER_TURN = 90; /* between two rows: no rotation is drawn by such rows */
+
+static const double POLE_JUMP = 20; /* degrees of yaw between two rows, most of which roll undoes */
 
 typedef struct units {
     const char *length, *time, *acceleration, *turning, *frequency;
@@ -74,6 +79,39 @@ static void say_unwrapped(const study_record_table *table, const study_recording
             times(done->flips), where);
 }
 
+/* Angle of the rotation from the row before to this one, in degrees. */
+static double turn_between(const double *row) {
+    double R[2][3][3], trace = 0;
+    for (int k = 0; k < 2; k++) {
+        double angles[3];
+        for (int a = 0; a < 3; a++)
+            angles[a] = (row - k * GOUGH_COMPONENTS)[GOUGH_ROLL + a] * DEGREE;
+        gough_rotation_from_angles(angles, R[k]);
+    }
+    for (int k = 0; k < 9; k++) trace += R[0][k / 3][k % 3] * R[1][k / 3][k % 3];
+    return acos(fmax(-1, fmin(1, (trace - 1) / 2))) / DEGREE;
+}
+
+/* Near pitch 90° roll and yaw turn fast about nearly the same axis while the platform hardly turns. */
+static void say_pole(const study_record_table *table, const study_recording *recording) {
+    const units *u = units_of(recording);
+    char where[80];
+    size_t worst = 0;
+    double most = POLE_JUMP;
+    for (size_t i = 1; i < table->count; i++) {
+        const double *row = table->value + i * GOUGH_COMPONENTS;
+        const double jump = fabs(row[GOUGH_YAW] - *(row - GOUGH_COMPONENTS + GOUGH_YAW));
+        if (jump > most && turn_between(row) < jump / 3) most = jump, worst = i;
+    }
+    if (!worst) return;
+    say(recording, true,
+        "motion.samples: yaw changes by %.3g deg between %s while the platform turns by only %.3g "
+        "deg: close to a pitch of 90 deg, roll and yaw cannot follow a motion, and the spline "
+        "through them makes false accelerations; turn the record's axes away from there",
+        most, between(table, worst, u, where),
+        turn_between(table->value + worst * GOUGH_COMPONENTS));
+}
+
 /* Angles that still jump by more than a quarter turn between two rows. */
 static void say_jump(const study_record_table *table, const study_recording *recording, int c) {
     const units *u = units_of(recording);
@@ -98,6 +136,7 @@ static void say_jump(const study_record_table *table, const study_recording *rec
 void study_record_say_jumps(const study_record_table *table, const study_recording *recording) {
     say_unwrapped(table, recording);
     for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++) say_jump(table, recording, c);
+    say_pole(table, recording);
 }
 
 /* What to do about it, by what was tried. */

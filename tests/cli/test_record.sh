@@ -53,6 +53,11 @@ done
     fail "pitch from 80 to 100: $(cat through.json)"
 [[ $(jq -c 'map(map(. * 1e6 | round / 1e6))' pole.json) == "[[0,0],[80,100],[10,10]]" ]] || fail "over the pole: $(cat pole.json)"
 
+# close to the pole, roll and yaw turn fast while the platform hardly turns: no sense is made of that, and it is said
+printf 't,roll,pitch,yaw\n0,0,86,0\n1,0,88,0\n2,80,89,80\n3,160,88,160\n4,160,86,160\n5,160,84,160\n6,160,82,160\n' >near.csv
+run check yaw.yaml --set motion.samples=near.csv
+grep -Eq "warning: motion.samples: yaw changes by 80 deg between t = [12] s and t = [23] s while the platform turns by only [0-9.]+ deg" err || fail "near the pole: $(cat err)"
+
 # a jump that is no whole turn stays, and is reported with its acceleration
 printf 't,yaw\n0,0\n1,0\n2,0\n3,120\n4,120\n5,120\n6,120\n' >jump.csv
 run check yaw.yaml --set motion.samples=jump.csv
