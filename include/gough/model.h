@@ -159,23 +159,23 @@ typedef struct gough_unwrapping {
     size_t first;    /**< index of the first such row; 0: none */
 } gough_unwrapping;
 
-/** Makes the angles of recorded motion continuous, in place, (motion-7): an angle that jumps by more than half a turn
- *  from one row to the next gets the whole turns that bring it back, and where (roll + 180°, 180° − pitch, yaw + 180°), which
+/** Makes the angles of recorded motion continuous, in place, (motion-7): whole turns are added to an
+ *  angle that jumps by more than half a turn from one row to the next, and where (roll + 180°, 180° − pitch, yaw + 180°), which
  *  is the same rotation, lies nearer to the row before than (roll, pitch, yaw), it takes their place. The first row and
  *  every rotation stay as they are. Call it before gough_samples_prepare().
  *  @param count      rows
  *  @param value      six components a row, as in gough_samples
  *  @param half_turn  180 where the angles are in degrees, π in radians
- *  Cannot fail; rows that are not finite are left to gough_samples_prepare(). Safe to call concurrently. */
+ *  Always succeeds; gough_samples_prepare() reports rows that are not finite. Safe to call concurrently. */
 GOUGH_API gough_unwrapping gough_samples_unwrap(size_t count, double *value, double half_turn);
 
 /** Doubles of scratch memory that gough_samples_low_pass() and gough_samples_smooth() need for @p count rows. */
 GOUGH_API size_t gough_samples_smooth_scratch(size_t count);
 
-/** Takes fast changes out of one component of recorded motion, in place and without lag, by a smoothing spline,
- *  (motion-8). A sine of frequency f keeps its phase and 1/(1 + (f/cutoff)⁶) of its amplitude: half at the cutoff, 98.5 %
- *  at half of it; that is a Butterworth filter of third order run forwards and backwards. Near the ends of the record the
- *  spline goes on with constant acceleration. The times need not be equally spaced; rows weigh by the time they stand for.
+/** Removes fast changes from one component of recorded motion by a smoothing spline, in place and without lag, (motion-8).
+ *  A sine of frequency f keeps its phase, and 1/(1 + (f/cutoff)⁶) of its amplitude: half of it at the cutoff, 98.5 % at half
+ *  the cutoff. This is the response of a third-order Butterworth filter run forwards and backwards. Beyond the ends of the record
+ *  a constant acceleration is assumed. The times need not be equally spaced; each row is weighted by the time it represents.
  *  @param count      rows; fewer than 4 are left as they are
  *  @param time       in increasing order
  *  @param value      six components a row, as in gough_samples; only @p component is read and written
@@ -188,11 +188,11 @@ GOUGH_API gough_status gough_samples_low_pass(size_t count, const double *time, 
                                               int component, double cutoff, double *scratch,
                                               gough_error *error);
 
-/** The same with the lowest cutoff, to 0.5 %, whose changes are no larger than allowed.
+/** As gough_samples_low_pass(), with the lowest cutoff (to 0.5 %) whose changes are no larger than allowed.
  *  @param deviation    allowed root mean square of the changes, in the unit of the component; 0 changes nothing
  *  @param greatest     allowed change of any one value, in the same unit; INFINITY: any
- *  @param[out] cutoff  the cutoff found, in cycles per unit of time; INFINITY where even the weakest smoothing (two cycles
- *                      a row) changes more, so that nothing was changed. Never below half a cycle per record.
+ *  @param[out] cutoff  the cutoff found, in cycles per unit of time; INFINITY if even the weakest smoothing (two cycles
+ *                      per row) changes more; then nothing is changed. Never below half a cycle per record.
  *  The other parameters and the errors are those of gough_samples_low_pass(). For values rounded to steps of q, the
  *  deviation is q/√12. */
 GOUGH_API gough_status gough_samples_smooth(size_t count, const double *time, double *value,

@@ -16,9 +16,9 @@ enum {
     GOUGH_REMARK_TEXT = 400, /**< bytes of a sentence, its end included */
 };
 
-/** A sentence about a study that is valid: what was changed in reading it, or a warning of what may falsify its results. */
+/** A sentence about a valid study: what was changed when it was read, or a warning that results may be wrong. */
 typedef struct gough_remark {
-    bool warning;                     /**< results may be wrong unless something is done about it */
+    bool warning;                     /**< results may be wrong */
     char sentence[GOUGH_REMARK_TEXT]; /**< UTF-8, in the study's units, without a full stop */
 } gough_remark;
 
@@ -26,7 +26,7 @@ typedef struct gough_remark {
 typedef struct gough_record_column {
     bool given; /**< the file has it */
     double
-        step; /**< its values are written in steps of this size, the largest where they differ; 0: none found */
+        step; /**< step in which its values are written, the largest if steps differ; 0: none found */
     double
         rounding; /**< greatest acceleration that rounding to the steps of values and times can make */
     double motion;       /**< greatest acceleration of the motion, without that */
@@ -35,14 +35,12 @@ typedef struct gough_record_column {
     double worst_change; /**< and the greatest */
 } gough_record_column;
 
-/** What the reader found out about recorded motion (`motion.samples`). */
+/** What the reader found in recorded motion (`motion.samples`). */
 typedef struct gough_record {
-    double
-        time_step; /**< the times are written in steps of this size; 0: none found, or the times are exact */
-    double interval; /**< time between rows, without gaps; where rows are uneven, its mean */
-    bool
-        even; /**< rows come at equal intervals or whole multiples, but for rounding of the times */
-    bool retimed;                                 /**< the rounding was taken out of the times */
+    double time_step; /**< step in which the times are written; 0: none found */
+    double interval;  /**< time between rows, without gaps; the mean if rows are uneven */
+    bool even;    /**< rows are at whole multiples of the interval, but for rounding of the times */
+    bool retimed; /**< the rounding was removed from the times */
     gough_unwrapping unwrapped;                   /**< what was done to the angles */
     gough_record_column column[GOUGH_COMPONENTS]; /**< surge … yaw */
     size_t remarks;                               /**< how many sentences follow */
@@ -57,7 +55,7 @@ typedef struct gough_study {
     bool dimensionless;          /**< units: dimensionless; else SI */
     gough_model *model;          /**< validated */
     gough_simulation simulation; /**< how to run it */
-    const gough_record *record;  /**< what is known of its recorded motion; NULL: it has none */
+    const gough_record *record;  /**< what was found in its recorded motion; NULL: it has none */
     bool swept;                  /**< true if it has a section `sweep`, see sweep.h */
     bool
         noise_run_given; /**< it has disturbance.noise.run, be it 0: one noise for all runs of a sweep */
