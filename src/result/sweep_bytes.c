@@ -2,10 +2,13 @@
 #define _GNU_SOURCE
 #include "sweep_bytes.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const uint64_t MAGIC = 0x677377656570010au; /* "gsweep", format 1, a line's end */
+#include "sweep_identity.h"
+
+static const uint64_t MAGIC = 0x677377656570020au; /* "gsweep", format 2, a line's end */
 static const size_t LONGEST = (size_t)1
                               << 24; /* a study has 64 KiB, settings what a command line takes */
 
@@ -37,6 +40,8 @@ static void put_identity(FILE *stream, const sweep_head *head) {
     put_text(stream, head->study);
     put_text(stream, head->settings);
     put_number(stream, head->samples);
+    put_number(stream, head->plan);
+    put_number(stream, head->numerics);
     put_number(stream, head->units.dimensionless);
     put_real(stream, head->units.length);
     put_real(stream, head->units.mass);
@@ -128,6 +133,8 @@ static void get_identity(cursor *c, sweep_head *head) {
     head->study = get_text(c);
     head->settings = get_text(c);
     head->samples = get_number(c);
+    head->plan = get_number(c);
+    head->numerics = get_number(c);
     head->units.dimensionless = get_number(c) != 0;
     head->units.length = get_real(c);
     head->units.mass = get_real(c);
@@ -158,6 +165,25 @@ static bool ranges_right(const sweep_head *head) {
            head->last == head->shard * head->runs / head->shards;
 }
 
+static bool is_unit(double unit) { return isfinite(unit) && unit > 0; }
+
+/* Columns that a sweep can have, each once, and units that are numbers. A file with a right checksum may still be a forged one. */
+static bool columns_right(const sweep_head *head) {
+    const bool bare = head->study_dimensionless != 0;
+    if (!is_unit(head->units.length) || !is_unit(head->units.mass) || !is_unit(head->units.time) ||
+        !is_unit(head->base_radius) || !(head->gravity >= 0) || !isfinite(head->gravity))
+        return false;
+    if (bare && !head->units.dimensionless) return false;
+    for (size_t k = 0; k < head->keys; k++) {
+        if (!head->path[k] || !head->label[k] ||
+            !sweep_column_known(head->path[k], head->label[k], bare))
+            return false;
+        for (size_t i = 0; i < k; i++)
+            if (strcmp(head->path[i], head->path[k]) == 0) return false;
+    }
+    return true;
+}
+
 sweep_head *sweep_head_read(const unsigned char *bytes, size_t length) {
     uint64_t sum;
     if (sweep_head_length(bytes, length) != length) return NULL;
@@ -171,7 +197,7 @@ sweep_head *sweep_head_read(const unsigned char *bytes, size_t length) {
     head->last = get_number(&c);
     get_number(&c);
     if (c.good) get_identity(&c, head);
-    if (c.good && c.at == c.end && ranges_right(head)) return head;
+    if (c.good && c.at == c.end && ranges_right(head) && columns_right(head)) return head;
     sweep_head_free(head);
     return NULL;
 }

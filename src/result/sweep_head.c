@@ -5,6 +5,7 @@
 
 #include "gough/version.h"
 #include "result.h"
+#include "sweep_identity.h"
 #include "sweep_part.h"
 
 static uint64_t digest(uint64_t sum, const void *bytes, size_t length) {
@@ -20,26 +21,6 @@ static uint64_t digest_samples(const gough_motion *motion) {
     if (motion->kind != GOUGH_MOTION_SAMPLES) return 0;
     sum = digest(sum, s->time, s->count * sizeof *s->time);
     return digest(sum, s->value, s->count * GOUGH_COMPONENTS * sizeof *s->value);
-}
-
-/* The unit of a key in words of the table of keys as a label of tables; the dimensionless have only degrees. */
-static const char *label_of(const char *unit, bool dimensionless) {
-    static const char *const labels[][2] = {{"length", "m"},
-                                            {"mass", "kg"},
-                                            {"time", "s"},
-                                            {"force", "N"},
-                                            {"length/time", "m/s"},
-                                            {"length/time²", "m/s2"},
-                                            {"mass·length²", "kg m2"},
-                                            {"force·length", "N m"},
-                                            {"force/length", "N/m"},
-                                            {"force·time/length", "N s/m"},
-                                            {"1/time", "1/s"}};
-    if (strncmp(unit, "angle [", 7) == 0) return "degree";
-    if (strncmp(unit, "angle/time", 10) == 0) return dimensionless ? "degree" : "degree/s";
-    for (size_t i = 0; i < sizeof labels / sizeof labels[0] && !dimensionless; i++)
-        if (strcmp(unit, labels[i][0]) == 0) return labels[i][1];
-    return "1";
 }
 
 static char *join_settings(const gough_sweep *sweep) {
@@ -72,6 +53,7 @@ sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_units *units, si
     head->gravity = study->model->machine.gravity_magnitude;
     head->study_dimensionless = study->dimensionless;
     head->samples = digest_samples(&study->model->motion);
+    head->numerics = sweep_numerics_digest(study);
     head->keys = keys;
     head->title = strdup(study->title);
     head->study = strdup(study->text);
@@ -79,13 +61,16 @@ sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_units *units, si
     head->version = strdup(GOUGH_VERSION);
     head->path = calloc(keys, sizeof *head->path);
     head->label = calloc(keys, sizeof *head->label);
-    bool good =
-        head->title && head->study && head->settings && head->version && head->path && head->label;
+    double *value = calloc(keys, sizeof *value);
+    if (value) head->plan = sweep_plan_digest(sweep, value);
+    bool good = value && head->title && head->study && head->settings && head->version &&
+                head->path && head->label;
     for (size_t k = 0; good && k < keys; k++) {
         head->path[k] = strdup(key[k].path);
-        head->label[k] = strdup(label_of(key[k].unit, study->dimensionless));
+        head->label[k] = strdup(sweep_unit_label(key[k].unit, study->dimensionless));
         good = head->path[k] && head->label[k];
     }
+    free(value);
     if (good) return head;
     sweep_head_free(head);
     return NULL;

@@ -71,12 +71,20 @@ static size_t read_at(int file, void *bytes, size_t length, size_t place) {
 
 /* ---- records ----------------------------------------------------------------------------------------------------- */
 
+/* Cause and leg as they are stored: nothing else than a run can leave. */
+static bool outcome_possible(const unsigned char *record) {
+    uint64_t cause;
+    memcpy(&cause, record + 8, 8);
+    return cause >> 8 <= GOUGH_END_INVALID && (cause & 0xff) <= GOUGH_LEGS;
+}
+
 static bool record_whole(const sweep_part *part, const unsigned char *record, size_t run) {
     const size_t length = sweep_record_size(part->head->keys) - 8;
     uint64_t number, sum;
     memcpy(&number, record, 8);
     memcpy(&sum, record + length, 8);
-    return number == run && sum == sweep_digest(part->seed, record, length);
+    return number == run && sum == sweep_digest(part->seed, record, length) &&
+           outcome_possible(record);
 }
 
 gough_status sweep_part_add(sweep_part *part, const gough_sweep_row *row, gough_error *error) {
@@ -143,7 +151,6 @@ void sweep_record_take(const sweep_part *part, const void *record, double *value
     row->value = value;
     row->outcome.cause = (gough_cause)(cause >> 8);
     row->outcome.leg = (int)(cause & 0xff);
-    if (cause >> 8 > GOUGH_END_INVALID) row->outcome.cause = GOUGH_END_INVALID;
 }
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
@@ -178,7 +185,10 @@ static int open_nameless(void) {
     char name[300];
     if (folder == NULL || folder[0] != '/' || strlen(folder) > 200) folder = "/tmp";
     snprintf(name, sizeof name, "%s/gough-sweep-XXXXXX", folder);
-    const int file = mkostemp(name, O_CLOEXEC);
+    /* the system's own way leaves nothing behind even if a signal comes now */
+    int file = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC | O_EXCL, 0600);
+    if (file >= 0) return file;
+    file = mkostemp(name, O_CLOEXEC);
     if (file >= 0) unlink(name);
     return file;
 }
@@ -186,21 +196,22 @@ static int open_nameless(void) {
 /* What stands in a file of that name is of this sweep, or a beginning of its head that a crash has cut. */
 static gough_status compare_head(sweep_part *part, bool *begun, gough_error *error) {
     unsigned char *there = malloc(part->length);
-    if (there == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+    if (there == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
     const size_t got = read_at(part->file, there, part->length, 0);
     const bool same = memcmp(there, part->bytes, got) == 0;
     free(there);
     *begun = same && got == part->length;
     if (same) return GOUGH_OK;
     return gough_fail(error, GOUGH_ERROR_INPUT,
-                      "%s is of another sweep (another study, other settings, another shard or "
-                      "version): finish that one, or remove the file",
+                      "%s belongs to another sweep: its study, settings, values, shard, units or "
+                      "version differ, or gough computes other numbers now. Finish that sweep or "
+                      "remove the file",
                       part->path);
 }
 
 static gough_status lock(sweep_part *part, gough_error *error) {
     if (flock(part->file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return GOUGH_OK;
-    return gough_fail(error, GOUGH_ERROR_INPUT, "%s is in use: the same sweep is running already",
+    return gough_fail(error, GOUGH_ERROR_INPUT, "%s is in use: the same sweep is already running",
                       part->path);
 }
 
@@ -230,11 +241,14 @@ gough_status sweep_part_open(sweep_part *part, const char *path, sweep_head *hea
     part->path = path ? part_name(path) : NULL;
     part->bytes = head ? sweep_head_bytes(head, &part->length) : NULL;
     if (part->bytes == NULL || (path && part->path == NULL))
-        return gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+        return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
     part->seed = sweep_digest(0, part->bytes, part->length);
     part->file =
         path ? open(part->path, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666) : open_nameless();
-    if (part->file < 0) return fail(part, error, "open");
+    struct stat about;
+    if (part->file < 0 || fstat(part->file, &about) != 0) return fail(part, error, "open");
+    if (!S_ISREG(about.st_mode))
+        return gough_fail(error, GOUGH_ERROR_FILE, "%s: is not a regular file", part->path);
     return go_on(part, error);
 }
 
@@ -253,16 +267,15 @@ gough_status sweep_part_read(sweep_part *part, const char *path, gough_error *er
     const size_t got = S_ISREG(about.st_mode) ? read_at(part->file, start, sizeof start, 0) : 0;
     part->length = sweep_head_length(start, got);
     if (part->length == 0 || part->length > (size_t)about.st_size)
-        return fail_shard(path, error, "is no shard that gough sweep has finished");
+        return fail_shard(path, error, "is not a finished shard of gough sweep");
     part->bytes = malloc(part->length);
-    if (part->bytes == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+    if (part->bytes == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
     if (read_at(part->file, part->bytes, part->length, 0) == part->length)
         part->head = sweep_head_read(part->bytes, part->length);
     if (part->head == NULL) return fail_shard(path, error, "is damaged");
     part->seed = sweep_digest(0, part->bytes, part->length);
     if (!count_records(part))
-        return fail_shard(path, error,
-                          "is not complete: run its sweep to the end, or again if it is damaged");
+        return fail_shard(path, error, "is incomplete or damaged; run its sweep again");
     return GOUGH_OK;
 }
 

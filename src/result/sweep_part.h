@@ -12,6 +12,7 @@
 typedef struct sweep_head {
     const char *title, *study, *settings, *version; /* settings: a line "key=value" each */
     uint64_t samples;                               /* digest of recorded motion */
+    uint64_t plan, numerics; /* digests of the values of the runs, of what the build computes */
     gough_units units;
     double base_radius, gravity; /* of the units of the output */
     uint64_t study_dimensionless;

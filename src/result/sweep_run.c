@@ -329,7 +329,7 @@ static gough_status start(crew *c, hand *hands, int threads, double *value, goug
         pass_on(c, value, sink, context);
     else
         c->status =
-            gough_fail(&c->error, GOUGH_ERROR_FILE, "no thread could be started, or memory is out");
+            gough_fail(&c->error, GOUGH_ERROR_FILE, "no thread could be started, or out of memory");
     for (int i = 0; i < started; i++) pthread_join(hands[i].thread, NULL);
     for (int i = 0; i < threads; i++) release_hand(&hands[i]);
     return c->status;
@@ -340,8 +340,8 @@ static gough_status check_lanes(const gough_sweep_options *options, gough_error 
     const bool known = lanes == 0 || lanes == 1 || lanes == 2 || lanes == 4 || lanes == 8;
     if (known && lanes <= widest) return GOUGH_OK;
     return gough_fail(error, GOUGH_ERROR_INPUT,
-                      "%d lanes: this processor runs 1%s%s or %d side by side", lanes,
-                      widest > 2 ? ", 2" : "", widest > 4 ? ", 4" : "", widest);
+                      "%d lanes are not possible: this processor runs 1%s%s or %d side by side",
+                      lanes, widest > 2 ? ", 2" : "", widest > 4 ? ", 4" : "", widest);
 }
 
 gough_status gough_sweep_run(const gough_sweep *sweep, const gough_sweep_options *options,
@@ -352,8 +352,9 @@ gough_status gough_sweep_run(const gough_sweep *sweep, const gough_sweep_options
               .first = options->first ? options->first : 1,
               .last = options->last ? options->last : gough_sweep_runs(sweep)};
     if (c.last > gough_sweep_runs(sweep) || c.first > c.last + 1)
-        return gough_fail(error, GOUGH_ERROR_INPUT, "runs %zu to %zu of %zu are none", c.first,
-                          c.last, gough_sweep_runs(sweep));
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "there are no runs %zu to %zu in a sweep of %zu runs", c.first, c.last,
+                          gough_sweep_runs(sweep));
     const gough_status checked = check_lanes(options, error);
     if (checked != GOUGH_OK || c.first > c.last) return checked;
     size_t keys;
@@ -370,7 +371,7 @@ gough_status gough_sweep_run(const gough_sweep *sweep, const gough_sweep_options
     if (c.piece && value && hands)
         status = start(&c, hands, threads, value, sink, context);
     else
-        gough_fail(&c.error, status, "memory is out");
+        gough_fail(&c.error, status, "out of memory");
     if (status != GOUGH_OK) gough_fail(error, status, "%s", c.error.message);
     pthread_cond_destroy(&c.moved);
     pthread_mutex_destroy(&c.lock);

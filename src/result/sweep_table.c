@@ -128,7 +128,7 @@ static gough_status open_table(table *t, const sweep_part *part, size_t parts, g
         list_columns(t);
         return GOUGH_OK;
     }
-    return gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+    return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
 }
 
 static void close_table(table *t) {
@@ -157,7 +157,7 @@ static bool each_record(const table *t, bool (*call)(void *context, const void *
 }
 
 static gough_status fail_reading(const sweep_part *part, gough_error *error) {
-    return gough_fail(error, GOUGH_ERROR_FILE, "%s: its records cannot be read back",
+    return gough_fail(error, GOUGH_ERROR_FILE, "%s: its records cannot be read",
                       part->path ? part->path : "a temporary file");
 }
 
@@ -308,7 +308,8 @@ gough_status sweep_table_sum(const sweep_part *part, size_t parts, gough_sweep_s
                              gough_error *error) {
     table t;
     gough_status status = open_table(&t, part, parts, error);
-    *summary = (gough_sweep_summary){.least_position = NAN,
+    *summary = (gough_sweep_summary){.units = part[0].head->units,
+                                     .least_position = NAN,
                                      .greatest_position = NAN,
                                      .least_angle = NAN,
                                      .greatest_angle = NAN,

@@ -97,6 +97,21 @@ if command -v jq >/dev/null; then
         done
     done
 fi
+# merged shards have the same summary
+for file in si none; do
+    option=(-q)
+    [[ $file == none ]] && option+=(--dimensionless)
+    for i in 1 2 3; do "$GOUGH" sweep study.yaml "${option[@]}" --shard $i/3 -o $i.shard; done
+    run merge 1.shard 2.shard 3.shard -o merged.csv --json
+    expect_code 0 "merge of $file"
+    cmp -s merged.csv $file.csv || fail "merge: another table of $file"
+    if command -v jq >/dev/null; then
+        jq -S 'del(.verb, .title, .time, .rate)' out >merged.json
+        jq -S 'del(.verb, .title, .time, .rate)' $file.json | cmp -s - merged.json || fail "merge: another summary of $file: $(cat out)"
+    fi
+    run merge 1.shard 2.shard 3.shard -o merged.csv
+    grep -A2 "^  power" out | cut -d, -f1 | cmp -s - <(grep -A2 "^  power" $file.txt | cut -d, -f1) || fail "merge says other numbers: $(cat out)"
+done
 said() { sed -n "/^  power of a leg/,\$p" "$1" | awk -v which="$2" '$1 == which { print $2, $3; exit }'; }
 [[ $(said si.txt least) == "$(column si.csv power_least | sort -g | head -1 | xargs printf '%.6g') W," ]] || fail "the summary says least power $(said si.txt least)"
 [[ $(said none.txt greatest) == "$(column none.csv power_greatest | sort -g | tail -1 | xargs printf '%.6g'), run" ]] ||
