@@ -156,6 +156,13 @@ void interrupt_says(const char *verb, const char *format, ...)
 /* The sentence about outputs, of which the first `written` are complete. */
 void interrupt_outputs(const char *verb, const char *const *output, size_t count, size_t written);
 
+/* ---- memory.c: when memory runs out ---- */
+
+/* Says so and ends the process with GOUGH_ERROR_FILE; nothing half done is left. */
+_Noreturn void out_of_memory(void);
+/* malloc() that does not return without memory. */
+void *allocate(size_t size);
+
 /* ---- progress.c: a bar on a terminal for work over a second ---- */
 
 typedef struct progress {

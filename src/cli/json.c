@@ -1,10 +1,14 @@
 /* The summary of forces and simulate as JSON: the same keys in the same order always; null where there is no number. */
 #include <jansson.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/json.h"
 #include "cli/summary.h"
+
+/* Of all objects printed: within a format keys are added, never changed (docs/guide/json.md). */
+enum { FORMAT = 1 };
 
 json_t *json_number(double value) { return isfinite(value) ? json_real(value) : json_null(); }
 
@@ -24,11 +28,14 @@ json_t *json_numbers(const double *value, size_t count) {
 }
 
 int json_print(json_t *object) {
-    const int failed =
-        !object ||
-        json_dumpf(object, stdout, JSON_INDENT(2) | JSON_PRESERVE_ORDER | JSON_REAL_PRECISION(17));
+    json_t *whole = json_object();
+    json_object_set_new(whole, "format", json_integer(FORMAT));
+    const int joined = json_object_update(whole, object);
+    char *text = json_dumps(whole, JSON_INDENT(2) | JSON_PRESERVE_ORDER | JSON_REAL_PRECISION(17));
+    const int failed = joined != 0 || !text || fputs(text, stdout) < 0 || putchar('\n') < 0;
+    free(text);
+    json_decref(whole);
     json_decref(object);
-    putchar('\n');
     return failed ? -1 : 0;
 }
 

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE
 #include <argp.h>
 #include <fcntl.h>
+#include <jansson.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -86,8 +87,16 @@ static error_t read_verb(int key, char *argument, struct argp_state *state) {
     return 0;
 }
 
+/* An answer is written as a whole, unless someone is reading along. */
+static void buffer_output(void) {
+    static char buffer[1 << 18];
+    if (!isatty(STDOUT_FILENO)) setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
+}
+
 int main(int count, char **argument) {
     occupy_standard_descriptors();
+    buffer_output();
+    json_set_alloc_funcs(allocate, free); /* no member of an object is missing for want of memory */
     atexit(close_output);
     signal(SIGXFSZ, SIG_IGN); /* a file too large is a failed write with its message, not a death */
     argp_program_version = "gough " GOUGH_VERSION;

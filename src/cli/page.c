@@ -12,8 +12,7 @@
 static json_t *base64(const unsigned char *bytes, size_t count) {
     static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     const size_t length = (count + 2) / 3 * 4;
-    char *text = malloc(length + 1);
-    if (!text) return NULL;
+    char *text = allocate(length + 1);
     for (size_t i = 0, k = 0; i < count; i += 3, k += 4) {
         const size_t left = count - i;
         const unsigned group = (unsigned)bytes[i] << 16 |
@@ -30,8 +29,7 @@ static json_t *base64(const unsigned char *bytes, size_t count) {
 
 /* Numbers as bytes, least significant first whatever the machine's order. */
 static json_t *base64_of_numbers(const double *value, size_t count) {
-    unsigned char *bytes = malloc(8 * count + 1);
-    if (!bytes) return NULL;
+    unsigned char *bytes = allocate(8 * count + 1);
     for (size_t i = 0; i < count; i++) {
         uint64_t bits;
         memcpy(&bits, &value[i], sizeof bits);
@@ -122,8 +120,8 @@ static json_t *end_object(const gough_end *end) {
 static json_t *live_object(const gough_study *study) {
     enum { MOST_NUMBERS = 100000 };
     const size_t count = gough_model_flat_size(study->model);
-    double *flat = count <= MOST_NUMBERS ? malloc(count * sizeof *flat) : NULL;
-    if (!flat) return json_null();
+    if (count > MOST_NUMBERS) return json_null();
+    double *flat = allocate(count * sizeof *flat);
     gough_model_flatten(study->model, &study->simulation, flat);
     json_t *text = base64_of_numbers(flat, count);
     free(flat);

@@ -21,7 +21,7 @@ open='^(ended|set)\..*'
 hold() {
     local section=$1
     shift
-    cat "$@" | jq -r "$keys" | sed -E "s/^(last|multiplier_modes\[\])\..*//" | grep -vE "$open|^$" | sort -u >printed
+    cat "$@" | jq 'if type == "object" then del(.format) else . end' | jq -r "$keys" | sed -E "s/^(last|multiplier_modes\[\])\..*//" | grep -vE "$open|^$" | sort -u >printed
     documented "$section" | sort -u >listed
     [[ -s printed && -s listed ]] || fail "$section: no keys"
     local key
@@ -36,7 +36,7 @@ json() {
     "$GOUGH" "$@" --json >"$out" 2>"$out.err" </dev/null
     local code=$?
     ((code <= 1)) || fail "$*: exit code $code; $(head -3 "$out.err")"
-    jq -e . "$out" >/dev/null || fail "$*: no JSON"
+    jq -e 'type == "array" or (keys_unsorted[0] == "format" and .format == 1)' "$out" >/dev/null || fail "$*: no JSON of format 1"
 }
 
 json example.json example
