@@ -9,6 +9,7 @@ endif()
 
 set(GOUGH_PAGE_SOURCE ${PROJECT_BINARY_DIR}/web/source)
 set(GOUGH_PAGE_TEMPLATE ${PROJECT_BINARY_DIR}/web/report.html)
+set(GOUGH_PAGE_PALETTE ${PROJECT_SOURCE_DIR}/src/report/palette.def)
 file(GLOB GOUGH_PAGE_FILES CONFIGURE_DEPENDS web/src/*.js web/src/*.css)
 set(GOUGH_PAGE_PACKAGES package.json package-lock.json .npmrc)
 list(TRANSFORM GOUGH_PAGE_PACKAGES PREPEND ${PROJECT_SOURCE_DIR}/web/)
@@ -29,10 +30,10 @@ add_custom_command(OUTPUT ${GOUGH_PAGE_TEMPLATE}
     COMMAND ${CMAKE_COMMAND} -E copy ${PROJECT_SOURCE_DIR}/web/index.html ${PROJECT_SOURCE_DIR}/web/vite.config.js
             ${GOUGH_PAGE_SOURCE}
     COMMAND ${CMAKE_COMMAND} -E chdir ${GOUGH_PAGE_SOURCE} ${CMAKE_COMMAND} -E env
-            GOUGH_CORE=${GOUGH_PAGE_CORE} GOUGH_PAGE_OUTPUT=${GOUGH_PAGE_SOURCE}/dist
+            GOUGH_CORE=${GOUGH_PAGE_CORE} GOUGH_PALETTE=${GOUGH_PAGE_PALETTE} GOUGH_PAGE_OUTPUT=${GOUGH_PAGE_SOURCE}/dist
             ${GOUGH_PAGE_NODE} node_modules/vite/bin/vite.js build --logLevel warn
     COMMAND ${CMAKE_COMMAND} -E copy ${GOUGH_PAGE_SOURCE}/dist/index.html ${GOUGH_PAGE_TEMPLATE}
-    DEPENDS ${GOUGH_PAGE_SOURCE}/packages.stamp ${GOUGH_PAGE_FILES} ${GOUGH_PAGE_CORE}
+    DEPENDS ${GOUGH_PAGE_SOURCE}/packages.stamp ${GOUGH_PAGE_FILES} ${GOUGH_PAGE_CORE} ${GOUGH_PAGE_PALETTE}
             ${PROJECT_SOURCE_DIR}/web/index.html ${PROJECT_SOURCE_DIR}/web/vite.config.js
     COMMENT "Bundling the page" VERBATIM)
 add_custom_target(page_template DEPENDS ${GOUGH_PAGE_TEMPLATE})

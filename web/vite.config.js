@@ -18,6 +18,29 @@ function core() {
   };
 }
 
+// The colours of lines, which the figures of `gough plot` have too: import { legs, axes, tables } from "virtual:palette" gives names of
+// colours; `--palette: day` in a style becomes a property of each colour.
+function palette() {
+  const name = "virtual:palette";
+  const text = readFileSync(process.env.GOUGH_PALETTE ?? "../src/report/palette.def", "utf8");
+  const colours = [...text.matchAll(/^COLOUR\((\w+), "(#\w+)", "(#\w+)"\)$/gm)];
+  const names = (what) =>
+    new RegExp(`^${what}\\((.*)\\)$`, "m").exec(text)[1].split(", ");
+  const lists = ["legs", "axes", "tables"].map(
+    (what) => `export const ${what} = ${JSON.stringify(names(what.toUpperCase()))};`,
+  );
+  const properties = (_, time) =>
+    colours.map(([, colour, day, night]) => `--${colour}: ${time === "day" ? day : night};`).join("\n");
+  return {
+    name: "palette",
+    enforce: "pre",
+    resolveId: (id) => (id === name ? `\0${name}` : null),
+    load: (id) => (id === `\0${name}` ? lists.join("\n") : null),
+    transform: (code, id) =>
+      id.endsWith(".css") ? code.replace(/--palette: (day|night);/g, properties) : null,
+  };
+}
+
 // The notices that the licences of the bundled parts ask for, as a comment in the page.
 function notices() {
   const licence = (part) => readFileSync(`node_modules/${part}/LICENSE`, "utf8");
@@ -38,7 +61,7 @@ function notices() {
 
 export default defineConfig({
   base: "./",
-  plugins: [core(), notices(), viteSingleFile({ removeViteModuleLoader: true })],
+  plugins: [core(), palette(), notices(), viteSingleFile({ removeViteModuleLoader: true })],
   worker: { format: "iife", plugins: () => [core()] },
   build: {
     outDir: process.env.GOUGH_PAGE_OUTPUT || "dist",

@@ -76,6 +76,12 @@ panel *builder_panel(builder *b, const char *heading, const char *unit, bool log
     return p;
 }
 
+panel *builder_panel_of(builder *b, const char *heading, const char *column, bool logarithmic) {
+    panel *p = builder_panel(b, heading, builder_unit(b, column), logarithmic);
+    if (p != NULL) p->noise = builder_noise(b, column);
+    return p;
+}
+
 /* Rows whose abscissa lies in the figure's range, as first and one past the last. */
 static void rows_in_range(const builder *b, const double *x, size_t rows, size_t *begin,
                           size_t *end) {

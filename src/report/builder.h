@@ -28,6 +28,11 @@ const double *builder_column(builder *b, size_t table, const char *name);
 const char *builder_unit(const builder *b, const char *name);
 
 panel *builder_panel(builder *b, const char *heading, const char *unit, bool logarithmic);
+/* A panel in the unit of a column, with the noise of its numbers. */
+panel *builder_panel_of(builder *b, const char *heading, const char *column, bool logarithmic);
+
+/* Below what size a number of a column is an error of the run; 0 where that is not known (noise.c). */
+double builder_noise(const builder *b, const char *column);
 
 /* Adds a line over the column `abscissa` within the figure's range. */
 series *builder_line(builder *b, panel *p, size_t table, const char *abscissa, const double *y,

@@ -9,6 +9,8 @@
 
 #include "builder.h"
 #include "nearest.h"
+#include "palette.h"
+#include "ranges.h"
 
 enum { COMPONENTS = 6 };
 static const char *const component_name[COMPONENTS] = {"x", "y", "z", "roll", "pitch", "yaw"};
@@ -42,8 +44,8 @@ static double lever_of(builder *b) {
     return lever > 0.0 ? lever : 1.0;
 }
 
-/* A component that moves a joint by less than 1/200 of what the others do is taken to rest: a panel of it would mostly
- * show how round-off grows. */
+/* A component that moves a joint by less than 1/200 of what the others do, or by no more than noise, is taken to rest: a panel
+ * of it would mostly show how round-off grows. */
 static void find_moving(builder *b, const char *const names[COMPONENTS], bool moving[COMPONENTS]) {
     const double degree = 0.017453292519943295 * lever_of(b);
     double span[COMPONENTS] = {0}, most = 0.0;
@@ -57,7 +59,8 @@ static void find_moving(builder *b, const char *const names[COMPONENTS], bool mo
             most = fmax(most, span[c]);
         }
     }
-    for (int c = 0; c < COMPONENTS; c++) moving[c] = span[c] > most / 200.0;
+    const double noise = builder_noise(b, component_name[0]);
+    for (int c = 0; c < COMPONENTS; c++) moving[c] = span[c] > fmax(most / 200.0, noise);
 }
 
 static int count_true(const bool *flags, int count) {
@@ -96,11 +99,12 @@ static void add_program(builder *b, panel *p, int component, double offset, cons
 }
 
 static void add_component_panel(builder *b, int c) {
-    panel *p = builder_panel(b, component_heading[c], builder_unit(b, component_name[c]), false);
+    panel *p = builder_panel_of(b, component_heading[c], component_name[c], false);
     add_program(b, p, c, 0.0, "program");
     for (size_t t = 0; t < b->table_count; t++) {
         const char *label = builder_compares(b) ? builder_label(b, t) : "motion";
-        builder_line(b, p, t, "t", builder_column(b, t, component_name[c]), label, (int)t);
+        builder_line(b, p, t, "t", builder_column(b, t, component_name[c]), label,
+                     builder_compares(b) ? colour_of_table(t) : colour_of_axis(c % 3));
     }
     /* a line alone needs no key */
     if (p != NULL && p->count == 1) p->series[0].label[0] = '\0';
@@ -120,7 +124,7 @@ static void fill_motion(builder *b) {
 
 /* Several components of one table in a panel, lengths from their first value, over their programs. */
 static void add_components(builder *b, const char *heading, int first, const bool *moving) {
-    panel *p = builder_panel(b, heading, builder_unit(b, component_name[first]), false);
+    panel *p = builder_panel_of(b, heading, component_name[first], false);
     double offset[COMPONENTS] = {0};
     const char *label = "program";
     for (int c = first; c < first + 3; c++) {
@@ -136,7 +140,7 @@ static void add_components(builder *b, const char *heading, int first, const boo
         double *shifted = moving[c] ? builder_array(b, 0) : NULL;
         if (value == NULL || shifted == NULL) continue;
         for (size_t r = 0; r < b->tables[0]->rows; r++) shifted[r] = value[r] - offset[c];
-        builder_line(b, p, 0, "t", shifted, component_name[c], c - first);
+        builder_line(b, p, 0, "t", shifted, component_name[c], colour_of_axis(c - first));
     }
 }
 
@@ -166,9 +170,9 @@ static bool same_column(const double *a, const double *b, size_t rows, double to
     return true;
 }
 
-/* Group of each leg: its own number, or that of the first leg with the same numbers (within 1e-9 of the greatest). */
+/* Group of each leg: its own number, or that of the first leg with the same numbers (within noise, or 1e-9 of the greatest). */
 static void group_legs(const gough_table *table, const double *const column[GOUGH_LEGS],
-                       int group[GOUGH_LEGS]) {
+                       double noise, int group[GOUGH_LEGS]) {
     double most = 0.0;
     for (int leg = 0; leg < GOUGH_LEGS; leg++) {
         double least, greatest;
@@ -179,7 +183,7 @@ static void group_legs(const gough_table *table, const double *const column[GOUG
         group[leg] = leg;
         for (int other = 0; other < leg && group[leg] == leg; other++) {
             if (group[other] == other &&
-                same_column(column[leg], column[other], table->rows, 1e-9 * most))
+                same_column(column[leg], column[other], table->rows, fmax(1e-9 * most, noise)))
                 group[leg] = other;
         }
     }
@@ -213,14 +217,15 @@ static void add_legs_of_table(builder *b, panel *p, size_t t, const char *prefix
     }
     if (b->status != GOUGH_OK) return;
 
-    group_legs(b->tables[t], column, group);
+    group_legs(b->tables[t], column, builder_noise(b, name), group);
     int drawn = 0;
     for (int leg = 0; leg < GOUGH_LEGS; leg++) {
         if (group[leg] != leg) continue;
         name_group(group, leg, label, sizeof label);
         if (builder_compares(b))
             snprintf(label, sizeof label, "%s", drawn == 0 ? builder_label(b, t) : "");
-        builder_line(b, p, t, "t", column[leg], label, builder_compares(b) ? (int)t : leg);
+        builder_line(b, p, t, "t", column[leg], label,
+                     builder_compares(b) ? colour_of_table(t) : colour_of_leg(leg));
         drawn++;
     }
 }
@@ -228,7 +233,7 @@ static void add_legs_of_table(builder *b, panel *p, size_t t, const char *prefix
 static void add_legs(builder *b, const char *heading, const char *prefix) {
     char name[8];
     snprintf(name, sizeof name, "%s1", prefix);
-    panel *p = builder_panel(b, heading, builder_unit(b, name), b->figure->logarithmic);
+    panel *p = builder_panel_of(b, heading, name, b->figure->logarithmic);
     for (size_t t = 0; t < b->table_count; t++) add_legs_of_table(b, p, t, prefix);
 }
 
@@ -251,19 +256,20 @@ static double *magnitude(builder *b, size_t t, const char *const names[3]) {
 }
 
 static void add_deviation_size(builder *b, const char *heading, int first, bool logarithmic) {
-    panel *p = builder_panel(b, heading, builder_unit(b, deviation_name[first]), logarithmic);
+    panel *p = builder_panel_of(b, heading, deviation_name[first], logarithmic);
     for (size_t t = 0; t < b->table_count; t++) {
         const double *size = magnitude(b, t, deviation_name + first);
-        builder_line(b, p, t, "t", size, builder_compares(b) ? builder_label(b, t) : "", (int)t);
+        builder_line(b, p, t, "t", size, builder_compares(b) ? builder_label(b, t) : "",
+                     colour_of_table(t));
     }
 }
 
 static void add_deviation_parts(builder *b, const char *heading, int first, const bool *moving) {
-    panel *p = builder_panel(b, heading, builder_unit(b, deviation_name[first]), false);
+    panel *p = builder_panel_of(b, heading, deviation_name[first], false);
     for (int c = first; c < first + 3; c++) {
         if (moving[c])
             builder_line(b, p, 0, "t", builder_column(b, 0, deviation_name[c]), component_name[c],
-                         c - first);
+                         colour_of_axis(c - first));
     }
 }
 
@@ -288,7 +294,7 @@ static void add_plain(builder *b, const char *heading, const char *name, bool lo
     panel *p = builder_panel(b, heading, "", logarithmic);
     for (size_t t = 0; t < b->table_count; t++)
         builder_line(b, p, t, "t", builder_column(b, t, name),
-                     builder_compares(b) ? builder_label(b, t) : "", (int)t);
+                     builder_compares(b) ? builder_label(b, t) : "", colour_of_table(t));
 }
 
 static void fill_drift(builder *b) { add_plain(b, "Constraint drift in a step", "drift", true); }
@@ -388,7 +394,7 @@ static panel *panel_for_column(builder *b, const char *name) {
         snprintf(candidate->heading + used, sizeof candidate->heading - used, ", %.40s", name);
         return candidate;
     }
-    panel *p = builder_panel(b, name, builder_unit(b, name), b->figure->logarithmic);
+    panel *p = builder_panel_of(b, name, name, b->figure->logarithmic);
     if (p != NULL && builder_compares(b)) spell_out(p, name);
     return p;
 }
@@ -415,6 +421,31 @@ static char *next_name(char **rest) {
     return name;
 }
 
+static bool has_colour(const panel *p, int colour) {
+    for (int i = 0; i < p->count; i++)
+        if (p->series[i].colour == colour) return true;
+    return false;
+}
+
+/* A leg's or an axis' own colour, if the panel has no line of it yet; else the first that it has no line of. */
+static int colour_of_column(const panel *p, const char *name) {
+    static const char *const of_leg[] = {"l", "dl", "f", "p"};
+    int wanted = -1;
+    for (int leg = 0; leg < GOUGH_LEGS; leg++)
+        for (size_t i = 0; i < sizeof of_leg / sizeof of_leg[0]; i++) {
+            char column[8];
+            snprintf(column, sizeof column, "%s%d", of_leg[i], leg + 1);
+            if (strcmp(name, column) == 0) wanted = colour_of_leg(leg);
+        }
+    for (int c = 0; c < COMPONENTS; c++)
+        if (strcmp(name, component_name[c]) == 0 || strcmp(name, deviation_name[c]) == 0)
+            wanted = colour_of_axis(c % 3);
+    if (wanted >= 0 && !has_colour(p, wanted)) return wanted;
+    size_t next = 0;
+    while (has_colour(p, colour_of_table(next))) next++;
+    return colour_of_table(next);
+}
+
 static void fill_columns(builder *b) {
     char *list = strdup(b->figure->columns != NULL ? b->figure->columns : "");
     if (list == NULL) {
@@ -434,7 +465,7 @@ static void fill_columns(builder *b) {
         for (size_t t = 0; t < b->table_count && p != NULL; t++)
             builder_line(b, p, t, abscissa, builder_column(b, t, name),
                          builder_compares(b) ? builder_label(b, t) : name,
-                         builder_compares(b) ? (int)t : p->count);
+                         builder_compares(b) ? colour_of_table(t) : colour_of_column(p, name));
     }
     free(list);
     if (!builder_compares(b)) name_lone_lines(b->sheet);
@@ -449,10 +480,11 @@ static void fill_gain(builder *b) {
     const char *ordinate = "position_deviation";
     b->sheet->logarithmic_abscissa = true;
     snprintf(b->sheet->abscissa, sizeof b->sheet->abscissa, "stiffness of the feedback G");
-    panel *p = builder_panel(b, "Greatest deviation of position", builder_unit(b, ordinate), true);
+    panel *p = builder_panel_of(b, "Greatest deviation of position", ordinate, true);
     for (size_t t = 0; t < b->table_count; t++) {
-        series *line = builder_line(b, p, t, "G", builder_column(b, t, ordinate),
-                                    builder_compares(b) ? builder_label(b, t) : "", (int)t);
+        series *line =
+            builder_line(b, p, t, "G", builder_column(b, t, ordinate),
+                         builder_compares(b) ? builder_label(b, t) : "", colour_of_table(t));
         if (line == NULL) return;
         line->points = true;
         line->ended = gough_table_column(b->tables[t], "ended");
@@ -547,6 +579,7 @@ gough_status sheet_fill(sheet *s, const gough_figure *figure, const gough_table 
     note_end(&b);
     name_abscissa(&b, "t");
     fillers[k](&b);
+    for (int p = 0; p < s->count; p++) panel_settle_scale(&s->panel[p]);
     if (b.status == GOUGH_OK && s->count == 0)
         builder_fail(&b, GOUGH_ERROR_INPUT, "nothing to draw");
     return b.status;

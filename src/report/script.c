@@ -9,14 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "palette.h"
 #include "ranges.h"
 #include "sheet.h"
 #include "ticks.h"
 
-/* Okabe and Ito's colours, told apart by colour-blind readers too; their yellow is too pale for a line. */
-static const char *const palette[] = {"#0072b2", "#d55e00", "#009e73",
-                                      "#cc79a7", "#e69f00", "#56b4e9"};
-enum { PALETTE = sizeof palette / sizeof palette[0] };
 static const char ink[] = "#333333", pale[] = "#c9c9c9", grid[] = "#e6e6e6", alarm[] = "#b03a00";
 
 /* Pixels of a sheet at its nominal size; PNG has twice as many. */
@@ -233,7 +230,7 @@ static void write_line_style(FILE *file, const series *line) {
         fprintf(file, "with lines lw 5 lc rgb '%s'", pale);
         return;
     }
-    const char *colour = palette[line->colour % PALETTE];
+    const char *colour = colour_text(line->colour);
     if (line->mark) {
         fprintf(file, "with points pt 7 ps 1.1 lc rgb '%s'", colour);
         return;
@@ -241,7 +238,7 @@ static void write_line_style(FILE *file, const series *line) {
     /* beyond the palette, dashes tell lines apart */
     static const char *const dashes[] = {"1", "(9,5)", "(2,3)", "(9,4,2,4)"};
     fprintf(file, "with %s lw 1.6 dt %s lc rgb '%s'%s", line->points ? "linespoints" : "lines",
-            dashes[line->colour / PALETTE % 4], colour, line->points ? " pt 7 ps 0.55" : "");
+            dashes[colour_round(line->colour) % 4], colour, line->points ? " pt 7 ps 0.55" : "");
 }
 
 /* The key stands beside the heading of each panel, or once under the title. */
@@ -326,7 +323,7 @@ static void write_plot(const drawing *pen, int number, int first_data) {
                 ", \\\n     'data-%d' using 1:($3 > 0 ? $2 : NaN) with points pt 7 ps 0.75 lc rgb "
                 "'white' notitle, \\\n     'data-%d' using 1:($3 > 0 ? $2 : NaN) with points pt 6 "
                 "ps 0.75 lw 1.4 lc rgb '%s' ",
-                data, data, palette[line->colour % PALETTE]);
+                data, data, colour_text(line->colour));
         if (*called)
             fprintf(file, "title '%s' noenhanced", called);
         else

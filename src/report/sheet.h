@@ -16,7 +16,7 @@ typedef struct series {
     size_t count;
     const double *x, *y;
     char label[SHEET_TEXT]; /* "" : not in the key */
-    int colour;             /* index into the palette; -1: pale and wide, for the program */
+    int colour;             /* as palette.h gives it; -1: pale and wide, for the program */
     const double
         *ended; /* NULL, or 1 where a point is marked as ended early: points are drawn then */
     const char *ended_label; /* what such points are called; NULL: "ended early" */

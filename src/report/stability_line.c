@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "palette.h"
 #include "stability.h"
 
 enum {
@@ -15,9 +16,11 @@ enum {
     MOST_LANES = 8
 };
 
-/* Okabe and Ito's colours, as in other figures. */
-static const char *const colour[MOST_LANES] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                               "#e69f00", "#56b4e9", "#666666", "#999999"};
+/* As in other figures; modes beyond these are grey. */
+enum { COLOURED = 6 };
+static const char *colour_of(int lane) {
+    return lane < COLOURED ? colour_text(colour_of_table((size_t)lane)) : "#777777";
+}
 
 /* ---- modes ------------------------------------------------------------------------------------------------------- */
 
@@ -113,8 +116,8 @@ static void write_bars(const stability_pen *pen, const char *const *mode, int mo
             "set object rectangle from screen %.6f,screen %.6f to screen %.6f,screen %.6f front "
             "fillstyle %s border lc rgb '%s' lw 1 fillcolor rgb '%s'\n",
             stability_screen_x(from), stability_screen_y(pen, y), stability_screen_x(to),
-            stability_screen_y(pen, y + BAR), still ? "solid 0.35" : "solid 1", colour[lane],
-            colour[lane]);
+            stability_screen_y(pen, y + BAR), still ? "solid 0.35" : "solid 1", colour_of(lane),
+            colour_of(lane));
     }
 }
 
@@ -129,7 +132,7 @@ static void plot_lanes(const stability_pen *pen) {
                 "rgb '%s'\n",
                 mode[lane], stability_screen_x(pen->left - 10),
                 stability_screen_y(pen, top + LANE * (lane + 0.5)),
-                stability_size(pen, STABILITY_SMALL), colour[lane]);
+                stability_size(pen, STABILITY_SMALL), colour_of(lane));
     write_bars(pen, mode, modes, top);
     fprintf(file, "set border 1 lw 0.8 lc rgb '%s'\nunset ytics\n", stability_ink);
     stability_write_margins(pen, top, LANE * modes > 0 ? LANE * modes : 1);

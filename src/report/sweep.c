@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "builder.h"
+#include "palette.h"
 
 enum { MOST_POINTS = 200, MOST_NAMES = 12, FEW_VALUES = 50 };
 
@@ -158,7 +159,8 @@ static void add_line(builder *b, panel *p, size_t table, const char *key, const 
             array[2][r] = sorted[r].ended;
         }
         series *line = &p->series[p->count++];
-        *line = (series){.count = t->rows, .x = array[0], .y = array[1], .colour = (int)table};
+        *line = (series){
+            .count = t->rows, .x = array[0], .y = array[1], .colour = colour_of_table(table)};
         bool any = false;
         for (size_t r = 0; r < t->rows; r++) any = any || array[2][r] > 0.5;
         line->points = t->rows <= MOST_POINTS;
@@ -186,6 +188,7 @@ static void fill_lines(builder *b, size_t key) {
             if (column != NULL) wide = wide || spans_decades(b->tables[t], column);
         }
         panel *p = builder_panel(b, heading_of(names[i]), unit_of(b, names[i]), wide);
+        if (p != NULL) p->noise = builder_noise(b, names[i]);
         for (size_t t = 0; t < b->table_count; t++) add_line(b, p, t, path, names[i]);
     }
 }
@@ -218,6 +221,7 @@ static void add_map(builder *b, const map *grid, const size_t key[2], const char
     const bool wide = b->figure->logarithmic || spans_decades(t, cells);
     panel *p = builder_panel(b, heading_of(name), unit_of(b, name), wide);
     if (p == NULL) return;
+    p->noise = builder_noise(b, name);
     p->mapped = true;
     p->map = *grid;
     p->map.cells = cells;
@@ -275,7 +279,7 @@ static void fill_shares(builder *b) {
         for (size_t i = 0; i < count; i++) y[i] = 100.0 * (double)(i + 1) / (double)table->rows;
         wide = wide || (count > 0 && x[0] > 0.0 && x[count - 1] > 100.0 * x[0]);
         series *line = &p->series[p->count++];
-        *line = (series){.count = count, .x = x, .y = y, .colour = (int)t};
+        *line = (series){.count = count, .x = x, .y = y, .colour = colour_of_table(t)};
         if (builder_compares(b))
             snprintf(line->label, sizeof line->label, "%s", builder_label(b, t));
     }

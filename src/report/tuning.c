@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "builder.h"
+#include "palette.h"
 
 /* the rows of one setting of the feed-forward */
 typedef struct curve {
@@ -54,7 +55,7 @@ static series *add_series(builder *b, panel *p, const char *label, int colour) {
         return NULL;
     }
     series *line = &p->series[p->count++];
-    *line = (series){.colour = colour};
+    *line = (series){.colour = colour < 0 ? colour : colour_of_table((size_t)colour)};
     snprintf(line->label, sizeof line->label, "%s", label);
     return line;
 }
@@ -112,9 +113,9 @@ void builder_fill_tuning(builder *b) {
     s->logarithmic_abscissa = true;
     s->common_key = true;
     snprintf(s->abscissa, sizeof s->abscissa, "stiffness of the feedback G");
-    panel *deviation = builder_panel(b, "Largest deviation of position",
-                                     builder_unit(b, "position_deviation"), true);
-    panel *force = builder_panel(b, "Largest leg force", builder_unit(b, "force"), false);
+    panel *deviation =
+        builder_panel_of(b, "Largest deviation of position", "position_deviation", true);
+    panel *force = builder_panel_of(b, "Largest leg force", "force", false);
     for (size_t t = 0; t < b->table_count; t++) {
         if (!sheet_is_tuning(b->tables[t])) {
             builder_fail(b, GOUGH_ERROR_INPUT, "not all of these results are of gough tune");

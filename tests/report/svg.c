@@ -123,16 +123,24 @@ void svg_side(const svg_ticks *all, bool below, int number, svg_ticks *side) {
     }
 }
 
+/* Points of the longest unbroken part of a path: the sample in the key may be another part. */
 static size_t read_points(const char *at, svg_line *line) {
-    line->count = 0;
-    while (line->count < SVG_POINTS) {
-        at += strspn(at, " \t\nML");
-        double x, y;
+    static svg_line part;
+    line->count = part.count = 0;
+    bool more = true;
+    while (more) {
+        at += strspn(at, " \t\n");
         int used = 0;
-        if (sscanf(at, "%lf,%lf%n", &x, &y, &used) != 2) break;
-        line->x[line->count] = x;
-        line->y[line->count++] = y;
-        at += used;
+        const bool begins = *at == 'M';
+        double x, y;
+        more = part.count < SVG_POINTS &&
+               sscanf(at + strspn(at, "ML"), "%lf,%lf%n", &x, &y, &used) == 2;
+        if ((begins || !more) && part.count > line->count) *line = part;
+        if (begins) part.count = 0;
+        if (!more) break;
+        part.x[part.count] = x;
+        part.y[part.count++] = y;
+        at += strspn(at, "ML") + (size_t)used;
     }
     return line->count;
 }

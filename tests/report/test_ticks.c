@@ -166,6 +166,69 @@ START_TEST(numbers_of_linear_axes_are_their_places) {
 }
 END_TEST
 
+/* A machine that rests: all columns of a simulation, with the errors that a solver leaves. */
+static gough_table *resting_table(size_t rows) {
+    gough_table *table = gough_table_new("At rest", "simulate", GOUGH_RXX, rows);
+    for (int c = 0; c < GOUGH_RXX; c++) {
+        const bool length = c >= GOUGH_L && c < GOUGH_L + GOUGH_LEGS,
+                   force = c >= GOUGH_F && c < GOUGH_F + GOUGH_LEGS;
+        const double value = c == GOUGH_Z || length ? 0.2800017 : force ? 11.400042 : 0.0;
+        double *column =
+            gough_table_name(table, (size_t)c, gough_column_table[c].name, c == GOUGH_T ? "s" : "");
+        for (size_t r = 0; r < rows; r++)
+            column[r] = c == GOUGH_T
+                            ? 0.02 * (double)r
+                            : value + 3e-10 * (value > 1 ? value : 1) * sin(7.0 * (double)r + c);
+    }
+    return table;
+}
+
+START_TEST(a_machine_at_rest_has_lines_and_its_noise_is_none) {
+    static const char *const kinds[] = {"forces", "lengths", "rates",
+                                        "power",  "motion",  "deviation"};
+    gough_table *table = resting_table(POINTS * 20);
+    for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++)
+        for (int logarithmic = 0; logarithmic < 2; logarithmic++) {
+            gough_figure figure = gough_figure_default();
+            figure.kind = kinds[k];
+            /* a force that is no noise may well be on a logarithmic axis */
+            figure.logarithmic = logarithmic && k > 1;
+            char *svg = svg_of(&figure, table);
+            static const char *const colours[] = {"  0, 114, 178", "213,  94,   0",
+                                                  "  0, 158, 115"};
+            static svg_line line;
+            svg_ticks all, side;
+            int lines = 0;
+            for (int c = 0; c < 3; c++) {
+                if (!svg_read_line(svg, colours[c], 0, &line)) continue;
+                lines++;
+                ck_assert_uint_gt(line.count, 100);
+                for (size_t i = 1; i < line.count; i++)
+                    ck_assert_msg(fabs(line.y[i] - line.y[0]) <= 3, "%s: noise of %g pixels",
+                                  kinds[k], line.y[i] - line.y[0]);
+            }
+            ck_assert_msg(lines > 0, "%s: no line", kinds[k]);
+            svg_read_ticks(svg, &all);
+            svg_side(&all, false, 0, &side);
+            ck_assert_int_ge(side.count, 2);
+            for (int i = 0; i < side.count; i++) {
+                ck_assert_msg(side.tick[i].text_left >= 0, "%s is cut", side.tick[i].text);
+                ck_assert(i == 0 || side.tick[i].value > side.tick[i - 1].value);
+            }
+            /* the line is at its value: between the ticks around it, or near the only ones */
+            if (k < 2) {
+                const double value = k == 0 ? 11.400042 : 0.2800017;
+                const svg_tick *low = &side.tick[0], *high = &side.tick[side.count - 1];
+                const ruler r = {false, {low->value, high->value}, {low->place, high->place}};
+                svg_read_line(svg, colours[0], 0, &line);
+                ck_assert(fabs(place_of(&r, value) - line.y[0]) <= 1);
+            }
+            free(svg);
+        }
+    gough_table_free(table);
+}
+END_TEST
+
 /* ---- maps --------------------------------------------------------------------------------------------------------- */
 
 /* A map over two keys: the edges of its cells lie halfway between the values, by ratio where the axis is logarithmic. */
@@ -292,6 +355,7 @@ END_TEST
 int main(void) {
     return SUITE_RUN("report/ticks", 300, numbers_of_logarithmic_axes_are_their_places,
                      numbers_of_the_deviation_over_the_stiffness_are_their_places,
-                     numbers_of_linear_axes_are_their_places, numbers_of_maps_are_their_places,
-                     any_range_has_numbers_and_they_are_true);
+                     numbers_of_linear_axes_are_their_places,
+                     a_machine_at_rest_has_lines_and_its_noise_is_none,
+                     numbers_of_maps_are_their_places, any_range_has_numbers_and_they_are_true);
 }

@@ -1,25 +1,21 @@
-// Colours that stay apart for readers who see fewer of them (Okabe and Ito's set), and the diverging scale of forces.
-// Each is a property of the theme (style.css): darker on paper, lighter at night.
+// Colours of lines, from the table that figures of `gough plot` take theirs from too (src/report/palette.def), and the diverging
+// scale of forces. Each is a property of the theme (style.css): darker by day, lighter at night.
+import { axes, legs, tables } from "virtual:palette";
 import { themed } from "./dom.js";
 
-const BLUE = "var(--blue)";
-const AMBER = "var(--amber)";
-const GREEN = "var(--green)";
-const RED = "var(--red)";
-const PINK = "var(--pink)";
-const SKY = "var(--sky)";
+const property = (name) => `var(--${name})`;
 
 /** What is none of these: the program beside an actual motion. */
 export const GREY = "var(--grey)";
 
 /** Legs 1 … 6. */
-export const LEGS = [BLUE, AMBER, GREEN, RED, PINK, SKY];
+export const LEGS = legs.map(property);
 
 /** Studies beside each other, by order. */
-export const STUDIES = [BLUE, RED, GREEN, PINK, AMBER, SKY];
+export const STUDIES = tables.map(property);
 
 /** Components x, y, z (roll, pitch, yaw). */
-export const AXES = [RED, GREEN, BLUE];
+export const AXES = axes.map(property);
 
 /** A colour of the theme in force as a canvas wants it: "var(--blue)" gives "#0072b2". */
 export const plain = (color) => (color.startsWith("var(") ? themed(color.slice(4, -1)) : color);
