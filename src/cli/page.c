@@ -103,6 +103,7 @@ static json_t *simulation_object(const gough_simulation *simulation) {
     json_t *object = json_object();
     json_object_set_new(object, "duration", json_number(simulation->duration));
     json_object_set_new(object, "output_step", json_number(simulation->output_step));
+    json_object_set_new(object, "tolerance", json_number(simulation->tolerance));
     json_object_set_new(object, "method", json_string(gough_method_name((int)simulation->method)));
     return object;
 }
@@ -136,7 +137,7 @@ static gough_status add_run(const command_line *line, const gough_study *study, 
     gough_error error = {0};
     gough_status status = gough_units_of_study(study, false, &report.units, &error);
     gough_result *result = status ? NULL : gough_result_new(study, verb, &report.units);
-    if (!status && !result) status = gough_fail(&error, GOUGH_ERROR_FILE, "memory is out");
+    if (!status && !result) status = gough_fail(&error, GOUGH_ERROR_FILE, "out of memory");
     if (!status) status = run_report_fill(&report, line, result, &error);
     if (status == GOUGH_OK || status == GOUGH_ERROR_NUMERICAL) {
         run_report_scale(&report);

@@ -6,7 +6,7 @@ import test from "node:test";
 import { csv } from "../../web/src/csv.js";
 import { decode, Table } from "../../web/src/data.js";
 import { legWork, loadEnergy } from "../../web/src/energy.js";
-import { amount, fixed, number, ticks, unit, shower } from "../../web/src/format.js";
+import { amount, fixed, known, number, ticks, unit, shower } from "../../web/src/format.js";
 import { equalEllipsoid, symmetricEigen } from "../../web/src/inertia.js";
 import { legsOf, poseOf } from "../../web/src/pose.js";
 import { holdsFrom, thresholdsOf } from "../../web/src/stability.js";
@@ -253,6 +253,20 @@ test("numbers read well", () => {
   assert.equal(fixed(-0.0001, 2), "0.00");
   assert.deepEqual(ticks([0.15, 0.175, 0.2]), ["0.150", "0.175", "0.200"]);
   assert.deepEqual(ticks([0, 5, 10]), ["0", "5", "10"]);
+  assert.deepEqual(ticks([11.400042, 11.4000422, 11.4000424]), [
+    "11.4000420",
+    "11.4000422",
+    "11.4000424",
+  ]);
+  assert.deepEqual(ticks([0, 5e-16, 1e-15]), ["0", "0.5·10⁻¹⁵", "1.0·10⁻¹⁵"]);
+  assert.deepEqual(ticks([1.5e-4, null, 1.6e-4]), ["1.5·10⁻⁴", "", "1.6·10⁻⁴"]);
+  assert.deepEqual(ticks([-2e7, 0, 2e7]), ["−2·10⁷", "0", "2·10⁷"]);
+  assert.deepEqual(ticks([1000000.25, 1000000.5]), ["1000000.25", "1000000.50"]);
+  assert.deepEqual(
+    [3e-9, -2e-8, 1.23456e-5, 12.3456, NaN].map((value) => known(value, 1e-8)),
+    ["0", "−2·10⁻⁸", "1.235·10⁻⁵", "12.346", "–"],
+  );
+
   assert.deepEqual(["m/s2", "degree/s", "1", "N m", ""].map(unit), ["m/s²", "°/s", "", "N m", ""]);
   assert.equal(amount(3, "degree"), "3 °");
 });

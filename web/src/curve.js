@@ -3,7 +3,7 @@
 import uPlot from "uplot";
 import { plain } from "./color.js";
 import { element, themed } from "./dom.js";
-import { number, powers, ticks, unit, unitAfter } from "./format.js";
+import { known, labelRoom, number, powers, ticks, unit, unitAfter } from "./format.js";
 import { download, fileName } from "./save.js";
 import { svgOf } from "./svg.js";
 import { lowerBound, thin } from "./thin.js";
@@ -46,7 +46,7 @@ function decades(least, greatest) {
 }
 
 export class Curve {
-  /** @param spec {id, title, unit, note, limits: [{value, beyond}], lines: [{label, name, color, t, y, leg, dash, width, off}]}:
+  /** @param spec {id, title, unit, note, noise, limits: [{value, beyond}], lines: [{label, name, color, t, y, leg, dash, width, off}]}:
    *  arrays of a line are as long as its t; `off` lines are shown on demand. @param range common Range; @param onSeek called
    *  with a time that the reader points at, and whether it was a click; @param timeUnit of the abscissa. */
   constructor(spec, range, { onSeek, timeUnit, study }) {
@@ -57,6 +57,7 @@ export class Curve {
     this.timeUnit = timeUnit;
     this.study = study;
     this.logarithmic = Boolean(spec.logarithmic);
+    this.noise = spec.noise ?? 0;
     this.hidden = new Set(this.spec.lines.filter((line) => line.off));
     this.time = 0;
     this.visible = false;
@@ -177,7 +178,7 @@ export class Curve {
         if (value < least) least = value;
         if (value > greatest) greatest = value;
       }
-      return `${line.label} from ${number(least, 3)} to ${number(greatest, 3)}`;
+      return `${line.label} from ${known(least, this.noise, 3)} to ${known(greatest, this.noise, 3)}`;
     });
     return `${title} against time${unit(unitText) ? ` in ${unit(unitText)}` : ""}: ${parts.join("; ")}`;
   }
@@ -206,6 +207,14 @@ export class Curve {
     return this.spec.lines.filter((line) => !this.hidden.has(line));
   }
 
+  /** Whether the axis is drawn as a logarithmic one: not where there is nothing but noise, which lies at zero. */
+  get byDecades() {
+    this.signal ??= this.spec.lines.some((line) =>
+      line.y.some((value) => Math.abs(value) > this.noise),
+    );
+    return this.logarithmic && this.signal;
+  }
+
   /** What is drawn: thinned lines over one abscissa. */
   data() {
     const [from, to] = this.range.shown;
@@ -222,7 +231,7 @@ export class Curve {
         to,
         buckets,
       );
-      if (this.logarithmic)
+      if (this.byDecades)
         thinned.lines = thinned.lines.map((y) =>
           y.map((value) => (value === null || value === 0 ? null : Math.abs(value))),
         );
@@ -235,8 +244,8 @@ export class Curve {
 
   /** Range of the ordinate: of the data, with the limits where they are not far off. */
   ordinate(least, greatest) {
-    if (least === null || greatest === null) return this.logarithmic ? [0.1, 1] : [0, 1];
-    if (this.logarithmic)
+    if (least === null || greatest === null) return this.byDecades ? [0.1, 1] : [0, 1];
+    if (this.byDecades)
       return [
         10 ** Math.floor(Math.log10(least) - 1e-9),
         10 ** Math.ceil(Math.log10(greatest) + 1e-9),
@@ -247,10 +256,12 @@ export class Curve {
     const limits = (this.spec.limits ?? []).map(({ value }) => value);
     const [lowest, highest] = [Math.min(low, ...limits), Math.max(high, ...limits)];
     if (this.allLimits || highest - lowest < 5 * (high - low)) [low, high] = [lowest, highest];
-    // what varies by rounding alone is not blown up
-    const span = Math.max(high - low, 1e-6 * size) || 1e-12;
-    const middle = (low + high) / 2;
-    return [middle - 0.56 * span, middle + 0.56 * span];
+    // noise is not blown up: a constant stands in the middle of a tenth of itself, noise about zero on a line at zero
+    const floor = Math.max(100 * this.noise, 1e-9 * size);
+    if (high - low > floor) return [low - 0.06 * (high - low), high + 0.06 * (high - low)];
+    const middle = size < floor ? 0 : (low + high) / 2;
+    const half = Math.max(0.5 * (high - low) + 0.05 * size, 0.5 * floor) || 1;
+    return [middle - half, middle + half];
   }
 
   options(order) {
@@ -281,13 +292,13 @@ export class Curve {
       scales: {
         x: { time: false, range: () => this.range.shown },
         y: {
-          distr: this.logarithmic ? 3 : 1,
+          distr: this.byDecades ? 3 : 1,
           range: (_, least, greatest) => this.ordinate(least, greatest),
         },
       },
       axes: [
         { ...axis, size: 30, values: (_, values) => ticks(values) },
-        this.logarithmic
+        this.byDecades
           ? {
               ...axis,
               size: 58,
@@ -295,7 +306,11 @@ export class Curve {
               filter: (_, splits) => splits,
               values: (_, values) => powers(values),
             }
-          : { ...axis, size: 58, values: (_, values) => ticks(values) },
+          : {
+              ...axis,
+              size: (_, labels) => labelRoom(labels, 58),
+              values: (_, values) => ticks(values),
+            },
       ],
       series: [
         {},
@@ -409,7 +424,7 @@ export class Curve {
       const row = lowerBound(line.t, time + 1e-9 * Math.max(1, time)) - 1;
       const text =
         row >= 0 && time <= line.t[line.t.length - 1] * (1 + 1e-9) + 1e-9
-          ? number(line.y[row], 5)
+          ? known(line.y[row], this.noise)
           : "–";
       if (this.values[index].textContent !== text) this.values[index].textContent = text;
     });
@@ -443,7 +458,7 @@ export class Curve {
       x: data[0],
       xRange: this.range.shown,
       yRange: [min, max],
-      logarithmic: this.logarithmic,
+      logarithmic: this.byDecades,
       limits: spec.limits,
       lines: order.map((line, index) => ({
         ...line,

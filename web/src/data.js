@@ -1,11 +1,27 @@
 // What `gough report` wrote into the page: studies with their tables. A column is decoded when it is first asked for, so that a
 // recording of many rows opens at once.
+import { known } from "./format.js";
 import { blendAngle, placed, poseOf } from "./pose.js";
 
 const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
 
 /** Points of a path that is drawn: a longer run is thinned evenly. */
 const PATH_POINTS = 4000;
+
+/** What a column counts in, as powers of length, time and force, and whether it is an angle. */
+const DIMENSIONS = [
+  [/^(x|y|z|ex|ey|ez|l\d)$/, { length: 1 }],
+  [/^(roll|pitch|yaw|eroll|epitch|eyaw)$/, { angle: true }],
+  [/^(vx|vy|vz|dl\d)$/, { length: 1, time: -1 }],
+  [/^(wx|wy|wz)$/, { angle: true, time: -1 }],
+  [/^f\d$/, { force: 1 }],
+  [/^p\d$/, { force: 1, length: 1, time: -1 }],
+  [/^energy$/, { force: 1, length: 1 }],
+];
+
+/** Errors of a run reach a hundred times its tolerance; less than this share of a quantity's scale, or more, is not assumed.
+ *  The constraints are kept to rounding. */
+const NOISE = { of: 100, least: 1e-12, greatest: 1e-6, rounding: 1e-14 };
 
 /** Little-endian doubles from base64. */
 export function decode(text) {
@@ -122,13 +138,50 @@ export class Study {
     return this.run.has(name) ? this.run.unit(name) : this.plan.unit(name);
   }
 
+  /** Below what size a number of a column ("energy": of an energy) is an error of the run: a share of the column's scale, which
+   *  follows from the legs' length, a unit of time √(R_b/g) with the earth's g, and the greatest force. 0 where there is none. */
+  noise(name) {
+    if (name === "drift") return NOISE.rounding;
+    const dimension = DIMENSIONS.find(([pattern]) => pattern.test(name))?.[1];
+    if (!dimension) return 0;
+    const { machine, simulation } = this;
+    const length = Math.max(...machine.home_length);
+    const time = Math.sqrt(machine.base_radius / (this.units === "si" ? 9.80665 : 1));
+    const force = Math.max(this.greatestForce, (machine.mass * length) / time ** 2);
+    const share = Math.min(
+      Math.max(NOISE.of * (simulation.tolerance ?? 0), NOISE.least),
+      NOISE.greatest,
+    );
+    return (
+      share *
+      (dimension.angle ? 180 / Math.PI : 1) *
+      length ** (dimension.length ?? 0) *
+      time ** (dimension.time ?? 0) *
+      force ** (dimension.force ?? 0)
+    );
+  }
+
+  /** A number of a column in words: no more of it than is known. */
+  say(value, name, digits = 5) {
+    return known(value, this.noise(name), digits);
+  }
+
+  /** Whether the run is over at a time, so that it has no numbers there. */
+  isOver(time) {
+    return time > this.lastTime + 1e-6 * this.run.step;
+  }
+
   /** The largest |force| of a leg in run and program: the end of the colour scale. */
   get peakForce() {
+    return this.greatestForce || 1;
+  }
+
+  get greatestForce() {
     let peak = 0;
     for (const summary of [this.simulate, this.forces])
       for (const leg of summary?.legs ?? [])
         peak = Math.max(peak, Math.abs(leg.force[0] ?? 0), Math.abs(leg.force[1] ?? 0));
-    return peak || 1;
+    return peak;
   }
 
   /** Whether the program is the paper's equation (3.1), heave 0.2 sin t (1 − e^{−t/2})² and nothing else, by its numbers. */
@@ -144,6 +197,11 @@ export class Study {
           z[row] - this.machine.height - 0.2 * Math.sin(time) * (1 - Math.exp(-time / 2)) ** 2,
         ) < 1e-9,
     );
+  }
+
+  /** Unit of the stiffness (order 0) or the damping (order 1) of a leg's feedback, as in the tables. */
+  gainUnit(order) {
+    return this.units === "si" ? ["N/m", "N s/m"][order] : "1";
   }
 
   /** Whether the legs' forces do not depend on where the top is. */

@@ -199,6 +199,7 @@ export function figuresOf(study) {
       title: "Leg forces",
       note: joined("Push is positive.", limitsNote(study, "f"), equalNote(study, "f")),
       unit: force,
+      noise: study.noise("f1"),
       lines: legLines(study, "f"),
       limits: limitsOf(study, "f"),
     },
@@ -207,6 +208,7 @@ export function figuresOf(study) {
       title: "Leg lengths",
       note: joined(limitsNote(study, "l"), equalNote(study, "l")),
       unit: unit("l1"),
+      noise: study.noise("l1"),
       lines: legLines(study, "l"),
       limits: limitsOf(study, "l"),
     },
@@ -215,6 +217,7 @@ export function figuresOf(study) {
       title: "Leg rates",
       note: joined(limitsNote(study, "dl"), equalNote(study, "dl")),
       unit: unit("dl1"),
+      noise: study.noise("dl1"),
       lines: legLines(study, "dl"),
       limits: limitsOf(study, "dl"),
     },
@@ -223,19 +226,22 @@ export function figuresOf(study) {
       title: "Leg power",
       note: equalNote(study, "p"),
       unit: unit("p1"),
+      noise: study.noise("p1"),
       lines: legLines(study, "p"),
     },
     {
       id: "position",
       title: "Position of the top",
-      note: `From the home position, at height h = ${number(machine.height)} over the base.`,
+      note: `From the home position, at height h = ${number(machine.height)}${unitAfter(unit("z"))} over the base.`,
       unit: unit("x"),
+      noise: study.noise("x"),
       lines: position,
     },
     {
       id: "orientation",
       title: "Orientation of the top",
       unit: unit("roll"),
+      noise: study.noise("roll"),
       lines: three(study, ["roll", "pitch", "yaw"], ["roll", "pitch", "yaw"], true),
     },
     {
@@ -243,6 +249,7 @@ export function figuresOf(study) {
       title: "Deviation from the program",
       logable: true,
       unit: unit("ex"),
+      noise: study.noise("ex"),
       lines: three(study, ["ex", "ey", "ez"], ["x", "y", "z"]),
     },
     {
@@ -250,6 +257,7 @@ export function figuresOf(study) {
       title: "Deviation of the angles",
       logable: true,
       unit: unit("eroll"),
+      noise: study.noise("eroll"),
       lines: three(study, ["eroll", "epitch", "eyaw"], ["roll", "pitch", "yaw"]),
     },
     {
@@ -257,6 +265,7 @@ export function figuresOf(study) {
       title: "Energy of the load",
       note: "Potential energy from that at t = 0. The legs' work is the sum over six of the integral of force times rate.",
       unit: energyUnit,
+      noise: study.noise("energy"),
       lines: [
         { label: "kinetic", color: AXES[0], t: run.t, y: kinetic },
         { label: "potential", color: AXES[1], t: run.t, y: potential },
@@ -268,6 +277,7 @@ export function figuresOf(study) {
       id: "work",
       title: "Work of each leg",
       unit: energyUnit,
+      noise: study.noise("energy"),
       lines: SIX.map((leg) => ({
         label: String(leg),
         name: `w${leg}`,
@@ -283,6 +293,7 @@ export function figuresOf(study) {
       logable: true,
       note: "Largest violation of the six orthonormality conditions (1.2) before each projection.",
       unit: "1",
+      noise: study.noise("drift"),
       lines: [{ label: "drift", color: AXES[2], t: run.t, y: run.column("drift") }],
     },
     {
@@ -315,6 +326,7 @@ export function figuresOfAll(studies) {
     const columns = SIX.map((leg) => study.run.column(`f${leg}`));
     return columns[0].map((_, row) => pick(...columns.map((column) => column[row])));
   };
+  const noise = (name) => Math.min(...shown.map((study) => study.noise(name)));
   const paper = shown.filter((study) => study.isPaper);
   const figures = [
     ...(paper.length > 1 ? [{ ...figure4(paper), wide: true }] : []),
@@ -325,6 +337,7 @@ export function figuresOfAll(studies) {
       note: "Distance of the top frame's origin from the program.",
       logable: true,
       unit: first.run.unit("ex"),
+      noise: noise("ex"),
       lines: lines(({ run }) => magnitude(run.column("ex"), run.column("ey"), run.column("ez"))),
     },
     {
@@ -334,6 +347,7 @@ export function figuresOfAll(studies) {
       note: "Root of the sum of squares of roll, pitch and yaw.",
       logable: true,
       unit: first.run.unit("eroll"),
+      noise: noise("eroll"),
       lines: lines(({ run }) =>
         magnitude(run.column("eroll"), run.column("epitch"), run.column("eyaw")),
       ),
@@ -342,6 +356,7 @@ export function figuresOfAll(studies) {
       id: "all-height",
       title: "Height of the top",
       unit: first.run.unit("z"),
+      noise: noise("z"),
       lines: lines(({ run }) => run.column("z")),
     },
     {
@@ -349,6 +364,7 @@ export function figuresOfAll(studies) {
       title: "Greatest leg force",
       note: "The greatest of the six, push positive.",
       unit: first.run.unit("f1"),
+      noise: noise("f1"),
       lines: lines((study) => extreme(study, Math.max)),
     },
     {
@@ -356,6 +372,7 @@ export function figuresOfAll(studies) {
       title: "Least leg force",
       note: "The least of the six; below zero a leg pulls.",
       unit: first.run.unit("f1"),
+      noise: noise("f1"),
       lines: lines((study) => extreme(study, Math.min)),
     },
     {

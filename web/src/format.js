@@ -30,6 +30,14 @@ export function number(value, digits = 4) {
   return `${Number(mantissa).toString().replace("-", MINUS)}·10${raised(Number(power))}`;
 }
 
+/** A number that is known to within its noise: 0 where it is smaller, else no more digits than are known. */
+export function known(value, noise, digits = 5) {
+  if (!Number.isFinite(value) || !(noise > 0)) return number(value, digits);
+  const size = Math.abs(value);
+  if (size <= noise) return "0";
+  return number(value, Math.max(1, Math.min(digits, Math.floor(Math.log10(size / noise)) + 1)));
+}
+
 /** A number with a fixed count of decimals, for what changes while it is read. */
 export function fixed(value, decimals) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
@@ -65,20 +73,37 @@ export function unitAfter(text) {
 export const amount = (value, unitText, digits = 4) =>
   `${number(value, digits)}${unitAfter(unitText)}`;
 
-/** Tick labels of an axis: enough digits to tell neighbours apart. */
+/** Decimals that a step needs (0.025: three; 2000: −3), three digits at most. */
+function decimalsOf(step) {
+  const least = -Math.floor(Math.log10(step) + 1e-9);
+  for (let decimals = least; decimals < least + 3; decimals++) {
+    const whole = step * 10 ** decimals;
+    if (Math.abs(whole - Math.round(whole)) <= 1e-6 * whole) return decimals;
+  }
+  return least + 2;
+}
+
+/** Tick labels of an axis: as many digits as tell neighbours apart, and the same number for all. */
 export function ticks(values) {
   const present = values.filter((value) => value !== null);
   const largest = Math.max(...present.map(Math.abs), 0);
-  const step = present.length > 1 ? Math.abs(present[1] - present[0]) : largest;
   if (largest === 0) return values.map((value) => (value === null ? "" : "0"));
-  if (largest < 1e-3 || largest >= 1e6)
-    return values.map((value) => (value === null ? "" : number(value, 3)));
-  let decimals = Math.max(0, Math.min(6, -Math.floor(Math.log10(step || largest) + 1e-9)));
-  // a step of 0.025 needs one more than one of 0.02
-  while (decimals < 6 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6)
-    decimals++;
-  return values.map((value) => (value === null ? "" : fixed(value, decimals)));
+  const step = present.length > 1 ? Math.abs(present[1] - present[0]) : largest;
+  const decimals = decimalsOf(step || largest);
+  const power = Math.floor(Math.log10(largest) + 1e-9);
+  const digits = Math.max(0, Math.min(power + decimals, 15));
+  const raises = power < -3 || power > 15 || (power > 5 && digits <= 3);
+  return values.map((value) => {
+    if (value === null) return "";
+    if (Math.abs(value) < 0.01 * step) return "0";
+    if (!raises) return fixed(value, Math.max(0, decimals));
+    return `${fixed(value / 10 ** power, digits)}·10${raised(power)}`;
+  });
 }
+
+/** Room in pixels for the labels of an ordinate, whose characters are at most so wide. */
+export const labelRoom = (labels, least, wide = 6.7) =>
+  Math.max(least, Math.ceil(14 + wide * Math.max(0, ...(labels ?? []).map((text) => text.length))));
 
 /** Ticks of a logarithmic axis: powers of ten. */
 export const powers = (values) =>

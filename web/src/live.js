@@ -3,7 +3,7 @@ import core from "virtual:core";
 import { bytesOf } from "./core.js";
 import { decode } from "./data.js";
 import { byId, element } from "./dom.js";
-import { amount, causeWords, fixed, number, unitAfter } from "./format.js";
+import { amount, causeWords, fixed, number, unit, unitAfter } from "./format.js";
 import { Hand } from "./hand.js";
 import { placed, rotation } from "./pose.js";
 import { Slider } from "./sliders.js";
@@ -168,14 +168,14 @@ export class Live {
       stiffness: slider({
         id: "stiffness",
         label: "Stiffness G",
-        unit: si ? "N/m" : "",
+        unit: unit(study.gainUnit(0)),
         least: power(gain) / 100,
         greatest: power(gain) * 1000,
         logarithmic: true,
         value: Math.max(...stiffness),
         marks: thresholds.map(({ mode, stiffness: from }) => ({
           value: from,
-          label: `${mode} holds from G = ${number(from)}`,
+          label: `${mode} holds from G = ${amount(from, study.gainUnit(0))}`,
         })),
         help: [holds.length ? `At rest, holds from: ${holds.join(", ")}.` : "", unequal(stiffness)]
           .join(" ")
@@ -184,7 +184,7 @@ export class Live {
       damping: slider({
         id: "damping",
         label: "Damping D",
-        unit: si ? "N s/m" : "",
+        unit: unit(study.gainUnit(1)),
         least: power(gain * this.timeUnit) / 100,
         greatest: power(gain * this.timeUnit) * 100,
         logarithmic: true,
@@ -268,7 +268,7 @@ export class Live {
           class: "mini",
           type: "button",
           "aria-label": `push ${word}`,
-          title: "push while held: a fifth of the weight",
+          title: `push while held, with ${amount(0.2 * this.weight, study.unit("f1"), 3)}`,
           onpointerdown: set(true),
           onpointerup: set(false),
           onpointerleave: set(false),
@@ -362,17 +362,14 @@ export class Live {
     this.over = over;
     this.run(false);
     this.hand?.letGo();
-    const time = `t = ${number(this.row[this.place.t], 4)}${unitAfter(this.study.unit("t"))}`;
+    const time = `t = ${number(this.row[this.place.t], 5)}${unitAfter(this.study.unit("t"))}`;
     const stiffness = this.sliders.stiffness.value;
     const weakest = holdsFrom(this.study.stability)
       .filter((threshold) => threshold.stiffness > stiffness)
       .map(({ mode }) => mode);
-    const because =
-      stiffness === 0
-        ? "Without feedback every small error grows."
-        : weakest.length
-          ? `G = ${number(stiffness, 4)} is below the threshold of ${weakest.join(", ")}.`
-          : "";
+    const because = weakest.length
+      ? `G = ${amount(stiffness, this.study.gainUnit(0))} is below the threshold at rest of ${weakest.join(", ")}.`
+      : "";
     if (over.cause === "left")
       this.tellFallen(
         `The platform has left its program at ${time}.`,
@@ -439,7 +436,7 @@ export class Live {
       Math.hypot(at("ex"), at("ey"), at("ez")),
       DEGREE * Math.hypot(at("eroll"), at("epitch"), at("eyaw")),
     ];
-    this.off.textContent = `${amount(off, this.study.unit("ex"), 3)}, ${amount(angle, "degree", 3)}`;
+    this.off.textContent = `${this.study.say(off, "ex", 3)}${unitAfter(this.study.unit("ex"))}, ${this.study.say(angle, "eroll", 3)}${unitAfter("degree")}`;
     this.pace.textContent =
       this.ratio > 0
         ? `${number(this.ratio, 2)}${this.study.units === "si" ? "× real time" : " units of time a second"}`

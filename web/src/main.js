@@ -162,11 +162,11 @@ class Page {
     const [stiffness, damping] = [Math.max(...control.stiffness), Math.max(...control.damping)];
     const parts = [
       `${study.units === "si" ? "SI units" : "Dimensionless"} · base radius ${amount(machine.base_radius, study.unit("l1"))} · `,
-      study.openLoop ? "open loop" : `feedback G = ${number(stiffness)}`,
-      damping > 0 ? `, D = ${number(damping)}` : "",
+      study.openLoop ? "open loop" : `feedback G = ${amount(stiffness, study.gainUnit(0))}`,
+      damping > 0 ? `, D = ${amount(damping, study.gainUnit(1))}` : "",
       control.feedforward ? ", program forces fed forward" : ", no program forces",
       simulate?.deviation
-        ? `, at most ${amount(simulate.deviation.position, study.unit("ex"), 3)} off its program`
+        ? `, at most ${study.say(simulate.deviation.position, "ex", 3)}${unitAfter(study.unit("ex"))} off its program`
         : "",
     ];
     return parts.join("");
@@ -397,7 +397,7 @@ class Page {
         const at = Math.min(time, study.lastTime);
         return {
           pose: study.run.rows ? study.run.pose(at) : study.home,
-          forces: FORCES.map((name) => study.run.value(name, at)),
+          forces: FORCES.map((name) => (study.isOver(time) ? NaN : study.run.value(name, at))),
           plan: study.plan.rows ? study.plan.pose(time) : null,
           points: study.run.rows
             ? Math.floor(study.run.at(at).row / this.paths[index].stride) + 1
@@ -410,7 +410,7 @@ class Page {
   loop() {
     let before = performance.now();
     const frame = (now) => {
-      const seconds = Math.min((now - before) / 1000, 0.25);
+      const seconds = Math.max(0, Math.min((now - before) / 1000, 0.25));
       before = now;
       if (this.mode === "recorded") {
         this.player.advance(seconds);

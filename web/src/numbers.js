@@ -122,23 +122,22 @@ function endFacts(study) {
       !study.complete && ["why", end.message],
       simulate?.deviation && [
         "greatest deviation",
-        `${amount(simulate.deviation.position, study.unit("ex"), 5)} from the program, `,
-        `${amount(simulate.deviation.angle, "degree", 5)} of angle`,
+        `${study.say(simulate.deviation.position, "ex")}${unitAfter(study.unit("ex"))} from the program, `,
+        `${study.say(simulate.deviation.angle, "eroll")}${unitAfter("degree")} of angle`,
       ],
       simulate && ["drift of the constraints", `at most ${number(simulate.drift, 3)}`],
       simulate && ["condition", `at most ${number(simulate.condition, 5)}`],
       ["rows", `${study.run.rows}, one each ${number(simulation.output_step, 6)}${time}`],
       ["method", simulation.method],
       ["feed-forward", study.control.feedforward ? "the program's forces" : "none"],
-      ["stiffness G", same(study.control.stiffness), unitAfter(gainUnit(study, 0))],
-      ["damping D", same(study.control.damping), unitAfter(gainUnit(study, 1))],
+      ["stiffness G", same(study.control.stiffness), unitAfter(study.gainUnit(0))],
+      ["damping D", same(study.control.damping), unitAfter(study.gainUnit(1))],
     ],
     "end-facts",
   );
 }
 
 const same = (six) => (six.every((value) => value === six[0]) ? number(six[0], 6) : list(six));
-const gainUnit = (study, order) => (study.units === "si" ? ["N/m", "N s/m"][order] : "");
 
 function machineFacts(study) {
   const { machine } = study;
@@ -159,8 +158,9 @@ function machineFacts(study) {
       [
         "inertia about it",
         element("span", { class: "matrix" }, machine.inertia.map((row) => list(row)).join("\n")),
+        study.units === "si" ? unitAfter("kg m2") : "",
       ],
-      ["gravity", list(machine.gravity)],
+      ["gravity", list(machine.gravity), study.units === "si" ? unitAfter("m/s2") : ""],
       length &&
         (length[0] || length[1]) && [
           "length limits",
@@ -201,7 +201,7 @@ function stabilitySection(study) {
     );
     return section;
   }
-  const unitText = unitAfter(gainUnit(study, 0)).trim();
+  const unitText = unitAfter(study.gainUnit(0)).trim();
   const time = unitAfter(study.unit("t"));
   const rate = time ? " [1/s]" : "";
   const periodic = stability.multipliers?.length > 0;
@@ -319,17 +319,25 @@ export function showNumbers(host, study) {
 /** A table that compares studies, a row each. */
 export function compareNumbers(host, studies) {
   const [first] = studies;
+  // where studies are in different units, each number has its own
+  const mixed = studies.some((study) => study.units !== first.units);
+  const heading = (words, unitText) => (mixed ? words : withUnit(words, unitText));
+  const own = (study, text, unitText) => (mixed ? `${text}${unitAfter(unitText)}` : text);
   const rows = studies.map((study) => [
     study.label,
     study.complete
       ? "complete"
-      : `${causeWords(study.end.status)}, t = ${number(study.end.time, 6)}`,
+      : `${causeWords(study.end.status)}, t = ${number(study.end.time, 6)}${unitAfter(study.unit("t"))}`,
     study.control.feedforward ? "yes" : "no",
-    same(study.control.stiffness),
-    same(study.control.damping),
-    number(study.simulate?.deviation?.position, 4),
-    number(study.simulate?.deviation?.angle, 4),
-    number(Math.max(...(study.simulate?.legs ?? []).map((leg) => leg.force[1])), 4),
+    own(study, same(study.control.stiffness), study.gainUnit(0)),
+    own(study, same(study.control.damping), study.gainUnit(1)),
+    own(study, study.say(study.simulate?.deviation?.position, "ex", 4), study.unit("ex")),
+    study.say(study.simulate?.deviation?.angle, "eroll", 4),
+    own(
+      study,
+      study.say(Math.max(...(study.simulate?.legs ?? []).map((leg) => leg.force[1])), "f1", 4),
+      study.unit("f1"),
+    ),
     number(study.simulate?.condition, 4),
   ]);
   host.replaceChildren(
@@ -339,11 +347,11 @@ export function compareNumbers(host, studies) {
         "study",
         "end",
         "feed-forward",
-        "G",
-        "D",
-        withUnit("greatest deviation", first.unit("ex")),
+        heading("G", first.gainUnit(0)),
+        heading("D", first.gainUnit(1)),
+        heading("greatest deviation", first.unit("ex")),
         "of angle [°]",
-        withUnit("greatest force", first.unit("f1")),
+        heading("greatest force", first.unit("f1")),
         "condition",
       ],
       rows,

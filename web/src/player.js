@@ -62,7 +62,8 @@ export class Player {
 
   /** Goes on by so many seconds of the reader's time. */
   advance(seconds) {
-    if (!this.playing || this.duration <= 0) return;
+    // a picture's time may lie before the moment at which the clock was started
+    if (!this.playing || this.duration <= 0 || !(seconds > 0)) return;
     if (this.time >= this.duration) {
       if (!this.loop) return this.pause();
       this.rested += seconds;

@@ -1,16 +1,18 @@
 // The panel beside the scene for recorded runs: pose and leg forces of the moment; for several studies a line each.
 import { forceCss, LEGS, studyColor } from "./color.js";
 import { element } from "./dom.js";
-import { causeWords, fixed, number, shower, unit, unitAfter } from "./format.js";
+import { causeWords, fixed, known, number, shower, unit, unitAfter } from "./format.js";
 
 const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
 
 /** Bars of the six leg forces about zero, with the limit and the program's force marked. */
 export class ForceBars {
-  constructor(unitText, peak, limit) {
+  /** @param noise below what size a force is no more than an error of the run. */
+  constructor(unitText, peak, limit, noise) {
     this.peak = Math.max(peak, limit && limit < 4 * peak ? limit : 0) || 1;
     this.colorPeak = peak || 1;
-    this.say = shower(peak);
+    const say = shower(peak);
+    this.say = (force) => (Math.abs(force) <= noise ? "0" : say(force));
     this.rows = LEGS.map((color, index) => {
       const bar = element("i", { class: "bar" });
       const plan = element("i", { class: "plan" });
@@ -63,7 +65,9 @@ export class ForceBars {
 
 /** The pose and how far it is from the program. */
 export class PoseTable {
-  constructor(lengthUnit, angleUnit, size) {
+  /** @param noise of lengths and of angles. */
+  constructor(lengthUnit, angleUnit, size, noise) {
+    this.noise = noise;
     const say = [shower(size, 6), (angle) => fixed(angle, 4)];
     this.say = (value, index) => say[index < 3 ? 0 : 1](value);
     this.cells = POSE.map((name) => ({
@@ -111,7 +115,7 @@ export class PoseTable {
   show(values, deviations) {
     this.cells.forEach(({ actual, off }, index) => {
       actual.textContent = this.say(values[index], index);
-      off.textContent = number(deviations[index], 3);
+      off.textContent = known(deviations[index], this.noise[index < 3 ? 0 : 1], 3);
     });
   }
 }
@@ -125,12 +129,12 @@ function glance(study) {
   const pairs = [
     [
       "off program, at most",
-      `${number(simulate.deviation?.position, 3)}${unitAfter(study.unit("ex"))}`,
+      `${study.say(simulate.deviation?.position, "ex", 3)}${unitAfter(study.unit("ex"))}`,
     ],
-    ["off in angle, at most", `${number(simulate.deviation?.angle, 3)} °`],
+    ["off in angle, at most", `${study.say(simulate.deviation?.angle, "eroll", 3)} °`],
     [
       "leg forces",
-      `${number(Math.min(...forces), 4)} … ${number(Math.max(...forces), 4)}${unitAfter(study.unit("f1"))}`,
+      `${study.say(Math.min(...forces), "f1", 4)} … ${study.say(Math.max(...forces), "f1", 4)}${unitAfter(study.unit("f1"))}`,
     ],
     [
       "leg lengths",
@@ -160,22 +164,35 @@ function glance(study) {
 export class StudyPanel {
   constructor(study) {
     this.study = study;
-    this.pose = new PoseTable(study.unit("x"), study.unit("roll"), study.machine.base_radius);
-    this.bars = new ForceBars(study.unit("f1"), study.peakForce, study.machine.limits?.force);
-    this.node = element("div", {}, this.bars.node, this.pose.node, glance(study));
+    this.pose = new PoseTable(study.unit("x"), study.unit("roll"), study.machine.base_radius, [
+      study.noise("ex"),
+      study.noise("eroll"),
+    ]);
+    this.bars = new ForceBars(
+      study.unit("f1"),
+      study.peakForce,
+      study.machine.limits?.force,
+      study.noise("f1"),
+    );
+    this.over = element(
+      "p",
+      { class: "note", "data-testid": "over", role: "status", hidden: true },
+      `The run ended at t = ${number(study.end.time, 6)}${unitAfter(study.unit("t"))}. After that there is only the program.`,
+    );
+    this.node = element("div", {}, this.over, this.bars.node, this.pose.node, glance(study));
   }
 
   show(time) {
     const { run, plan } = this.study;
+    const over = this.study.isOver(time);
     const row = run.rows ? run.t[run.at(Math.min(time, this.study.lastTime)).row] : 0;
     const shown =
       Math.abs(time - row) < 1e-6 * Math.max(1, time) ? row : Math.min(time, this.study.lastTime);
-    this.pose.show(
-      POSE.map((name) => run.value(name, shown)),
-      ["ex", "ey", "ez", "eroll", "epitch", "eyaw"].map((name) => run.value(name, shown)),
-    );
+    const now = (name) => (over ? NaN : run.value(name, shown));
+    this.over.hidden = !over;
+    this.pose.show(POSE.map(now), ["ex", "ey", "ez", "eroll", "epitch", "eyaw"].map(now));
     this.bars.show(
-      [1, 2, 3, 4, 5, 6].map((leg) => run.value(`f${leg}`, shown)),
+      [1, 2, 3, 4, 5, 6].map((leg) => now(`f${leg}`)),
       [1, 2, 3, 4, 5, 6].map((leg) => plan.value(`f${leg}`, time)),
     );
   }
@@ -215,7 +232,7 @@ export class ComparisonPanel {
           element(
             "dd",
             {},
-            `${number(study.simulate?.deviation?.position, 3)}${unitAfter(study.unit("ex"))}`,
+            `${study.say(study.simulate?.deviation?.position, "ex", 3)}${unitAfter(study.unit("ex"))}`,
           ),
         ),
       );
@@ -231,14 +248,19 @@ export class ComparisonPanel {
   show(time) {
     for (const { study, deviation, angle, forces, state } of this.rows) {
       const { run } = study;
-      const at = (names) => names.map((name) => run.value(name, Math.min(time, study.lastTime)));
-      deviation.textContent = number(Math.hypot(...at(["ex", "ey", "ez"])), 3);
-      angle.textContent = number(Math.hypot(...at(["eroll", "epitch", "eyaw"])), 3);
+      const over = study.isOver(time);
+      const at = (names) => names.map((name) => (over ? NaN : run.value(name, time)));
+      deviation.textContent = study.say(Math.hypot(...at(["ex", "ey", "ez"])), "ex", 3);
+      angle.textContent = study.say(Math.hypot(...at(["eroll", "epitch", "eyaw"])), "eroll", 3);
       const six = at(["f1", "f2", "f3", "f4", "f5", "f6"]);
-      const ends = [number(Math.min(...six), 3), number(Math.max(...six), 3)];
-      forces.textContent = ends[0] === ends[1] ? `all ${ends[0]}` : ends.join(" … ");
-      const over = !study.complete && time >= study.lastTime;
-      state.textContent = over ? `ended: ${causeWords(study.end.status)}` : "";
+      const ends = [Math.min(...six), Math.max(...six)].map((force) => study.say(force, "f1", 3));
+      forces.textContent = over
+        ? "–"
+        : ends[0] === ends[1]
+          ? `all ${ends[0]}`
+          : ends.join(" … ");
+      const ended = over || (!study.complete && time >= study.lastTime);
+      state.textContent = ended ? `ended: ${causeWords(study.end.status)}` : "";
     }
   }
 }

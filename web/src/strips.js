@@ -1,8 +1,8 @@
 // The last stretch of a live run as it goes: how far the top is from its program, and the leg forces.
 import uPlot from "uplot";
-import { AXES, LEGS, plain } from "./color.js";
+import { LEGS, plain, studyColor } from "./color.js";
 import { element, themed } from "./dom.js";
-import { ticks, unit } from "./format.js";
+import { labelRoom, ticks, unit } from "./format.js";
 
 /** Points that a strip holds at most. */
 const POINTS = 1600;
@@ -70,7 +70,11 @@ export class Strips {
           },
           axes: [
             { ...axis, size: 26, values: (_, values) => ticks(values) },
-            { ...axis, size: 58, values: (_, values) => ticks(values) },
+            {
+              ...axis,
+              size: (_, labels) => labelRoom(labels, 58),
+              values: (_, values) => ticks(values),
+            },
           ],
           series: [
             {},
@@ -91,7 +95,7 @@ export class Strips {
       strip(
         "Off the program",
         study.unit("ex"),
-        [{ color: AXES[0], of: () => this.samples.off }],
+        [{ color: studyColor(0), of: () => this.samples.off }],
         "strip-deviation",
       ),
       strip(

@@ -1,6 +1,6 @@
 // A figure as a standalone SVG: what is drawn on the page, with heading, key and axes in words.
 import { drawing, themed } from "./dom.js";
-import { powers, ticks } from "./format.js";
+import { labelRoom, powers, ticks } from "./format.js";
 
 const SIZE = { width: 880, height: 440 };
 const MARGIN = { left: 78, right: 20, top: 66, bottom: 50 };
@@ -18,21 +18,26 @@ export function roundSteps(least, greatest, count) {
   return steps;
 }
 
-/** From numbers to places on the sheet. */
+/** From numbers to places on the sheet; the margin at the left has room for the numbers and the ordinate's name. */
 function placesOf({ xRange, yRange, logarithmic }) {
-  const { left, right, top, bottom } = MARGIN;
+  const { right, top, bottom } = MARGIN;
   const shown = logarithmic ? Math.log10 : (value) => value;
   const [x0, x1] = xRange;
   const [y0, y1] = yRange.map(shown);
+  const ySteps = logarithmic
+    ? roundSteps(y0, y1, 6)
+        .filter((power) => Math.abs(power % 1) < 1e-9)
+        .map((power) => 10 ** power)
+    : roundSteps(y0, y1, 6);
+  const beside = logarithmic ? powers(ySteps) : ticks(ySteps);
+  const left = labelRoom(beside, MARGIN.left - 24, 7.4) + 24;
   const [across, down] = [SIZE.width - left - right, SIZE.height - top - bottom];
   return {
+    left,
+    beside,
+    ySteps,
     x: (value) => left + ((value - x0) / (x1 - x0 || 1)) * across,
     y: (value) => SIZE.height - bottom - ((shown(value) - y0) / (y1 - y0 || 1)) * down,
-    ySteps: logarithmic
-      ? roundSteps(y0, y1, 6)
-          .filter((power) => Math.abs(power % 1) < 1e-9)
-          .map((power) => 10 ** power)
-      : roundSteps(y0, y1, 6),
     xSteps: roundSteps(x0, x1, 10),
   };
 }
@@ -40,11 +45,11 @@ function placesOf({ xRange, yRange, logarithmic }) {
 const words = (x, y, text, attributes = {}) => drawing("text", { x, y, ...attributes }, text);
 
 /** Grid with its labels. */
-function grid(figure, places) {
-  const { left, right, top, bottom } = MARGIN;
+function grid(places) {
+  const { right, top, bottom } = MARGIN;
+  const { left, beside } = places;
   const stroke = themed("--rule");
   const below = ticks(places.xSteps);
-  const beside = figure.logarithmic ? powers(places.ySteps) : ticks(places.ySteps);
   return [
     ...places.xSteps.flatMap((value, index) => [
       drawing("path", { d: `M${places.x(value)} ${top}V${SIZE.height - bottom}`, stroke }),
@@ -74,7 +79,8 @@ function path(figure, places, { y }) {
 }
 
 function plot(figure, places) {
-  const { left, right, top, bottom } = MARGIN;
+  const { right, top, bottom } = MARGIN;
+  const { left } = places;
   const frame = {
     x: left,
     y: top,
@@ -106,8 +112,8 @@ function plot(figure, places) {
 }
 
 /** The key in a row; letters are taken to be 7.2 wide. */
-function key({ lines }) {
-  let x = MARGIN.left;
+function key({ lines }, left) {
+  let x = left;
   return lines.flatMap((line) => {
     const start = x;
     const label = line.leg ? `leg ${line.label}` : line.label;
@@ -128,8 +134,9 @@ function key({ lines }) {
  *  @param figure {title, ordinate, abscissa, x, lines: [{y, label, color, dash, width}], xRange, yRange, logarithmic, limits}. */
 export function svgOf(figure) {
   const { width, height } = SIZE;
-  const { left, right, top, bottom } = MARGIN;
+  const { right, top, bottom } = MARGIN;
   const places = placesOf(figure);
+  const { left } = places;
   const middle = (top + height - bottom) / 2;
   const sheet = drawing(
     "svg",
@@ -142,10 +149,10 @@ export function svgOf(figure) {
       fill: themed("--ink"),
     },
     drawing("rect", { width, height, fill: themed("--card") }),
-    grid(figure, places),
+    grid(places),
     plot(figure, places),
     words(left, 24, figure.title, { "font-size": 16, "font-weight": 600 }),
-    key(figure),
+    key(figure, left),
     words((left + width - right) / 2, height - 10, figure.abscissa, { "text-anchor": "middle" }),
     drawing(
       "text",

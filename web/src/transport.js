@@ -9,7 +9,7 @@ export class Transport {
   constructor(host, player, unitText, ends) {
     this.player = player;
     this.rows = Math.max(1, Math.round(player.duration / player.step));
-    this.decimals = Math.max(2, Math.min(4, Math.ceil(-Math.log10(player.step))));
+    this.decimals = Math.max(2, Math.min(9, Math.ceil(-Math.log10(player.step))));
     this.unit = unitAfter(unitText);
     this.button = element("button", {
       class: "play",
