@@ -18,8 +18,8 @@ function core() {
   };
 }
 
-// The colours of lines, which the figures of `gough plot` have too: import { legs, axes, tables } from "virtual:palette" gives names of
-// colours; `--palette: day` in a style becomes a property of each colour.
+// The colours of lines, which the figures of `gough plot` have too: import { legs, axes, tables } from "virtual:palette" gives
+// names of colours; `--palette: day` in a style becomes a property of each colour.
 function palette() {
   const name = "virtual:palette";
   const text = readFileSync(process.env.GOUGH_PALETTE ?? "../src/report/palette.def", "utf8");

@@ -30,8 +30,8 @@ GOUGH_API const char *const *gough_figure_kinds(void);
 
 /** Draws one figure of one or several tables, compared in the same panels, to .png, .svg or .pdf. The file is complete or absent,
  *  with the same bytes each time. Legs that coincide within the errors of a run (1e-8 of the greatest) are drawn as one line;
- *  lines of many rows are thinned but keep their peaks; the motion omits components of the pose that hardly move compared with the others. Kind "gain" draws columns G
- *  and position_deviation, and draws rings where the column `ended`, if present, is 1.
+ *  lines of many rows are thinned but keep their peaks; the motion omits components of the pose that hardly move compared with
+ *  the others. Kind "gain" draws columns G and position_deviation, and draws rings where the column `ended`, if present, is 1.
  *  @param labels  name of each table in the key; NULL, or one of them NULL: its title
  *  @return GOUGH_OK, GOUGH_ERROR_INPUT (unknown extension, kind or column; the message suggests the nearest) or GOUGH_ERROR_FILE
  *  (gnuplot is missing or failed, the folder does not exist, the disk is full). Text of the tables is never executed. */

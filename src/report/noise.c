@@ -1,6 +1,6 @@
-/* Below what size a number of a table is an error of the run and no more: a share of the scale of its column. The scale follows from
- * the length of the legs, a unit of time √(length/g) with the earth's g, and the greatest leg force. The page has the same in
- * web/src/data.js. */
+/* Below what size a number of a table is an error of the run and no more: a share of the scale of its column. The scale follows
+ * from the length of the legs, a unit of time √(length/g) with the earth's g, and the greatest leg force. The page has the same
+ * in web/src/data.js. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-/* Indices of colours: legs from 0 to 5; axes from 0 to 2; tables or lines of no certain kind from 0 on. Beyond six tables the colours
- * come again, in another round. */
+/* Indices of colours: legs from 0 to 5; axes from 0 to 2; tables or lines of no certain kind from 0 on. Beyond six tables the
+ * colours come again, in another round. */
 int colour_of_leg(int leg);
 int colour_of_axis(int axis);
 int colour_of_table(size_t number);

@@ -46,9 +46,10 @@ function decades(least, greatest) {
 }
 
 export class Curve {
-  /** @param spec {id, title, unit, note, noise, limits: [{value, beyond}], lines: [{label, name, color, t, y, leg, dash, width, off}]}:
-   *  arrays of a line are as long as its t; `off` lines are shown on demand. @param range common Range; @param onSeek called
-   *  with a time that the reader points at, and whether it was a click; @param timeUnit of the abscissa. */
+  /** @param spec {id, title, unit, note, noise, limits: [{value, beyond}],
+   *  lines: [{label, name, color, t, y, leg, dash, width, off}]}: arrays of a line are as long as its t; `off` lines are shown
+   *  on demand. @param range common Range; @param onSeek called with a time that the reader points at, and whether it was a
+   *  click; @param timeUnit of the abscissa. */
   constructor(spec, range, { onSeek, timeUnit, study }) {
     // a table may lack a column that a run of another kind has
     this.spec = { ...spec, lines: spec.lines.filter((line) => line.y) };

@@ -436,7 +436,11 @@ export class Live {
       Math.hypot(at("ex"), at("ey"), at("ez")),
       DEGREE * Math.hypot(at("eroll"), at("epitch"), at("eyaw")),
     ];
-    this.off.textContent = `${this.study.say(off, "ex", 3)}${unitAfter(this.study.unit("ex"))}, ${this.study.say(angle, "eroll", 3)}${unitAfter("degree")}`;
+    const { study } = this;
+    this.off.textContent = [
+      study.say(off, "ex", 3) + unitAfter(study.unit("ex")),
+      study.say(angle, "eroll", 3) + unitAfter("degree"),
+    ].join(", ");
     this.pace.textContent =
       this.ratio > 0
         ? `${number(this.ratio, 2)}${this.study.units === "si" ? "× real time" : " units of time a second"}`
