@@ -2,45 +2,38 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "gough/text.h"
 #include "sheet.h"
 
-/* Length of the well-formed UTF-8 character at `at`, 0 if there is none (overlong forms and surrogates included). */
-static size_t character_length(const unsigned char *at) {
-    if (at[0] < 0x80) return at[0] >= 0x20 && at[0] != 0x7f ? 1 : 0;
-    if (at[0] < 0xc2 || at[0] > 0xf4) return 0;
-    const size_t length = at[0] >= 0xf0 ? 4 : at[0] >= 0xe0 ? 3 : 2;
-    for (size_t i = 1; i < length; i++) {
-        if ((at[i] & 0xc0) != 0x80) return 0;
-    }
-    if ((at[0] == 0xe0 && at[1] < 0xa0) || (at[0] == 0xed && at[1] > 0x9f) ||
-        (at[0] == 0xf0 && at[1] < 0x90) || (at[0] == 0xf4 && at[1] > 0x8f))
-        return 0;
-    if (at[0] == 0xc2 && at[1] < 0xa0) return 0; /* C1 control characters */
-    return length;
+/* Whether a character can be drawn, and stand in XML, as it is. taken: its bytes, or those of what stands in its place. */
+static bool is_drawable(const char *text, size_t length, size_t *taken) {
+    char shown[GOUGH_SHOWN_CHARACTER];
+    *taken = gough_character_show(text, length, shown);
+    return strlen(shown) == *taken && memcmp(shown, text, *taken) == 0;
 }
 
 void sheet_quote(char *quoted, size_t size, const char *text, size_t characters) {
-    const unsigned char *at = (const unsigned char *)text;
     static const char ellipsis[] = "…", typographic[] = "’";
+    const char *end = text + strlen(text);
     size_t used = 0, count = 0;
-    while (*at != '\0' && used + 4 + sizeof ellipsis < size) {
+    for (const char *at = text; at < end && used + 4 + sizeof ellipsis < size;) {
+        size_t taken;
         if (count++ == characters) {
             memcpy(quoted + used, ellipsis, sizeof ellipsis - 1);
             used += sizeof ellipsis - 1;
             break;
         }
-        const size_t length = character_length(at);
-        if (length == 0) {
-            const bool blank = *at == '\n' || *at == '\r' || *at == '\t';
-            quoted[used++] = blank ? ' ' : '?';
-            at++;
+        if (*at == '\'') {
+            memcpy(quoted + used, typographic, 3);
+            used += 3;
+            taken = 1;
+        } else if (is_drawable(at, (size_t)(end - at), &taken)) {
+            memcpy(quoted + used, at, taken);
+            used += taken;
         } else {
-            const bool apostrophe = *at == '\'';
-            memcpy(quoted + used, apostrophe ? (const void *)typographic : at,
-                   apostrophe ? 3 : length);
-            used += apostrophe ? 3 : length;
-            at += length;
+            quoted[used++] = *at == '\n' || *at == '\r' || *at == '\t' ? ' ' : '?';
         }
+        at += taken;
     }
     quoted[used] = '\0';
 }

@@ -1,4 +1,5 @@
 /* Last touches to what gnuplot drew: the date of a PDF, the fonts of an SVG. */
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,17 +18,21 @@ void sheet_blank_date(char *bytes, size_t length) {
     }
 }
 
-/* gnuplot knows one family a text, and writes a weight as part of its name. */
+/* gnuplot knows one family a text, and writes a weight as part of its name; and it leaves the end of a CDATA section in a text
+ * as it is, with which XML is not well-formed. (It writes no such sections.) */
 static const struct {
     const char *drawn, *named;
 } fonts[] = {
     {"font-family=\"DejaVu Sans:Bold\"",
      "font-family=\"DejaVu Sans, Verdana, sans-serif\" font-weight=\"bold\""},
+    {"]]>", "]]&gt;"},
     {"font-family=\"DejaVu Sans\"", "font-family=\"DejaVu Sans, Verdana, sans-serif\""},
 };
 enum { FONTS = sizeof fonts / sizeof fonts[0] };
 
-/* Which font begins at a place of the text; FONTS if none. */
+static bool may_begin(char c) { return c == 'f' || c == ']'; }
+
+/* Which of them begins at a place of the text; FONTS if none. */
 static int font_at(const char *at, size_t left) {
     int f = 0;
     while (f < FONTS && (left < strlen(fonts[f].drawn) ||
@@ -39,13 +44,13 @@ static int font_at(const char *at, size_t left) {
 char *sheet_name_fonts(const char *bytes, size_t *length) {
     size_t size = *length, used = 0;
     for (size_t i = 0; i < *length; i++) {
-        const int f = bytes[i] == 'f' ? font_at(bytes + i, *length - i) : FONTS;
+        const int f = may_begin(bytes[i]) ? font_at(bytes + i, *length - i) : FONTS;
         if (f < FONTS) size += strlen(fonts[f].named);
     }
     char *named = malloc(size > 0 ? size : 1);
     if (named == NULL) return NULL;
     for (size_t i = 0; i < *length;) {
-        const int f = bytes[i] == 'f' ? font_at(bytes + i, *length - i) : FONTS;
+        const int f = may_begin(bytes[i]) ? font_at(bytes + i, *length - i) : FONTS;
         if (f == FONTS) {
             named[used++] = bytes[i++];
             continue;

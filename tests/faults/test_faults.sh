@@ -35,7 +35,7 @@ let_fail -- check own.yaml "${keys[@]}" --json
 let_fail -- forces own.yaml "${short[@]}" --set platform.legs.max_force=5
 let_fail -- forces own.yaml "${short[@]}" --set platform.legs.max_force=5 --json
 let_fail a.csv -- simulate own.yaml "${short[@]}" --set 'motion={samples: deck.csv}' -q -o a.csv
-let_fail a.h5 -- simulate own.yaml "${short[@]}" -q -o a.h5
+FAIL_DEPTH=1 let_fail a.h5 -- simulate own.yaml "${short[@]}" -q -o a.h5
 let_fail -- simulate own.yaml "${short[@]}" --json
 let_fail a.csv -- sweep own.yaml "${short[@]}" "${keys[@]}" --threads 1 -q -o a.csv
 let_fail -- sweep own.yaml "${short[@]}" "${keys[@]}" --run 2 --json
@@ -45,7 +45,7 @@ let_fail -- stability own.yaml "${short[@]}" --json
 let_fail map.csv -- stability own.yaml "${short[@]}" --sweep-stiffness 4000:6000:2 --threads 1 -q -o map.csv
 let_fail -- tune own.yaml "${short[@]}" --deviation 1e-2 --feedforward program --threads 1 --json
 let_fail p.svg -- plot result.csv -q -o p.svg
-let_fail p.svg -- plot result.h5 -q -o p.svg
+FAIL_DEPTH=1 let_fail p.svg -- plot result.h5 -q -o p.svg
 "$GOUGH" report own.yaml "${short[@]}" -q -o probe.html 2>/dev/null && let_fail r.html -- report own.yaml "${short[@]}" -q -o r.html
 let_fail -- simulate own.yaml --set control.stifness=5
 finish
