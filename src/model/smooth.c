@@ -159,12 +159,13 @@ static bool within(const fit *f, double deviation, double greatest) {
     return sqrt(sum / (double)f->count) <= deviation && most <= greatest;
 }
 
+/* The smooth values, all or none. */
 static gough_status give_back(const fit *f, double *value, int component, gough_error *error) {
-    for (size_t i = 0; i < f->count; i++) {
+    for (size_t i = 0; i < f->count; i++)
         if (!isfinite(f->smooth[i]))
             return FAIL(error, "row %zu: the rows are too close in time to be smoothed", i + 1);
+    for (size_t i = 0; i < f->count; i++)
         value[i * GOUGH_COMPONENTS + (size_t)component] = f->smooth[i];
-    }
     return GOUGH_OK;
 }
 
@@ -221,6 +222,7 @@ gough_status gough_samples_smooth(size_t count, const double *time, double *valu
             low = middle;
     }
     solve(&f, high);
-    *cutoff = high;
-    return give_back(&f, value, component, error);
+    const gough_status given = give_back(&f, value, component, error);
+    if (given == GOUGH_OK) *cutoff = high;
+    return given;
 }

@@ -224,6 +224,28 @@ START_TEST(rounding_is_taken_out_of_heave) {
 }
 END_TEST
 
+static double smooth_step(double x) {
+    return x < 0 ? 0 : x > 1 ? 1 : x * x * x * (10 - x * (15 - 6 * x));
+}
+
+/* At rest nothing is rounded, but a long rest must not pay for a stronger smoothing of the move. */
+START_TEST(a_short_move_in_a_long_rest_keeps_its_acceleration) {
+    const double truth = 0.1 * 10 / sqrt(3); /* of (motion-3), 0.1 in a time of 1 */
+    for (size_t rows = 200; rows <= MOST; rows += 3800) {
+        double cutoff;
+        for (size_t i = 0; i < rows; i++) {
+            time_of[i] = (double)i * 0.01;
+            value[i * GOUGH_COMPONENTS + GOUGH_ROLL] =
+                1e-4 * rint(1000 * smooth_step(time_of[i] - 0.5));
+        }
+        ck_assert(gough_samples_smooth(rows, time_of, value, GOUGH_ROLL, 1e-4 / sqrt(12), 0.75e-4,
+                                       &cutoff, scratch, NULL) == GOUGH_OK);
+        ck_assert_msg(fabs(worst_acceleration(rows) / truth - 1) <= 0.03, "%zu rows: %g, %g", rows,
+                      worst_acceleration(rows), truth);
+    }
+}
+END_TEST
+
 /* White noise of known size through the filter: what is left in the second derivative is the formula's. */
 START_TEST(noise_left_is_that_of_the_theory) {
     const double cutoff = 4, step = 0.005;
@@ -365,11 +387,12 @@ START_TEST(heading_past_north_is_continuous_in_exact_degrees) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("model/smooth", 60, agrees_with_dense_normal_equations,
-                     gain_of_sines_is_that_of_the_filter_and_phase_is_none,
-                     parabolas_are_left_alone_at_any_cutoff,
-                     infinite_cutoff_and_few_rows_change_nothing, rounding_is_taken_out_of_heave,
-                     noise_left_is_that_of_the_theory, bad_input_is_refused_and_left_alone,
-                     motion_over_the_pole_and_past_north_is_recovered, no_rotation_changes,
-                     heading_past_north_is_continuous_in_exact_degrees);
+    return SUITE_RUN(
+        "model/smooth", 60, agrees_with_dense_normal_equations,
+        gain_of_sines_is_that_of_the_filter_and_phase_is_none,
+        parabolas_are_left_alone_at_any_cutoff, infinite_cutoff_and_few_rows_change_nothing,
+        rounding_is_taken_out_of_heave, noise_left_is_that_of_the_theory,
+        a_short_move_in_a_long_rest_keeps_its_acceleration, bad_input_is_refused_and_left_alone,
+        motion_over_the_pole_and_past_north_is_recovered, no_rotation_changes,
+        heading_past_north_is_continuous_in_exact_degrees);
 }

@@ -125,6 +125,18 @@ START_TEST(motion_is_given_in_one_way) {
 }
 END_TEST
 
+START_TEST(smoothing_is_for_records_by_one_rule) {
+    expect_one_more("motion: {heave: t, smooth: rounding}\n", "8:20",
+                    "`motion.smooth` smooths recorded motion; there is no `motion.samples`");
+    expect_one_more("motion: {cutoff: 5}\n", "8:10",
+                    "`motion.cutoff` smooths recorded motion; there is no `motion.samples`");
+    expect_said("motion: {samples: a.csv, smooth: rounding, cutoff: 5}\n",
+                "1:44: error: `motion` has `cutoff` beside `smooth`");
+    expect_said("motion: {samples: a.csv, smooth: {}}\n",
+                "1:34: error: `motion.smooth` must be rounding, none or a mapping");
+}
+END_TEST
+
 START_TEST(moves_follow_one_another) {
     expect_one_more("motion:\n  moves:\n  - {start: 1, duration: 1, heave: 1}\n  - {start: 1.5, "
                     "duration: 1, heave: 1}\n",
@@ -193,8 +205,9 @@ int main(void) {
                      joints_of_one_ring_may_be_listed_and_the_other_round,
                      impossible_machines_are_errors_at_their_part,
                      machines_with_shared_joints_are_fine, limits_of_a_leg_are_in_order,
-                     motion_is_given_in_one_way, moves_follow_one_another,
-                     steps_and_methods_fit_each_other, a_tolerance_beside_a_step_is_unused,
+                     motion_is_given_in_one_way, smoothing_is_for_records_by_one_rule,
+                     moves_follow_one_another, steps_and_methods_fit_each_other,
+                     a_tolerance_beside_a_step_is_unused,
                      tolerance_of_quadruple_precision_is_accepted,
                      a_part_that_is_wrong_hides_no_error_of_another);
 }
