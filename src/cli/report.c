@@ -15,7 +15,7 @@ static const struct argp_option option[] = {
      0},
     {"set", OPTION_SET, "KEY=VALUE", 0,
      "override a key of every study, as in --set control.stiffness=50; may be repeated", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print only errors", 0},
     {0}};
 
 static const verb_usage usage = {

@@ -20,14 +20,14 @@ static const struct argp_option sweep_option[] = {
      "override a key of the study, as in --set sweep.runs=100; may be repeated", 0},
     {"threads", OPTION_THREADS, "N", 0, "threads (default: one for each processor)", 0},
     {"lanes", OPTION_LANES, "N", 0,
-     "runs side by side in a processor: 1, 2, 4 or 8 (default: as many as it can)", 0},
+     "runs computed side by side by one thread: 1, 2, 4 or 8 (default: the most possible)", 0},
     {"shard", OPTION_SHARD, "I/N", 0,
      "run the I-th of N parts, into a FILE that ends in .shard, for gough merge", 0},
     {"run", OPTION_RUN, "N", 0,
-     "print what run N sets, as options for gough simulate, and run nothing", 0},
+     "print the settings of run N as options for gough simulate, and run nothing", 0},
     {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
      "table and summary in units of R_b, M and sqrt(R_b/g)", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print only errors", 0},
     {0}};
 
 static const verb_usage sweep_usage = {
@@ -35,13 +35,13 @@ static const verb_usage sweep_usage = {
     .option = sweep_option,
     .arguments = "STUDY",
     .text =
-        "Many runs of a study with other numbers: the section 'sweep' of STUDY says which vary, "
-        "over grids, lists or distributions.\v"
-        "A table has a row for each run: the swept values, the state at its end, its greatest "
-        "deviations, forces, speeds and powers, and how it ended. The bytes are the same for "
-        "any number of threads, lanes and shards. Runs done stand in FILE.part until all are; "
-        "a sweep that was stopped or killed goes on from there by the same command. A run that "
-        "ends early ends itself only; values that make no possible study are recorded as "
+        "Run a study many times with different numbers: the section 'sweep' of STUDY says which "
+        "numbers vary, over grids, lists or distributions.\v"
+        "The table has one row for each run: the swept values, the final state, the largest "
+        "deviations, forces, speeds and powers, and how the run ended. Its bytes are the same for "
+        "any number of threads, lanes and shards. Finished runs are kept in FILE.part until the "
+        "sweep is complete; if it is stopped or killed, the same command continues from there. A "
+        "run that ends early ends only itself. Runs whose values make no valid study are marked "
         "invalid, and the exit status is then 1.",
     .least_files = 1,
     .most_files = 1};
@@ -52,15 +52,18 @@ static const struct argp_option merge_option[] = {
      "given several times",
      0},
     {"json", OPTION_JSON, NULL, 0, "print the summary as JSON", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print only errors", 0},
     {0}};
 
 static const verb_usage merge_usage = {
     .verb = "merge",
     .option = merge_option,
     .arguments = "SHARD...",
-    .text = "One table of the shards of a sweep: the same bytes as of the sweep run as a whole.\v"
-            "The shards may stand in any order; all must be there, and of the same sweep.",
+    .text =
+        "Combine the shards of a sweep into one table, with the same bytes as the sweep run as a "
+        "whole.\v"
+        "The shards may be given in any order. All must be present and belong to the same "
+        "sweep.",
     .least_files = 1,
     .most_files = (size_t)-1};
 
@@ -101,7 +104,7 @@ static gough_status print_run(const command_line *line, const gough_sweep *sweep
     size_t keys;
     const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
     if (line->one_run > gough_sweep_runs(sweep)) {
-        complain(line->verb, "there is no run %zu: the sweep has %zu", line->one_run,
+        complain(line->verb, "there is no run %zu: the sweep has %zu runs", line->one_run,
                  gough_sweep_runs(sweep));
         return GOUGH_ERROR_INPUT;
     }
@@ -259,7 +262,7 @@ gough_status merge_verb(int count, char **argument) {
     struct rlimit files;
     gough_status status = GOUGH_OK;
     if (!line.output) {
-        complain(line.verb, "-o FILE is missing: where the table goes");
+        complain(line.verb, "-o FILE is missing; it names the table to write");
         status = GOUGH_ERROR_INPUT;
     }
     if (!status) status = check_output(&line, NULL);

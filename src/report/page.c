@@ -60,7 +60,7 @@ gough_status gough_page_write(const gough_page_template *page, const char *data,
                           "the template of the page has no place, or more than one, for the data");
 
     char *text = malloc(page->length + length * LONGEST_ESCAPE);
-    if (!text) return gough_fail(error, GOUGH_ERROR_FILE, "memory is out for the page");
+    if (!text) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory for the page");
     const size_t before = (size_t)(place - page->text) + head;
     char *out = text + before;
     memcpy(text, page->text, before);

@@ -105,7 +105,7 @@ gough_status result_output_open(result_output *output, const char *path, gough_e
     output->held = 0;
     output->standard = strcmp(path, "-") == 0;
     if (output->standard) return GOUGH_OK;
-    if (path[0] == '\0') return gough_fail(error, GOUGH_ERROR_FILE, "no file is named to write to");
+    if (path[0] == '\0') return gough_fail(error, GOUGH_ERROR_FILE, "the output has no name");
 
     bool in_place;
     mode_t mode;

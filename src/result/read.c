@@ -91,8 +91,8 @@ static gough_status read_csv_file(int file, const struct stat *about, const char
     size_t length = 0;
     char *text = read_text(file, ordinary ? (size_t)about->st_size : 0, cap, &length);
     if (text == NULL && errno == EFBIG)
-        return gough_fail(error, GOUGH_ERROR_INPUT, "%s: is longer than the %zu MiB that are read",
-                          path, cap >> 20);
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%s: is larger than %zu MiB, the most that can be read", path, cap >> 20);
     if (text == NULL)
         return gough_fail(error, GOUGH_ERROR_FILE, "%s: cannot read: %s", path, strerror(errno));
     const gough_status status = result_read_csv(path, text, length, table, error);

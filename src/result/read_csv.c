@@ -91,7 +91,8 @@ static gough_status read_number(const reader *r, piece cell, double *value) {
                  whole < sizeof shown ? "" : "...");
         return fail_at(r, cell.begin, sentence);
     }
-    if (isinf(*value)) return fail_at(r, cell.begin, "this number is beyond the range of a double");
+    if (isinf(*value))
+        return fail_at(r, cell.begin, "this number is too large for double precision");
     return GOUGH_OK;
 }
 
@@ -146,7 +147,7 @@ static gough_status read_name(const reader *r, gough_table *table, size_t column
         return gough_fail(r->error, GOUGH_ERROR_FILE, "%s: out of memory", r->path);
     for (size_t c = 0; c < column; c++) {
         if (strcmp(table->name[c], table->name[column]) == 0)
-            return fail_at(r, place, "a column of this name stands before");
+            return fail_at(r, place, "an earlier column has the same name");
     }
     return GOUGH_OK;
 }

@@ -182,7 +182,8 @@ static gough_status read_root(reader *r) {
                           "%s: its contents cannot be listed; the file is damaged", r->path);
     if (table->columns == 0)
         return gough_fail(r->error, GOUGH_ERROR_INPUT,
-                          "%s: has no one-dimensional dataset of numbers in its root", r->path);
+                          "%s: has no one-dimensional dataset of numbers in its root group",
+                          r->path);
     return GOUGH_OK;
 }
 

@@ -328,8 +328,7 @@ static gough_status start(crew *c, hand *hands, int threads, double *value, goug
     if (started > 0)
         pass_on(c, value, sink, context);
     else
-        c->status =
-            gough_fail(&c->error, GOUGH_ERROR_FILE, "no thread could be started, or out of memory");
+        c->status = gough_fail(&c->error, GOUGH_ERROR_FILE, "no thread could be started");
     for (int i = 0; i < started; i++) pthread_join(hands[i].thread, NULL);
     for (int i = 0; i < threads; i++) release_hand(&hands[i]);
     return c->status;

@@ -19,7 +19,7 @@ static const struct {
     int length, mass, time, angle;
 } peak[PEAKS + POWERS] = {
     {"position_deviation", "largest deviation of the position from the program", "m", 1, 0, 0, 0},
-    {"angle_deviation", "largest angle between the top and the program's", "degree", 0, 0, 0, 1},
+    {"angle_deviation", "largest angle between the platform and the program", "degree", 0, 0, 0, 1},
     {"force", "largest leg force, pushing or pulling", "N", 1, 1, -2, 0},
     {"speed", "largest rate of a leg's length", "m/s", 1, 0, -1, 0},
     {"power", "largest power that a leg delivers", "W", 2, 1, -3, 0},

@@ -122,21 +122,22 @@ static gough_status receive(int pipe, const char *path, gough_table *table, goug
         return gough_fail(error, status, "%s", said.message);
     }
     if (answered && get_table(pipe, table)) return GOUGH_OK;
-    return gough_fail(error, GOUGH_ERROR_INPUT, "%s: the HDF5 library gave up on it; it is damaged",
-                      path);
+    return gough_fail(error, GOUGH_ERROR_INPUT,
+                      "%s: the HDF5 library cannot read it; the file is damaged", path);
 }
 
 gough_status result_read_in_child(result_reader *read_table, const char *path, gough_table *table,
                                   gough_error *error) {
     int ends[2];
     if (pipe(ends) != 0)
-        return gough_fail(error, GOUGH_ERROR_FILE, "%s: no pipe: %s", path, strerror(errno));
+        return gough_fail(error, GOUGH_ERROR_FILE, "%s: cannot create a pipe: %s", path,
+                          strerror(errno));
     const pid_t child = fork();
     if (child < 0) {
         const int number = errno;
         close(ends[0]);
         close(ends[1]);
-        return gough_fail(error, GOUGH_ERROR_FILE, "%s: no child process: %s", path,
+        return gough_fail(error, GOUGH_ERROR_FILE, "%s: cannot start a child process: %s", path,
                           strerror(number));
     }
     if (child == 0) {

@@ -13,9 +13,10 @@ gough_status gough_units_of_study(const gough_study *study, bool dimensionless, 
 
     const gough_machine *machine = &study->model->machine;
     if (!(machine->gravity_magnitude > 0.0))
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "no dimensionless form without gravity: its unit of time is "
-                          "sqrt(base radius/gravity); give the study a gravity, or keep its units");
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "without gravity there is no dimensionless form, because its unit of time is "
+            "sqrt(base radius/gravity); set gravity or keep the study's units");
     units->length = machine->base_radius;
     units->mass = machine->load.mass;
     units->time = sqrt(machine->base_radius / machine->gravity_magnitude);

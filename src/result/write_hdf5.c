@@ -195,7 +195,7 @@ gough_status result_write_hdf5_file(const result_file *content, const char *path
     H5E_END_TRY;
     if (image == NULL)
         return gough_fail(error, GOUGH_ERROR_FILE,
-                          "%s: the HDF5 file could not be built in memory (%zu rows)", path,
+                          "%s: cannot build the HDF5 file in memory (%zu rows)", path,
                           content->rows);
     const gough_status status = gough_write_file(path, image, length, error);
     free(image);

@@ -27,7 +27,7 @@ static study_node *find_way(study_messages *messages, study_node *node) {
         else if (!grid || strcmp(found->key->text, "uniform") == 0 ||
                  strcmp(found->key->text, "normal") == 0) {
             study_node_say(messages, child, study_node_place(child, true),
-                           "`%s` has `%s` beside `%s`; give a grid, uniform or normal",
+                           "`%s` has both `%s` and `%s`; give one of grid, uniform and normal",
                            study_node_path(messages->arena, node), name, found->key->text);
             return NULL;
         }
@@ -47,7 +47,7 @@ static bool read_grid(study_messages *messages, study_node *node, gough_sweep_ke
         const study_node *child = study_node_child(node, names[i]);
         if (!child) {
             study_node_say(messages, node, study_node_place(node, true),
-                           "`%s.%s` is missing: a grid has from, to and steps",
+                           "`%s.%s` is missing: a grid needs from, to and steps",
                            study_node_path(messages->arena, node), names[i]);
             return false;
         }
@@ -133,8 +133,8 @@ static bool check_zip(study_messages *messages, const study_plan *plan) {
         if (axis->key.count == 0) continue;
         if (first && axis->key.count != first->key.count) {
             study_node_say(messages, axis->node, study_node_place(axis->node, true),
-                           "`%s` has %zu values, but `%s` has %zu; side by side (zip) they must "
-                           "be as many",
+                           "`%s` has %zu values, but `%s` has %zu; `combine: zip` needs the same "
+                           "number of each",
                            axis->key.path, axis->key.count, first->key.path, first->key.count);
             return false;
         }
@@ -152,19 +152,20 @@ static bool count_runs(study_messages *messages, study_node *sweep, study_plan *
     }
     if (count > 0 && runs) {
         study_node_say(messages, runs, study_node_place(runs, true),
-                       "`sweep.runs` is for distributions alone: the grids and lists here ask for "
-                       "%.0f runs; remove it",
+                       "`sweep.runs` is only for sweeps of distributions; remove it, because the "
+                       "grids and lists here make %.0f runs",
                        count);
         return false;
     }
     if (!(count > 0) && !runs) {
         study_node_say(messages, sweep, study_node_place(sweep, true),
-                       "`sweep.runs` is missing: distributions do not say how many runs there are");
+                       "`sweep.runs` is missing: it sets the number of runs if all keys have "
+                       "distributions");
         return false;
     }
     if (count > MOST_RUNS) {
         study_node_say(messages, sweep, study_node_place(sweep, true),
-                       "the sweep has %.3g runs; at most 1e8 can be made", count);
+                       "the sweep has %.3g runs; at most 1e8 are possible", count);
         return false;
     }
     plan->runs = (size_t)(count > 0 ? count : study_number(runs));

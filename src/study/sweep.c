@@ -250,7 +250,7 @@ gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run, const gough_
     gough_status status = said.count ? said.status : GOUGH_OK;
     maker->failed = said.count > 0;
     if (said.count) gough_fail(error, status, "%s", study_messages_first(&said));
-    if (arena.exhausted) status = gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+    if (arena.exhausted) status = gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
     study_arena_free(&arena);
     if (status == GOUGH_OK && maker->touches & (STUDY_MOTION | STUDY_SIMULATION))
         status = gough_simulation_check(maker->study->model, &maker->study->simulation, error);

@@ -97,7 +97,7 @@ static const study_rule *walk_rules(char **rest) {
 static bool say_unknown(study_messages *messages, study_node *node, const char *path) {
     const char *nearest = nearest_path(path);
     study_node_say(
-        messages, node, study_node_place(node, true), "`%s` is no key of a study; %s%s%s", path,
+        messages, node, study_node_place(node, true), "`%s` is not a key of a study; %s%s%s", path,
         nearest ? "did you mean `" : "a path such as ",
         nearest ? nearest : "control.stiffness or load.mass", nearest ? "`?" : " was expected");
     return false;
@@ -178,8 +178,8 @@ static bool check_place(study_messages *messages, study_node *root, study_node *
     if (!missing || (depth == 0 && !move)) return true;
     if (depth == 0 && found->parent && !found->key && found->kind == STUDY_MAPPING) return true;
     study_node_say(messages, node, study_node_place(node, true),
-                   "`%s`: the study gives no list `%s` with such an element; write it out", path,
-                   move ? "motion.moves" : rule->path);
+                   "`%s`: the study has no list `%s` with such an element; add it to the study",
+                   path, move ? "motion.moves" : rule->path);
     return false;
 }
 

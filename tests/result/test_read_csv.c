@@ -89,7 +89,7 @@ START_TEST(text_in_a_number_has_its_place) {
             "read.csv:2:3: 'abcdefghijklmnopqrstuvwxyzabcde...' is not a number");
     REFUSES("t,x\n0,\n", "read.csv:2:3: a number is missing");
     REFUSES("t,x\n,1\n", "read.csv:2:1: a number is missing");
-    REFUSES("t,x\n0,1e999\n", "read.csv:2:3: this number is beyond the range of a double");
+    REFUSES("t,x\n0,1e999\n", "read.csv:2:3: this number is too large for double precision");
 }
 END_TEST
 
@@ -98,7 +98,7 @@ START_TEST(a_wrong_header_has_its_place) {
     REFUSES("\xef\xbb\xbf", "read.csv:1:1: the file is empty");
     REFUSES("\n", "read.csv:1:1: a column has no name");
     REFUSES("t,,x\n0,1,2\n", "read.csv:1:3: a column has no name");
-    REFUSES("t,x,t\n0,1,2\n", "read.csv:1:5: a column of this name stands before");
+    REFUSES("t,x,t\n0,1,2\n", "read.csv:1:5: an earlier column has the same name");
     REFUSES("0,1\n2,3\n", "read.csv:1:1: the first row must name the columns");
     REFUSES("t;x\n0;1\n", "read.csv:1:1: columns must be separated by commas");
     REFUSES("t,\xff\n0,1\n", "read.csv:1:3: this column's name is not printable");

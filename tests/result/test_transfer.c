@@ -80,7 +80,7 @@ START_TEST(a_message_comes_through) { expect_message(complains, "file: not to my
 END_TEST
 
 START_TEST(a_death_is_a_message) {
-    static const char *const message = "file: the HDF5 library gave up on it; it is damaged";
+    static const char *const message = "file: the HDF5 library cannot read it; the file is damaged";
     expect_message(crashes, message);
     expect_message(aborts, message);
     expect_message(leaves, message);

@@ -69,7 +69,7 @@ START_TEST(logarithmic_grids_have_equal_ratios_and_clean_decades) {
 }
 END_TEST
 
-/* ends whose ratio or difference is beyond the range of a double */
+/* ends whose ratio or difference is too large for double precision */
 START_TEST(wide_grids_do_not_overflow) {
     static const struct {
         const char *ends;
@@ -242,13 +242,13 @@ END_TEST
 
 START_TEST(says_what_is_wrong_with_a_sweep) {
     refuse("sweep: {keys: {control.stifness: [1]}}\n",
-           "study.yaml:8:16: error: `control.stifness` is no key of a study; did you mean "
+           "study.yaml:8:16: error: `control.stifness` is not a key of a study; did you mean "
            "`control.stiffness`?");
     refuse("sweep: {keys: {control.feedforward: [1]}}\n", "is not a number (choice)");
     refuse("sweep: {keys: {load: [1]}}\n", "is not a number (mapping)");
-    refuse("sweep: {keys: {sweep.seed: [1]}}\n", "is no key of a study");
+    refuse("sweep: {keys: {sweep.seed: [1]}}\n", "is not a key of a study");
     refuse("sweep: {keys: {load.inertia: [1]}}\n", "vary its elements, numbered from 1");
-    refuse("sweep: {keys: {load.inertia.4: [1]}}\n", "is no key of a study");
+    refuse("sweep: {keys: {load.inertia.4: [1]}}\n", "is not a key of a study");
     refuse("sweep: {keys: {load.inertia.1.1: [1]}}\n", "no list `load.inertia` with such");
     refuse("sweep: {keys: {control.stiffness.2: [1]}}\n", "no list `control.stiffness` with");
     refuse("sweep: {keys: {motion.moves.1.heave: [1]}}\n", "no list `motion.moves` with");
@@ -266,11 +266,12 @@ START_TEST(says_what_is_wrong_with_a_sweep) {
     refuse("sweep: {keys: {load.mass: {from: 1, to: 2, stepps: 1}}}\n", "did you mean `steps`?");
     refuse("sweep: {keys: {load.mass: {from: 0, to: 2, steps: 3, scale: log}}}\n",
            "its ends must be greater than 0");
-    refuse("sweep: {keys: {load.mass: {from: 1, uniform: [1, 2]}}}\n", "`uniform` beside `from`");
+    refuse("sweep: {keys: {load.mass: {from: 1, uniform: [1, 2]}}}\n", "both `uniform` and `from`");
     refuse("sweep: {runs: 3, keys: {load.mass: {uniform: [2, 1]}}}\n", "[low, high], the lower");
     refuse("sweep: {runs: 3, keys: {load.mass: {normal: [2, -1]}}}\n", "the deviation 0 or");
     refuse("sweep: {keys: {load.mass: {normal: [2, 1]}}}\n", "`sweep.runs` is missing");
-    refuse("sweep: {runs: 3, keys: {load.mass: [1, 2]}}\n", "ask for 2 runs; remove it");
+    refuse("sweep: {runs: 3, keys: {load.mass: [1, 2]}}\n",
+           "only for sweeps of distributions; remove it");
     refuse("sweep: {keys: {load.mass: {from: 1, to: 2, steps: 100000}, gravity: {from: 1, to: 2, "
            "steps: 100000}}}\n",
            "the sweep has 1e+10 runs; at most 1e8");
