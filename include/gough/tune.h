@@ -20,11 +20,16 @@ typedef struct gough_tuning_options {
     double
         damping_ratio; /**< D is chosen so that the least damped mode at home has this ratio, in [0, 1); NaN: keep the
                                  model's damping */
-    double margin;   /**< no instability within this part of G below and above it, in [0, 0.5] */
-    double least;    /**< least G tried; 0: a quarter of the largest threshold at rest */
-    double greatest; /**< greatest G tried; INFINITY: 1e6 M g/R_b */
-    int threads;     /**< of the runs; 0: one per processor that the process may use */
-    /** Called occasionally with the part done, from 0 to 1; nonzero stops. May be NULL. */
+    double margin; /**< no instability within this part of G below and above it, in [0, 0.5] */
+    double
+        least; /**< least G tried; 0: a quarter of the largest threshold at rest, or 1e-3 F/R_b if that is more,
+                          F being the weight or the largest force that a leg has to bear */
+    double
+        greatest; /**< greatest G tried; INFINITY: 1e6 F/R_b, and further if that can help: up to 1e3 times the largest
+                          force over the deviation, and 1e2 times what inertia and damping amount to in an output step */
+    int threads;  /**< of the runs; 0: one per processor that the process may use */
+    /** Called occasionally with the part done, from 0 to 1; nonzero stops. May be NULL. Meanwhile `stiffness` of the result is
+     *  the least G known to meet the deviation (0: none yet), and `fails` the greatest below it known not to (NaN: none). */
     int (*progress)(void *context, double part);
     void *context; /**< passed to progress */
 } gough_tuning_options;
@@ -130,9 +135,10 @@ GOUGH_API gough_status gough_tune_size(const gough_model *model,
 
 /** Finds the least G, the same in all legs, with which the run meets the request.
  *
- *  Disturbances, initial state, program and duration are the model's; its stiffness and the method of its simulation are not
- *  used: runs are adaptive, at the least of the tolerance given (or 1e-10 for a fixed step) and 1e-4 of the deviation asked for,
- *  and deviations are taken as often as the fastest mode needs. The resulting G meets the accuracy; a G smaller by 1e-4 of it
+ *  Disturbances, initial state, program, duration and method are the model's; its stiffness is not used. Adaptive runs take the
+ *  smaller of the tolerance given and 1e-4 of the deviation asked for; a fixed step is halved until it follows the fastest mode.
+ *  Deviations are taken as often as that mode needs. Before a G is named, a run with steps of a hundredth of the output step must
+ *  confirm it; if it does not, the search is repeated with such steps. The resulting G meets the accuracy; a G smaller by 1e-4 of it
  *  does not, nor does any smaller G that was tried, 20 in each decade. Values that meet it but are unstable are skipped.
  *  @param feedforward  whether program forces are fed forward; the model's own choice is not used
  *  @param[out] point   GOUGH_TUNING_POINTS of them, the curve

@@ -115,13 +115,6 @@ static void set_stiffness(gough_model *model, double stiffness) {
     for (int v = 0; v < GOUGH_LEGS; v++) model->control.stiffness[v] = stiffness;
 }
 
-/* of stiffness: M g/R_b; without gravity M, by a unit of time */
-static double unit_of(const gough_machine *machine) {
-    const double g = machine->gravity_magnitude;
-
-    return machine->load.mass * (g > 0 ? g / machine->base_radius : 1);
-}
-
 /* thresholds at rest with feed-forward, and the fastest mode where G outweighs all else */
 static gough_status look_at_home(tune *t, gough_error *error) {
     gough_tuning *tuning = t->tuning;
@@ -136,7 +129,7 @@ static gough_status look_at_home(tune *t, gough_error *error) {
     tuning->threshold = t->rest.threshold[0].stiffness;
     tuning->least_mode = t->rest.threshold[0].mode;
 
-    large = 1e4 * fmax(unit_of(&t->model->machine), tuning->threshold);
+    large = 1e4 * fmax(t->unit, tuning->threshold);
     set_stiffness(t->steady, large);
     status = gough_stability_at_rest(t->steady, NULL, &t->rest, error);
     if (status != GOUGH_OK) return status;
@@ -151,35 +144,42 @@ static gough_status look_at_home(tune *t, gough_error *error) {
 }
 
 static gough_status find_range(tune *t, gough_error *error) {
-    const double unit = unit_of(&t->model->machine);
     const gough_tuning *tuning = t->tuning;
     const double longest = most_steps * turn_of_step / (t->simulation.duration * t->frequency);
 
+    t->bounded = isfinite(t->options->greatest);
     t->least = t->options->least;
     t->greatest = t->options->greatest;
     if (t->greatest <= tuning->threshold && tuning->threshold > 0)
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "home is unstable without feedback: %s grows unless G is over %.6g, and "
-                          "the search allows only %.6g; allow more, by --stiffness a:b with b over "
-                          "the threshold",
+                          "home is unstable without feedback: %s grows unless G is over %.6g, but "
+                          "the search ends at %.6g; give --stiffness a:b with b over the threshold",
                           tuning->least_mode.name, tuning->threshold, t->greatest);
-    if (!isfinite(t->greatest)) t->greatest = 1e6 * unit;
-    if (!(t->least > 0))
-        t->least = tuning->threshold > 0 ? tuning->threshold / below_threshold : 1e-3 * unit;
+    if (!t->bounded) t->greatest = 1e6 * fmax(t->unit, tuning->threshold);
+    if (!(t->least > 0)) t->least = fmax(tuning->threshold / below_threshold, 1e-3 * t->unit);
     if (!(t->greatest > t->least))
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "stiffness is searched between two numbers, 0 < a < b, not %.9g and %.9g",
-                          t->least, t->greatest);
-    if (t->greatest / t->least > most_range)
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "stiffness is searched over no more than 15 decades, not from %.9g to "
+                          "the search for the stiffness takes two numbers, 0 < a < b; got %.9g and "
                           "%.9g",
                           t->least, t->greatest);
+    if (t->greatest / t->least > most_range)
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "the search for the stiffness covers at most 15 decades; got %.9g to %.9g", t->least,
+            t->greatest);
     if (t->greatest > longest * longest && longest * longest > t->least) {
         t->greatest = longest * longest;
         t->most_steps = true;
     }
     t->whole = (size_t)ceil(log10(t->greatest / t->least) * TUNE_DECADE) + 1;
+    t->last = t->whole;
+    if (!t->bounded && !t->most_steps && t->furthest > t->greatest) {
+        const double end = fmin(t->furthest, longest * longest);
+        const double more = ceil(log10(end / t->greatest) * TUNE_DECADE);
+        t->most_steps = end < t->furthest;
+        if (more > 0) t->last += (size_t)fmin(more, GOUGH_TUNING_POINTS);
+        if (t->last > GOUGH_TUNING_POINTS) t->last = GOUGH_TUNING_POINTS;
+    }
     return GOUGH_OK;
 }
 
@@ -199,7 +199,7 @@ static gough_status find_period(tune *t, gough_error *error) {
     } else if (t->period.resting) {
         gough_fail(&why, status, "the program ends at rest");
     }
-    t->map_top = most_stiffness * fmax(unit_of(&t->model->machine), tuning->threshold);
+    t->map_top = most_stiffness * fmax(t->unit, tuning->threshold);
     if (!t->period.resting) t->map_top = pow(most_phase / (t->period.period * t->frequency), 2);
     if (!tuning->periodic) {
         why.message[sizeof tuning->unchecked - 1] = '\0';
@@ -214,7 +214,12 @@ static gough_status bytes_for_map(const gough_model *model, const gough_tuning_o
     gough_model steady = *model;
     gough_tuning tuning;
     tune probe = {.model = model, .options = options, .steady = &steady, .tuning = &tuning};
-    gough_status status = look_at_home(&probe, error);
+    gough_status status;
+
+    probe.unit =
+        model->machine.load.mass * model->machine.gravity_magnitude / model->machine.base_radius;
+    if (!(probe.unit > 0)) probe.unit = model->machine.load.mass;
+    status = look_at_home(&probe, error);
 
     *bytes = 0;
     if (status == GOUGH_OK) status = find_period(&probe, error);
@@ -251,15 +256,12 @@ static gough_status prepare(tune *t, const gough_simulation *simulation, bool fe
     t->simulation = *simulation;
     t->simulation.precision = GOUGH_DOUBLE;
     t->simulation.reactions = false;
-    if (simulation->method != GOUGH_DOP853 || simulation->step > 0) {
-        t->simulation.method = GOUGH_DOP853;
-        t->simulation.step = 0;
-        t->simulation.tolerance = 1e-10;
-    }
+    if (t->simulation.step > 0) t->simulation.tolerance = 1e-10;
     t->simulation.tolerance = fmax(fmin(t->simulation.tolerance, share), 1e-14);
     status = gough_simulation_check(t->model, &t->simulation, error);
     if (status != GOUGH_OK) return status;
 
+    tune_find_scales(t);
     memcpy(t->steady, t->loop, sizeof *t->steady);
     t->loop->control.feedforward = feedforward;
     status = look_at_home(t, error);
@@ -284,6 +286,8 @@ static gough_status refine(tune *t, gough_tuning_point *fails, gough_tuning_poin
             stiffness[i] = fails->stiffness * pow(ratio, (i + 1.0) / (INSIDE + 1));
         status = tune_evaluate(t, stiffness, INSIDE, point, error);
         if (status != GOUGH_OK) return status;
+        t->tuning->stiffness = does->stiffness;
+        t->tuning->fails = fails->stiffness;
         for (int i = 0; i < INSIDE; i++) {
             if (tune_meets(t, &point[i])) {
                 *does = point[i];
@@ -320,6 +324,7 @@ typedef struct {
     tune_growth blocked;
     int lifts;
     bool over, found;
+    bool again; /* the search must begin anew, with small steps */
 } hunt;
 
 static void name(tune *t, const hunt *h, const gough_tuning_point *point, bool by_stability) {
@@ -339,6 +344,17 @@ static void name(tune *t, const hunt *h, const gough_tuning_point *point, bool b
     tuning->mode_share = NAN;
 }
 
+/* A run with small steps does not meet the accuracy: something was stepped over. The first time the search begins anew with such
+ * steps; after that the G counts as one that does not do. */
+static void refuse(tune *t, hunt *h, const gough_tuning_point *point) {
+    if (!t->fine) {
+        h->again = h->over = true;
+        return;
+    }
+    h->fails = *point;
+    h->fails.position_deviation = INFINITY;
+}
+
 /* a G that meets the accuracy: named, if it is clear of what grows */
 static gough_status consider(tune *t, hunt *h, const gough_tuning_point *does, bool by_stability,
                              gough_error *error) {
@@ -352,6 +368,13 @@ static gough_status consider(tune *t, hunt *h, const gough_tuning_point *does, b
     status = tune_clear(t, &point, &clear, &h->blocked, error);
     if (status != GOUGH_OK) return status;
     if (!(clear > point.stiffness)) {
+        bool good;
+        status = tune_verify(t, &point, &good, error);
+        if (status != GOUGH_OK) return status;
+        if (!good) {
+            refuse(t, h, &point);
+            return GOUGH_OK;
+        }
         name(t, h, &point, by_stability);
         h->found = h->over = true;
     } else if (!isfinite(clear) || ++h->lifts > MOST_LIFTS) {
@@ -389,6 +412,7 @@ static gough_status go_on(tune *t, hunt *h, gough_error *error) {
             h->next++;
         } else if (!tune_meets(t, &point)) {
             h->fails = point;
+            t->tuning->fails = point.stiffness;
             h->next++;
         } else {
             if (h->fails.stiffness > 0) status = refine(t, &h->fails, &point, error);
@@ -403,7 +427,7 @@ static gough_status go_on(tune *t, hunt *h, gough_error *error) {
 static gough_status add_points(tune *t, gough_error *error) {
     gough_tuning *tuning = t->tuning;
     gough_tuning_point *point = &t->point[tuning->points];
-    const size_t left = t->whole - tuning->points, count = left < TUNE_ROUND ? left : TUNE_ROUND;
+    const size_t left = t->last - tuning->points, count = left < TUNE_ROUND ? left : TUNE_ROUND;
     const double before = tuning->points ? point[-1].stiffness : 0;
     tune_growth growth[TUNE_INTERVALS];
     double stiffness[TUNE_ROUND];
@@ -421,7 +445,8 @@ static gough_status add_points(tune *t, gough_error *error) {
     tune_note_growth(t, growth, grown);
     tuning->points += count;
     if (t->options->progress &&
-        t->options->progress(t->options->context, (double)tuning->points / (double)t->whole))
+        t->options->progress(t->options->context,
+                             fmin((double)tuning->points / (double)t->whole, 1)))
         return gough_fail(error, GOUGH_ERROR_NUMERICAL, "the search was stopped");
     return GOUGH_OK;
 }
@@ -431,10 +456,31 @@ static bool enough(const tune *t, const hunt *h) {
     const gough_tuning *tuning = t->tuning;
     const double reached = t->point[tuning->points - 1].stiffness;
 
-    if (tuning->points == t->whole) return true;
+    if (tuning->points == t->last) return true;
+    if (tuning->points == t->whole && h->found) return true;
     if (h->found) return reached >= beyond * tuning->stiffness;
     if (h->over) return true;
-    return reached > 1e3 * fmax(tuning->threshold, t->least) && tune_is_flat(t);
+    return reached > fmax(1e3 * fmax(tuning->threshold, t->least), t->settled) && tune_is_flat(t);
+}
+
+/* the whole search, once more with small steps if a run with them says that something was stepped over */
+static gough_status search(tune *t, hunt *h, gough_error *error) {
+    gough_tuning *tuning = t->tuning;
+    gough_status status = GOUGH_OK;
+
+    for (;;) {
+        *h = (hunt){0};
+        tuning->stiffness = 0;
+        tuning->fails = NAN;
+        do {
+            status = add_points(t, error);
+            if (status == GOUGH_OK) status = go_on(t, h, error);
+        } while (status == GOUGH_OK && !enough(t, h));
+        if (status != GOUGH_OK || !h->again) return status;
+        t->fine = true;
+        t->quiet = 0;
+        tuning->points = tuning->exceptions = 0;
+    }
 }
 
 gough_status gough_tune(const gough_model *model, const gough_simulation *simulation,
@@ -454,13 +500,12 @@ gough_status gough_tune(const gough_model *model, const gough_simulation *simula
     t->point = point;
     t->tuning = tuning;
     status = prepare(t, simulation, feedforward, error);
-    do {
-        if (status == GOUGH_OK) status = add_points(t, error);
-        if (status == GOUGH_OK) status = go_on(t, &h, error);
-    } while (status == GOUGH_OK && !enough(t, &h));
+    if (status == GOUGH_OK) status = search(t, &h, error);
+    if (status == GOUGH_OK) status = tune_check_outliers(t, error);
     if (status != GOUGH_OK) return status;
 
     tuning->found = h.found;
+    if (!h.found) tuning->stiffness = 0, tuning->fails = NAN;
     tune_curve(t);
     if (h.found && tuning->periodic && !tune_follows(t, tuning->stiffness)) {
         tuning->periodic = false;

@@ -27,11 +27,18 @@ typedef struct tune {
     gough_period period;
     bool ratio;       /* D follows from G */
     double frequency; /* of the fastest mode at home where G is 1 and outweighs the rest */
+    double unit;      /* of stiffness: the largest force, or the weight, over R_b */
+    double
+        settled; /* a stiffness over this outweighs all that is known of the run's inertia and damping */
+    double
+        furthest; /* if not told where to end, the search does not go further than this or `greatest` */
     double least, greatest;
     double slow;     /* that of the slowest */
     double map_top;  /* up to here intervals of growth are mapped */
     int quiet;       /* rounds in which nothing grew, since something did */
     bool most_steps; /* `greatest` is where runs get too long */
+    bool bounded;    /* the options say where the search ends */
+    bool fine;       /* all runs take small fixed steps: adaptive ones have missed something */
     gough_rest rest;
 
     gough_batch_run run[TUNE_ROUND + 1];
@@ -46,8 +53,14 @@ typedef struct tune {
 
     gough_tuning_point *point;
     gough_tuning *tuning;
-    size_t whole; /* points of the curve from least to greatest */
+    size_t whole; /* points of the curve from least to greatest … */
+    size_t last;  /* … and on to `furthest` */
 } tune;
+
+/* ---- tune_scale.c ---- */
+
+/* unit, settled, furthest; from model and simulation */
+void tune_find_scales(tune *t);
 
 /* ---- tune_damping.c ---- */
 
@@ -62,6 +75,9 @@ gough_status tune_evaluate(tune *t, const double *stiffness, size_t count,
 
 /* whether a run reached its end within what is asked */
 bool tune_meets(const tune *t, const gough_tuning_point *point);
+
+/* Whether a run with small fixed steps, which pass over nothing that the study's rows would show, meets what is asked too. */
+gough_status tune_verify(tune *t, const gough_tuning_point *point, bool *good, gough_error *error);
 
 /* The numbers of the run with the G and D named, mode and leg that bind. */
 gough_status tune_detail(tune *t, gough_error *error);
@@ -97,8 +113,11 @@ gough_map_options tune_map_options(const gough_tuning_options *options, double f
 void tune_curve(tune *t);
 void tune_note_growth(tune *t, const tune_growth *growth, size_t count);
 
-/* whether over the last decade the deviation has stopped falling, or all runs have ended early */
+/* whether no stiffness can do better: the run starts off its program, and over the last decade the deviation has stopped falling */
 bool tune_is_flat(const tune *t);
+
+/* Runs points that are off the trend by decades again, with small steps. */
+gough_status tune_check_outliers(tune *t, gough_error *error);
 
 /* why no G does it */
 void tune_reason(tune *t);

@@ -176,6 +176,31 @@ static void find_exceptions(tune *t) {
     for (size_t i = 0; i < count; i++) keep(tuning, &found[i]);
 }
 
+/* decades: a point so far off the trend may be one whose run has stepped over something */
+static const double far_off = 100;
+
+gough_status tune_check_outliers(tune *t, gough_error *error) {
+    gough_tuning *tuning = t->tuning;
+    gough_status status = GOUGH_OK;
+    const bool before = t->fine;
+
+    find_trend(t);
+    if (t->fine || !isfinite(tuning->slope)) return GOUGH_OK;
+    t->fine = true;
+    for (size_t i = 0; i < tuning->points && status == GOUGH_OK; i++) {
+        gough_tuning_point *p = &t->point[i], again;
+        if (!usable(t, p) || !(fabs(excess(tuning, p)) > log(far_off))) continue;
+        status = tune_evaluate(t, &p->stiffness, 1, &again, error);
+        if (status != GOUGH_OK) break;
+        again.growth = p->growth;
+        again.stable = p->stable;
+        memcpy(again.mode, p->mode, sizeof again.mode);
+        *p = again;
+    }
+    t->fine = before;
+    return status;
+}
+
 void tune_curve(tune *t) {
     find_trend(t);
     if (tune_look_again(t)) find_trend(t);
@@ -197,10 +222,19 @@ static double last_slope(const tune *t) {
     return n >= FEWEST ? (n * sxy - sx * sy) / (n * sxx - sx * sx) : NAN;
 }
 
+/* whether the run starts elsewhere than its program */
+static bool starts_off(const gough_initial *initial) {
+    bool off = initial->velocity_given || initial->angular_velocity_given;
+
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) off |= initial->given[c];
+    return off;
+}
+
+/* Forces are borne by springs in proportion to 1/G in the end; only an offset at the start stays. */
 bool tune_is_flat(const tune *t) {
     const double slope = last_slope(t);
 
-    return isfinite(slope) && slope > flat;
+    return starts_off(&t->model->initial) && isfinite(slope) && slope > flat;
 }
 
 static const gough_tuning_point *best_point(const tune *t) {
@@ -225,15 +259,15 @@ static bool met_somewhere(const tune *t, const gough_tuning_point **where) {
 static const char *end_words(gough_cause cause) {
     switch (cause) {
     case GOUGH_END_LEG_SHORT:
-        return "a leg gets too short";
+        return "a leg becomes too short";
     case GOUGH_END_LEG_LONG:
-        return "a leg gets too long";
+        return "a leg becomes too long";
     case GOUGH_END_LEG_SPEED:
-        return "a leg gets too fast";
+        return "a leg moves too fast";
     case GOUGH_END_LEG_FORCE:
-        return "a leg's force gets too great";
+        return "a leg's force exceeds its limit";
     case GOUGH_END_LEG_NO_LENGTH:
-        return "a leg loses its length";
+        return "a leg has no length left";
     case GOUGH_END_SINGULAR:
         return "the platform collapses into a singular pose";
     case GOUGH_END_NOT_FINITE:
@@ -250,23 +284,17 @@ static void say_ends(tune *t, gough_error *why) {
 
     if (last->leg) snprintf(leg, sizeof leg, " (leg %d)", last->leg);
     if (last->cause == GOUGH_END_INVALID)
-        gough_fail(why, GOUGH_OK,
-                   "home is unstable with every G up to %.6g, and then no damping helps: search "
-                   "further, by --stiffness",
-                   last->stiffness);
+        gough_fail(
+            why, GOUGH_OK,
+            "home is unstable with every G up to %.6g, and damping cannot change that; search "
+            "further with --stiffness",
+            last->stiffness);
     else
-        gough_fail(why, GOUGH_OK,
-                   "no run reaches its end: with G = %.6g it ends at t = %.6g because %s%s; the "
-                   "study's program, limits or initial state must change",
-                   last->stiffness, last->end_time, end_words(last->cause), leg);
-}
-
-/* whether the run starts elsewhere than its program */
-static bool starts_off(const gough_initial *initial) {
-    bool off = initial->velocity_given || initial->angular_velocity_given;
-
-    for (int c = 0; c < GOUGH_COMPONENTS; c++) off |= initial->given[c];
-    return off;
+        gough_fail(
+            why, GOUGH_OK,
+            "no run up to that G reaches its end: with G = %.6g it stops at t = %.6g because "
+            "%s%s; change the study's program, limits or initial state",
+            last->stiffness, last->end_time, end_words(last->cause), leg);
 }
 
 static void say_floor(const tune *t, const gough_tuning_point *best, gough_error *why) {
@@ -275,22 +303,22 @@ static void say_floor(const tune *t, const gough_tuning_point *best, gough_error
     if (!starts_off(&t->model->initial))
         gough_fail(
             why, GOUGH_OK,
-            "the deviation stops falling with G: the least is %.3g, at G = %.6g; beyond, what "
-            "excites the run does not get less",
-            best->position_deviation, best->stiffness);
+            "up to G = %.6g the least deviation is %.3g, at G = %.6g, and it hardly falls any more "
+            "there; search further with --stiffness, or look for a jump in the program",
+            t->point[t->tuning->points - 1].stiffness, best->position_deviation, best->stiffness);
     else if (damped)
         gough_fail(
             why, GOUGH_OK,
             "the deviation does not fall with G, it stays at %.3g or more: the run starts off "
-            "its program, and its first swing is as large with any G; start nearer, or ask "
-            "for less accuracy",
+            "its program, and its first swing is as large with any G; start nearer, or allow a "
+            "larger deviation",
             best->position_deviation);
     else
         gough_fail(
             why, GOUGH_OK,
             "the deviation does not fall with G, it stays at %.3g or more: the run starts off "
-            "its program, and without damping that is kept for ever; start nearer, ask for "
-            "--damping-ratio or for less accuracy",
+            "its program, and without damping that offset never dies out; start nearer, give "
+            "--damping-ratio, or allow a larger deviation",
             best->position_deviation);
 }
 
@@ -299,12 +327,12 @@ static void say_far(const tune *t, const gough_tuning_point *best, double slope,
         best->stiffness * pow(t->options->deviation / best->position_deviation, 1 / slope);
 
     gough_fail(why, GOUGH_OK,
-               "up to G = %.6g the least deviation is %.3g; it falls as G^%.2f, so about G = %.2g "
-               "would be needed: %s",
+               "up to G = %.6g the least deviation is %.3g; it falls as G^%.2f, so that about "
+               "G = %.2g would be needed; %s",
                t->point[t->tuning->points - 1].stiffness, best->position_deviation, slope, wanted,
-               t->most_steps ? "beyond, a run takes more than a million steps; shorten "
+               t->most_steps ? "a run with a larger G takes more than a million steps, so shorten "
                                "simulation.duration"
-                             : "search further, by --stiffness");
+                             : "search further with --stiffness");
 }
 
 void tune_reason(tune *t) {
@@ -314,24 +342,24 @@ void tune_reason(tune *t) {
 
     if (offset > t->options->deviation)
         gough_fail(why, GOUGH_OK,
-                   "no feedback can do it: the run starts %.3g off the program, which is more than "
-                   "the deviation asked for; start nearer, or ask for less accuracy",
+                   "no feedback can do it: the run starts %.3g off the program, more than the "
+                   "deviation allowed; start nearer, or allow a larger deviation",
                    offset);
     else if (!best)
         say_ends(t, why);
     else if (met_somewhere(t, &where))
         gough_fail(
             why, GOUGH_OK,
-            "the deviation is met from G = %.6g on, but up to G = %.6g no G keeps a margin of "
-            "%.3g %% from what makes a mode (%s) grow; ask for less --margin, or for "
-            "--damping-ratio",
+            "the deviation is small enough from G = %.6g, but up to G = %.6g no G is %.3g %% away "
+            "from every range in which a mode (%s) grows, or a run with small steps does not "
+            "confirm it; allow a smaller --margin, or give --damping-ratio",
             where->stiffness, t->point[t->tuning->points - 1].stiffness, 100 * t->options->margin,
             where->mode[0] ? where->mode : "one of them");
     else if (best->position_deviation <= t->options->deviation)
         gough_fail(
             why, GOUGH_OK,
-            "the angle asked for is not met: with G = %.6g, where the position is, it is %.3g "
-            "degrees",
+            "the position is within its limit with G = %.6g, but the angle is not: it deviates by "
+            "%.3g degrees",
             best->stiffness, best->angle_deviation * 57.29577951308232);
     else if (!(slope < flat))
         say_floor(t, best, why);

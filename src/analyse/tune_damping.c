@@ -105,21 +105,26 @@ gough_status gough_damping_for_ratio(const gough_model *model, double ratio, dou
                           "a damping ratio is at least 0 and less than 1, not %.9g", ratio);
     }
     for (int v = 0; v < GOUGH_LEGS; v++) stiffness = fmax(stiffness, model->control.stiffness[v]);
-    unit = stiffness > 0 ? sqrt(stiffness * mass) : mass;
+    unit = stiffness > 0
+               ? sqrt(stiffness * mass)
+               : mass * sqrt(model->machine.gravity_magnitude / model->machine.base_radius);
+    if (!(unit > 0)) unit = mass; /* nothing holds then, whatever D */
     status = parts(model, unit, &A, error);
     if (status != GOUGH_OK) return status;
 
     *damping = 0;
     if (!(ratio_at(&A, 1e-3 * unit) > 0)) {
-        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "with the stiffness %.9g home is unstable, which no damping changes; a "
-                          "greater one is needed",
-                          stiffness);
+        return gough_fail(
+            error, GOUGH_ERROR_NUMERICAL,
+            "with the stiffness %.9g not every mode is held at home, and damping cannot "
+            "change that; "
+            "use a greater stiffness",
+            stiffness);
     }
     if (ratio > 0 && !root(&A, ratio * unit, ratio, damping)) {
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "no damping was found that gives the least damped mode the ratio %.9g: "
-                          "the eigenvalues of the loop are too far apart in size",
+                          "found no damping that gives the least damped mode the ratio %.9g: the "
+                          "eigenvalues of the loop differ too much in size",
                           ratio);
     }
     return GOUGH_OK;

@@ -14,10 +14,48 @@ static const double turn_between_rows = 0.4;
 /* more rows than this are not taken, whatever the fastest mode */
 static const double most_rows = 1e6;
 
+/* of the verdict on a G, or of a search that cannot do without */
+static const double most_small_steps = 2e6;
+
+/* steps of the method of order 8 times the rate of a decay, well within its stability */
+static const double stable_step = 3;
+
+/* the run with small steps may exceed what is asked by its own errors and those of the others */
+static const double allowance = 1e-3;
+
 /* a damping ratio below this is round-off */
 static const double rounding_ratio = 1e-12;
 
 /* ---- many -------------------------------------------------------------------------------------------------------- */
+
+/* The study's own step, if it has one: the step was chosen for one stiffness, so for a greater one it is halved until it follows
+ * the fastest mode. */
+static gough_simulation with_own_step(const tune *t, gough_simulation s, double stiffness,
+                                      double parts) {
+    if (!(s.step > 0)) return s;
+    s.step /= parts;
+    while (t->frequency * sqrt(stiffness) * s.step > turn_between_rows &&
+           s.duration / s.step < most_small_steps)
+        s.step /= 2;
+    return s;
+}
+
+/* Fixed steps of the method of order 8: a hundredth of the study's output step, less where the fastest mode or the damping asks for
+ * it. */
+static gough_simulation with_small_steps(const tune *t, gough_simulation s, double stiffness) {
+    const double rate = t->frequency * sqrt(stiffness);
+    double damping = 0, step, parts;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) damping = fmax(damping, t->model->control.damping[v]);
+    step = fmin(t->simulation.output_step / 100, turn_between_rows / rate);
+    if (damping > 0 && !t->ratio)
+        step = fmin(step, stable_step / (damping * t->frequency * t->frequency));
+    step = fmax(step, s.duration / most_small_steps);
+    parts = ceil(s.output_step / step * (1 - 1e-12));
+    s.method = GOUGH_DOP853;
+    s.step = s.output_step / fmax(parts, 1);
+    return s;
+}
 
 /* the study's output times, and others between them */
 static gough_simulation simulation_for(const tune *t, double stiffness) {
@@ -28,7 +66,7 @@ static gough_simulation simulation_for(const tune *t, double stiffness) {
     while (turn / parts > turn_between_rows && s.duration / s.output_step * parts < most_rows)
         parts *= 2;
     s.output_step /= parts;
-    return s;
+    return t->fine ? with_small_steps(t, s, stiffness) : with_own_step(t, s, stiffness, parts);
 }
 
 /* D for a G: the model's, or that of the damping ratio, of nine digits as it will be typed; NaN: there is none */
@@ -118,6 +156,20 @@ gough_status tune_evaluate(tune *t, const double *stiffness, size_t count,
 bool tune_meets(const tune *t, const gough_tuning_point *point) {
     return point->cause == GOUGH_END_DONE && point->position_deviation <= t->options->deviation &&
            point->angle_deviation <= t->options->angle_deviation;
+}
+
+gough_status tune_verify(tune *t, const gough_tuning_point *point, bool *good, gough_error *error) {
+    const bool before = t->fine;
+    gough_tuning_point again;
+    gough_status status;
+
+    t->fine = true;
+    status = tune_evaluate(t, &point->stiffness, 1, &again, error);
+    t->fine = before;
+    *good = status == GOUGH_OK && again.cause == GOUGH_END_DONE &&
+            again.position_deviation <= t->options->deviation * (1 + allowance) &&
+            again.angle_deviation <= t->options->angle_deviation * (1 + allowance);
+    return status;
 }
 
 /* ---- one in full ------------------------------------------------------------------------------------------------- */

@@ -58,6 +58,7 @@ static gough_status write_outputs(const command_line *line, const map_report *re
                                          .units = report->units,
                                          .rest = report->rest};
         fflush(stdout);
+        interrupt_outputs(line->verb, line->outputs, line->output_count, i);
         const gough_status status =
             is_data(path) ? map_write(report, path, &error)
                           : gough_map_draw(&report->options, &report->map, &figure, path, &error);
@@ -213,6 +214,7 @@ gough_status stability_map(const command_line *line, const gough_study *study) {
     report.options.lanes = line->lanes;
     report.options.threads = line->threads;
     report.rows = gough_map_rows(&report.options);
+    interrupt_outputs(line->verb, line->outputs, line->output_count, 0);
     status = gough_units_of_study(study, line->dimensionless, &report.units, &error);
     if (!status) status = find(line, &report, &error);
     if (status) {

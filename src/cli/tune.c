@@ -7,6 +7,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "cli/summary.h"
+
 static const double DEGREES = 57.295779513082320877;
 
 static const struct argp_option option[] = {
@@ -23,8 +25,8 @@ static const struct argp_option option[] = {
     {"margin", OPTION_MARGIN, "M", 0,
      "no instability within this part of the stiffness below and above it (default: 0.02)", 0},
     {"stiffness", OPTION_STIFFNESS, "A:B", 0,
-     "search between these; 0 for A: from a quarter of the threshold at rest on (default: from "
-     "there to 1e6 M g/R_b)",
+     "search between these; 0 for A: from a quarter of the threshold at rest (default: from "
+     "there to a million times F/R_b, F the largest force, and further if that can help)",
      0},
     {"output", OPTION_OUTPUT, "FILE", 0,
      "write the curve of deviation against stiffness to FILE: its data (.csv, .h5; - is CSV on "
@@ -48,12 +50,12 @@ static const verb_usage usage = {
         "The least stiffness G of the feedback, the same in all legs, with which the platform "
         "stays within --deviation of its program under the study's own disturbances, initial state "
         "and duration.\v"
-        "Each G is judged by a run of the whole nonlinear motion; the one named is stable, clear "
-        "of "
-        "resonance tongues by the margin, and a G less by a ten-thousandth does not do. Said too: "
-        "which mode and which leg bind, the force and the rate that the legs need, how the "
-        "deviation falls with G and where it does not. Where no G does it the reason is said and "
-        "the exit status is 1.",
+        "Each G is judged by a run of the whole nonlinear motion. The G named is stable, keeps the "
+        "margin to resonance tongues, and is confirmed by a run with small steps; a G smaller by "
+        "a ten-thousandth is not enough. Also printed: which mode and which leg limit it, the "
+        "force and the rate that the legs need, how the deviation falls with G and where it does "
+        "not. If no G is found, the reason is printed and the exit status is 1. Ctrl-C prints the "
+        "best so far.",
     .least_files = 1,
     .most_files = 1};
 
@@ -112,6 +114,7 @@ static gough_status write_outputs(const command_line *line, const tune_report *r
         figure.kind = "tuning";
         figure.title = line->figure.title;
         fflush(stdout);
+        interrupt_outputs(line->verb, line->outputs, line->output_count, i);
         status = is_data(path) ? gough_table_write(table, report->study->text, path, &error)
                                : gough_figure_draw(&figure, tables, NULL, 1, path, &error);
         if (!status && stream && strcmp(path, "-") != 0) print_line(stream, "wrote %s", path);
@@ -125,18 +128,68 @@ static gough_status write_outputs(const command_line *line, const tune_report *r
 
 typedef struct watch {
     progress bar;
-    int done, all; /* searches */
+    const command_line *line;
+    const tune_report *report;
+    int done, all;       /* searches */
+    double meets, fails; /* as told last */
 } watch;
+
+/* What is known so far of one setting of the feed-forward: "G = 5 N/m meets the deviation, G = 4 N/m does not". */
+static void bracket_words(const tune_report *report, const tune_choice *choice, char *text,
+                          size_t size) {
+    const gough_units *u = &report->units;
+    const double unit = u->mass / (u->time * u->time);
+    const char *word = unit_words_of(u)->stiffness;
+    const gough_tuning *tuning = &choice->tuning;
+    char fails[80] = "";
+    if (tuning->fails > 0) snprintf(fails, sizeof fails, "G = %.6g%s", tuning->fails / unit, word);
+    if (tuning->stiffness > 0)
+        snprintf(text, size, "G = %.6g%s meets the deviation%s%s%s", tuning->stiffness / unit, word,
+                 *fails ? ", " : "", fails, *fails ? " does not" : "");
+    else if (*fails)
+        snprintf(text, size, "no G up to %s meets the deviation", fails + strlen("G = "));
+    else
+        snprintf(text, size, "nothing is known yet");
+}
+
+/* What Ctrl-C will say: the best so far. */
+static void keep_sentence(watch *w) {
+    char before[200] = "", now[200];
+    const tune_choice *choice = &w->report->choice[w->done];
+    if (w->done > 0) {
+        char first[160];
+        bracket_words(w->report, &w->report->choice[0], first, sizeof first);
+        snprintf(before, sizeof before, "with feed-forward %s; ", first);
+    }
+    bracket_words(w->report, choice, now, sizeof now);
+    interrupt_says(w->line->verb,
+                   "stopped before the end, nothing was written. Best so far: %s%s feed-forward %s "
+                   "(stability not checked)",
+                   before, choice->feedforward ? "with" : "without", now);
+}
 
 static int look(void *context, double part) {
     watch *w = context;
+    const gough_tuning *tuning = &w->report->choice[w->done].tuning;
+    const bool same =
+        tuning->stiffness <= w->meets && tuning->stiffness >= w->meets &&
+        (isnan(tuning->fails) ? isnan(w->fails)
+                              : tuning->fails <= w->fails && tuning->fails >= w->fails);
     progress_update(&w->bar, w->done + part);
+    if (same) return 0;
+    w->meets = tuning->stiffness;
+    w->fails = tuning->fails;
+    keep_sentence(w);
     return 0;
 }
 
 static gough_status search(const command_line *line, tune_report *report, gough_error *error) {
     const gough_study *study = report->study;
-    watch w = {progress_begin(line->verb, report->choices, line->quiet), 0, report->choices};
+    watch w = {.bar = progress_begin(line->verb, report->choices, line->quiet),
+               .line = line,
+               .report = report,
+               .all = report->choices,
+               .fails = NAN};
     gough_tuning_options options = report->asked;
     size_t bytes = 0;
     options.progress = look;
@@ -148,6 +201,10 @@ static gough_status search(const command_line *line, tune_report *report, gough_
         tune_choice *choice = &report->choice[w.done];
         choice->point = calloc(GOUGH_TUNING_POINTS, sizeof *choice->point);
         if (!choice->point) status = gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+        choice->tuning.fails = NAN;
+        w.meets = 0;
+        w.fails = NAN;
+        keep_sentence(&w);
         if (!status)
             status = gough_tune(study->model, &study->simulation, choice->feedforward, &options,
                                 choice->point, &choice->tuning, memory, error);
@@ -173,16 +230,23 @@ static gough_tuning_options asked_of(const command_line *line) {
     return asked;
 }
 
+/* The library's sentences have numbers in the study's own units. */
+static const char *units_of_reason(const tune_report *report) {
+    gough_units own;
+    if (gough_units_of_study(report->study, false, &own, NULL) != GOUGH_OK) return "";
+    if (own.dimensionless) return "";
+    return " (lengths in m, times in s, G in N/m)";
+}
+
 /* Where none is found the reasons are on standard error, whatever else is printed. */
 static gough_status explain(const command_line *line, const tune_report *report) {
     gough_status status = GOUGH_OK;
     for (int c = 0; c < report->choices; c++) {
         const tune_choice *choice = &report->choice[c];
         if (choice->tuning.found) continue;
-        const bool rescaled = report->units.length != 1 || report->units.time != 1;
         complain(line->verb, "%s: %s feed-forward: %s%s", report->study->name,
                  choice->feedforward ? "with" : "without", choice->tuning.reason,
-                 rescaled ? " (in the study's own units)" : "");
+                 units_of_reason(report));
         status = GOUGH_ERROR_NUMERICAL;
     }
     return status;

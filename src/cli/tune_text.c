@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/paragraph.h"
 #include "cli/summary.h"
 #include "cli/tune.h"
 
@@ -60,72 +61,80 @@ void tune_scale(tune_report *report) {
 static const char *end_words(gough_cause cause) {
     switch (cause) {
     case GOUGH_END_LEG_SHORT:
-        return "a leg too short";
+        return "a leg becomes too short";
     case GOUGH_END_LEG_LONG:
-        return "a leg too long";
+        return "a leg becomes too long";
     case GOUGH_END_LEG_SPEED:
-        return "a leg too fast";
+        return "a leg moves too fast";
     case GOUGH_END_LEG_FORCE:
-        return "a leg overloaded";
+        return "a leg's force exceeds its limit";
+    case GOUGH_END_LEG_NO_LENGTH:
+        return "a leg has no length left";
     case GOUGH_END_SINGULAR:
-        return "collapse into a singular pose";
+        return "the platform collapses into a singular pose";
+    case GOUGH_END_NOT_FINITE:
+        return "a number is not finite";
     default:
-        return gough_cause_name(cause);
+        return "the steps do not converge";
     }
 }
 
+/* Why a smaller G is not enough. */
 static void print_binding(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
     const char *mode = *tuning->mode.name ? tuning->mode.name : "a mode";
-    fprintf(stream, "  binds       ");
+    char text[300] = "", fails[80] = "";
     switch (tuning->binding) {
     case GOUGH_TUNING_POSITION:
     case GOUGH_TUNING_ANGLE:
-        fprintf(stream, "the deviation of %s",
-                tuning->binding == GOUGH_TUNING_ANGLE ? "angle" : "position");
+        snprintf(text, sizeof text, "the deviation of %s",
+                 tuning->binding == GOUGH_TUNING_ANGLE ? "angle" : "position");
         if (isfinite(tuning->mode_share))
-            fprintf(stream, ", at its worst %.0f %% in %s", 100 * tuning->mode_share,
-                    tuning->mode.name);
+            snprintf(text + strlen(text), sizeof text - strlen(text),
+                     ", at its largest %.0f %% in %s", 100 * tuning->mode_share, tuning->mode.name);
         break;
     case GOUGH_TUNING_END:
-        fprintf(stream, "with less the run ends early: %s", end_words(tuning->cause));
+        snprintf(text, sizeof text, "the end of the run: with a smaller G %s",
+                 end_words(tuning->cause));
         break;
     case GOUGH_TUNING_THRESHOLD:
-        fprintf(stream, "stability: with less, %s grows at rest", mode);
+        snprintf(text, sizeof text, "stability: with a smaller G %s grows at rest", mode);
         break;
     case GOUGH_TUNING_TONGUE:
-        fprintf(stream, "stability: just below, the motion pumps %s", mode);
+        snprintf(text, sizeof text, "stability: just below, the motion pumps %s", mode);
         break;
     case GOUGH_TUNING_SEARCH:
-        fprintf(stream, "nothing: it is the least G of the search");
+        snprintf(text, sizeof text, "nothing: this is the smallest G of the search");
         break;
     }
     if (isfinite(tuning->fails))
-        fprintf(stream, "; G = %.6g%s does not do", tuning->fails, unit->stiffness);
-    fputc('\n', stream);
+        snprintf(fails, sizeof fails, "; G = %.6g%s is not enough", tuning->fails, unit->stiffness);
+    print_paragraph(stream, "  limited by", 14, "%s%s", text, fails);
 }
 
 static void print_legs(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
-    fprintf(stream, "  legs        force up to %.5g%s, in leg %d", tuning->force, unit->force,
-            tuning->leg);
+    char force[60] = "", speed[60] = "";
     if (isfinite(tuning->force_share))
-        fprintf(stream, " (%.3g %% of the limit)", 100 * tuning->force_share);
-    fprintf(stream, "; rate up to %.5g%s", tuning->speed, unit->speed);
+        snprintf(force, sizeof force, " (%.3g %% of the limit)", 100 * tuning->force_share);
     if (isfinite(tuning->speed_share))
-        fprintf(stream, " (%.3g %% of the limit)", 100 * tuning->speed_share);
-    fputc('\n', stream);
+        snprintf(speed, sizeof speed, " (%.3g %% of the limit)", 100 * tuning->speed_share);
+    print_paragraph(stream, "  legs", 14, "force up to %.5g%s in leg %d%s; rate up to %.5g%s%s",
+                    tuning->force, unit->force, tuning->leg, force, tuning->speed, unit->speed,
+                    speed);
 }
 
 static void print_exception(FILE *stream, const gough_tuning_exception *e, const unit_words *unit) {
     if (e->to > e->from)
-        fprintf(stream, "    G %.6g to %.6g%s: ", e->from, e->to, unit->stiffness);
+        fprintf(stream, "    G = %.6g to %.6g%s: ", e->from, e->to, unit->stiffness);
     else
-        fprintf(stream, "    G %.6g%s: ", e->from, unit->stiffness);
-    if (e->kind == GOUGH_TUNING_UNSTABLE)
-        fprintf(stream, "unstable (%s)", *e->mode ? e->mode : "no motion to hold");
+        fprintf(stream, "    G = %.6g%s: ", e->from, unit->stiffness);
+    if (e->kind == GOUGH_TUNING_UNSTABLE && *e->mode)
+        fprintf(stream, "unstable (%s)", e->mode);
+    else if (e->kind == GOUGH_TUNING_UNSTABLE)
+        fprintf(stream, "no pose of rest, or no periodic motion, is found");
     else if (e->kind == GOUGH_TUNING_ENDED)
         fprintf(stream, "the run ends early: %s", end_words(e->cause));
     else
-        fprintf(stream, "off the trend, by a factor of %.3g", e->worst);
+        fprintf(stream, "%.3g times the trend", e->worst);
     fputc('\n', stream);
 }
 
@@ -133,7 +142,8 @@ static void print_exception(FILE *stream, const gough_tuning_exception *e, const
 static void print_exceptions(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
     static const double narrow = 2e-3;
     size_t left_out = 0;
-    if (tuning->exceptions) fprintf(stream, "  exceptions  where the curve does not hold\n");
+    if (tuning->exceptions)
+        fprintf(stream, "  exceptions  where the curve does not follow its trend\n");
     for (size_t i = 0; i < tuning->exceptions; i++) {
         const gough_tuning_exception *e = &tuning->exception[i];
         if (e->kind == GOUGH_TUNING_UNSTABLE && e->to > e->from && e->to < e->from * (1 + narrow))
@@ -148,11 +158,12 @@ static void print_exceptions(FILE *stream, const gough_tuning *tuning, const uni
 
 static void print_curve(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
     if (isfinite(tuning->slope))
-        fprintf(stream, "  curve       deviation goes as G^%.3f (%.4g%s at G = 1), %zu points\n",
-                tuning->slope, tuning->scale, unit->length, tuning->points);
-    else
         fprintf(stream,
-                "  curve       no trend: the deviation is round-off, or runs are too few\n");
+                "  curve       the deviation goes as G^%.3f (%.4g%s at G = 1%s); %zu points\n",
+                tuning->slope, tuning->scale, unit->length, unit->stiffness, tuning->points);
+    else
+        fprintf(stream, "  curve       no trend: the deviation is round-off, or too few runs reach "
+                        "their end\n");
     print_exceptions(stream, tuning, unit);
 }
 
@@ -162,7 +173,7 @@ static void print_choice(FILE *stream, const tune_choice *choice, const unit_wor
     if (tuning->found) {
         fprintf(stream, "  stiffness   G = %.10g%s in each leg\n", tuning->stiffness,
                 unit->stiffness);
-        fprintf(stream, "  damping     D = %.9g%s, ratio of the least damped mode %.4g\n",
+        fprintf(stream, "  damping     D = %.9g%s; damping ratio of the least damped mode %.4g\n",
                 tuning->damping, unit->damping, tuning->damping_ratio);
         fprintf(stream, "  deviation   %.5g%s at t = %.6g%s, and %.4g deg at t = %.6g%s\n",
                 tuning->deviation, unit->length, tuning->deviation_time, unit->time,
@@ -170,11 +181,11 @@ static void print_choice(FILE *stream, const tune_choice *choice, const unit_wor
         print_binding(stream, tuning, unit);
         print_legs(stream, tuning, unit);
     } else {
-        fprintf(stream, "  no G does it, see below\n");
+        fprintf(stream, "  no G of the search meets it; the reason follows below\n");
     }
     if (*tuning->unchecked)
-        fprintf(stream, "  stability   was looked at about rest at home only: %s\n",
-                tuning->unchecked);
+        print_paragraph(stream, "  stability", 14, "checked at rest at home only: %s",
+                        tuning->unchecked);
     print_curve(stream, tuning, unit);
 }
 
@@ -185,11 +196,11 @@ void tune_print(FILE *stream, const tune_report *report) {
     print_title(stream, report->study->title);
     fprintf(stream, "Feedback for a deviation of at most %.6g%s", asked->deviation, unit->length);
     if (isfinite(asked->angle_deviation)) fprintf(stream, " and %.6g deg", asked->angle_deviation);
-    fprintf(stream, ", %.3g %% clear of instability\n%s\n", 100 * asked->margin,
+    fprintf(stream, ", with a margin of %.3g %% in G to instability\n%s\n", 100 * asked->margin,
             units_sentence(report->study, &report->units));
     if (first->threshold > 0)
         fprintf(stream,
-                "At rest, with its forces fed forward, the machine needs G over %.6g%s (%s)\n",
+                "At rest, with its forces fed forward, the machine needs G above %.6g%s (%s)\n",
                 first->threshold, unit->stiffness, first->least_mode.name);
     for (int c = 0; c < report->choices; c++) print_choice(stream, &report->choice[c], unit);
 }

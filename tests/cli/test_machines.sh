@@ -180,4 +180,41 @@ says "heave 0 N/m neutral without feedback; any G > 0 holds it"
 never "2Mg|always"
 stability "three and three, closed loop" frame.yaml --pose surge=0 --set control.stiffness=5000 --set control.damping=50
 json '.stable and .decays'
+
+# ---- tune: what it names does it, by a run of simulate; and it is not silent about a stiffness that its scales do not know ----
+tune() { # tune DESCRIPTION STUDY OPTION…: the G named, checked by simulate
+    what="tune, $1"
+    shift
+    run tune "$@"
+    expect_code 0 "$what"
+    narrow
+    never "no G of the search|does not do|binds"
+    G=$(sed -n 's/^  stiffness   G = \([^ ]*\) N.m in each leg$/\1/p' out)
+}
+reaches() { # reaches G LIMIT STUDY OPTION…
+    local G=$1 limit=$2 found
+    shift 2
+    found=$("$GOUGH" simulate "$@" --set control.stiffness="$G" --json -q 2>/dev/null | jq '.deviation.position')
+    awk -v a="$found" -v b="$limit" 'BEGIN { exit !(a != "" && a !~ /null|nan/ && a + 0 <= b * 1.001) }'
+}
+# weightless, without feed-forward: the springs bear M a, so G is about M a/(d · their share), 2.4e4 N/m here. The search used to be
+# scaled by the weight and said that no G does it
+short=(--set 'motion.moves=[{start: 0, duration: 1, heave: 0.03}]' --set simulation.duration=1.2 --set platform.legs=)
+for g in 0 1e-6; do
+    tune "gravity $g" own.yaml --set gravity=$g "${short[@]}" --deviation 1e-4 --feedforward none --stiffness 0:1e6
+    reaches "$G" 1e-4 own.yaml --set gravity=$g "${short[@]}" --set control.feedforward=none || fail "$what: G = $G is not enough"
+    reaches "$(awk -v G="$G" 'BEGIN { print 0.8 * G }')" 1e-4 own.yaml --set gravity=$g "${short[@]}" --set control.feedforward=none &&
+        fail "$what: 0.8 G would do"
+done
+# a fixed step that passes over a pulse: the run with small steps does not confirm what it names
+cat >pulse.yaml <<'END'
+units: si
+platform: {base: {radius: 0.25, half_angle: 10}, top: {radius: 0.15, half_angle: 10}, height: 0.28}
+load: {mass: 6, center_of_mass: [0, 0, 0.05], inertia: [0.05, 0.05, 0.08]}
+disturbance: {force: ["50*(ramp(t - 1.0005, 0.005) - ramp(t - 1.0205, 0.005))", 0, 0]}
+control: {stiffness: 500, damping: 15}
+simulation: {duration: 1.5, output_step: 0.02}
+END
+tune "a pulse" pulse.yaml --deviation 1e-2 --feedforward program --stiffness 0:1e5
+reaches "$G" 1e-2 pulse.yaml --set simulation.step=0.0005 || fail "$what: G = $G is not enough"
 finish

@@ -62,7 +62,7 @@ still="--set motion= --set disturbance.leg_force=0.001*ramp(t,2) --set simulatio
 # shellcheck disable=SC2086
 run tune heave.yaml $still --deviation 1e-3 --damping-ratio 0.5 -o curve.csv -o curve.h5 -o curve.png -o curve.svg
 expect_code 0 "tune with outputs"
-for words in "With feed-forward" "Without feed-forward" "G = " "binds" "legs        force up to" "curve       deviation goes as G^-1.0" \
+for words in "With feed-forward" "Without feed-forward" "G = " "limited by" "legs        force up to" "curve       the deviation goes as G^-1.0" \
     "the program ends at rest" "wrote curve.csv" "wrote curve.png"; do
     grep -qF -- "$words" out || fail "tune does not say '$words'"
 done
@@ -111,15 +111,15 @@ none() { # none SENTENCE OPTION…
     grep -qF -- "$sentence" err || fail "tune $*: does not say '$sentence' but: $(cat err)"
 }
 none "starts 0.002 off the program" --deviation 1e-3 --set initial.heave=0.002 --stiffness 0:50 --feedforward program
-none "without damping that is kept for ever" --deviation 1e-4 --set initial.pitch=1 --feedforward program --set disturbance=
+none "without damping that offset never dies out" --deviation 1e-4 --set initial.pitch=1 --feedforward program --set disturbance=
 none "its first swing is as large with any G" --deviation 1e-4 --set initial.pitch=1 --feedforward program --set disturbance= \
     --damping-ratio 0.2
-none "a leg's force gets too great" --deviation 1e-2 --set platform.legs.max_force=0.15 --stiffness 0:50
+none "a leg's force exceeds its limit" --deviation 1e-2 --set platform.legs.max_force=0.15 --stiffness 0:50
 run tune heave.yaml --json --deviation 1e-3 --set motion= --set simulation.duration=2 --set platform.legs.max_force=0.15 --stiffness 0:50
 expect_code 1 "tune --json without a choice"
 [[ $(key '.choices | map(.found) | any') == false && $(key '.choices[0].stiffness') == null ]] || fail "a choice that is none"
 [[ $(key '.choices[0].curve.exceptions[-1].cause') == leg_force ]] || fail "the exceptions lack the cause"
-[[ $(key '.choices[0].reason') == *"force gets too great"* ]] || fail "JSON lacks the reason"
+[[ $(key '.choices[0].reason') == *"force exceeds its limit"* ]] || fail "JSON lacks the reason"
 
 # ---- refused -------------------------------------------------------------------------------------------------------
 
@@ -140,7 +140,7 @@ refused "program, none or both" heave.yaml --deviation 1e-3 --feedforward yes
 refused "two numbers a:b with 0 <= a <= b" heave.yaml --deviation 1e-3 --stiffness 3
 refused "two numbers a:b with 0 <= a <= b" heave.yaml --deviation 1e-3 --stiffness 5:3
 refused "home is unstable without feedback: sway–tilt grows unless G is over 0.894107" heave.yaml --deviation 1e-3 --stiffness 0:0
-refused "the search allows only 0.5" heave.yaml --deviation 1e-3 --stiffness 0.1:0.5
+refused "the search ends at 0.5" heave.yaml --deviation 1e-3 --stiffness 0.1:0.5
 refused "STUDY is missing" --deviation 1e-3
 refused "both want standard output" heave.yaml --deviation 1e-3 --json -o -
 refused "-o takes a name that ends in" heave.yaml --deviation 1e-3 -o curve.txt
