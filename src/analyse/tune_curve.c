@@ -292,7 +292,7 @@ static void say_ends(tune *t, gough_error *why) {
     else
         gough_fail(
             why, GOUGH_OK,
-            "no run up to that G reaches its end: with G = %.6g it stops at t = %.6g because "
+            "no run reaches its end: with G = %.6g, the greatest, it stops at t = %.6g because "
             "%s%s; change the study's program, limits or initial state",
             last->stiffness, last->end_time, end_words(last->cause), leg);
 }

@@ -146,7 +146,7 @@ START_TEST(damping_of_heave_is_the_closed_form) {
     ck_assert(gough_damping_for_ratio(model, 1, &D, &error) == GOUGH_ERROR_INPUT);
     set_gains(model, 0.5, 0);
     ck_assert(gough_damping_for_ratio(model, 0.2, &D, &error) == GOUGH_ERROR_NUMERICAL);
-    ck_assert(strstr(error.message, "no damping") != NULL);
+    ck_assert(strstr(error.message, "damping cannot change that") != NULL);
     free(model);
 }
 END_TEST
@@ -350,7 +350,7 @@ START_TEST(a_limit_of_the_legs_may_forbid_every_stiffness) {
     s.model->machine.platform.force_max = 0.3;
     s.options.deviation = 1e-2;
     s.options.greatest = 300;
-    finds_none(&s, false, "a leg's force gets too great");
+    finds_none(&s, false, "a leg's force exceeds its limit");
     ck_assert(s.tuning.exceptions > 0);
     ck_assert(s.tuning.exception[s.tuning.exceptions - 1].kind == GOUGH_TUNING_ENDED);
     ck_assert(s.tuning.exception[s.tuning.exceptions - 1].cause == GOUGH_END_LEG_FORCE);
@@ -372,7 +372,7 @@ START_TEST(too_narrow_a_search_says_where_to_go) {
     s.options.deviation = 1e-6;
     s.options.damping_ratio = 0.5;
     s.options.greatest = 100;
-    finds_none(&s, true, "so about G = 1.2e+03 would be needed");
+    finds_none(&s, true, "so that about G = 1.2e+03 would be needed");
     end(&s);
 }
 END_TEST
@@ -392,7 +392,7 @@ START_TEST(refuses_what_cannot_be) {
     s.options.greatest = 0;
     refuses(&s, "home is unstable without feedback: sway–tilt grows unless G is over 0.894107");
     s.options.greatest = 0.8;
-    refuses(&s, "the search allows only 0.8");
+    refuses(&s, "the search ends at 0.8");
     s.options = gough_tuning_options_default();
     s.options.deviation = 1e-3;
     s.options.damping_ratio = 1;
