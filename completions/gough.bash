@@ -11,7 +11,8 @@ _gough() {
     case $verb in
         example) options="--output --json" ;;
         check) options="--json --set" ;;
-        forces | simulate) options="--output --json --set --precision --reactions --dimensionless" ;;
+        forces) options="--output --json --set --precision --reactions --dimensionless --all" ;;
+        simulate) options="--output --json --set --precision --reactions --dimensionless" ;;
         sweep) options="--output --json --set --threads --lanes --shard --run --dimensionless" ;;
         merge) options="--output --json" ;;
         stability) options="--output --json --set --pose --matrix --at --sweep-stiffness --sweep-amplitude --sweep-frequency --sweep-damping --threads --lanes --title --dimensionless" ;;

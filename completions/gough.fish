@@ -21,6 +21,7 @@ complete -c gough -n "__fish_seen_subcommand_from example check forces simulate 
 complete -c gough -n "__fish_seen_subcommand_from example forces simulate sweep merge stability tune plot report" -s o -l output -r -F -d "write the result to this file"
 complete -c gough -n "__fish_seen_subcommand_from check forces simulate sweep stability tune report" -l set -x -d "override a key of the study"
 complete -c gough -n "__fish_seen_subcommand_from forces simulate" -l precision -x -a "double quad" -d digits
+complete -c gough -n "__fish_seen_subcommand_from forces" -l all -d "list each time that a leg exceeds a limit"
 complete -c gough -n "__fish_seen_subcommand_from forces simulate" -l reactions -d "add the constraint reactions to the table"
 complete -c gough -n "__fish_seen_subcommand_from forces simulate sweep stability tune" -l dimensionless -d "in units of R_b, M and sqrt(R_b/g)"
 complete -c gough -n "__fish_seen_subcommand_from sweep stability tune" -l threads -x -d "number of threads"

@@ -163,6 +163,16 @@ GOUGH_API gough_status gough_simulate(const gough_model *model, const gough_simu
                                       gough_sink sink, void *context, gough_end *end,
                                       gough_error *error);
 
+/** Writes the sentence of an end with units. The library knows none, so the sentence of a run comes without.
+ *
+ *  @param end  its time and limit in the units that are named, converted by the caller where need be
+ *  @param length,speed,force,time  what follows a number, such as " m", " m/s", " N" and " s"; "" where numbers have no unit
+ *
+ *  The message of an end at a leg's limit is written anew from cause, legs, limit and time; in other messages each
+ *  "t = number" becomes the time of the end with its unit. Independent of the locale. */
+GOUGH_API void gough_end_say(gough_end *end, const char *length, const char *speed,
+                             const char *force, const char *time);
+
 /* ---- a model and how to run it as one array --------------------------------------------------------------------- */
 
 /** Doubles that gough_model_flatten() writes for @p model. */

@@ -72,7 +72,9 @@ GOUGH_API const char *gough_cause_name(gough_cause cause);
 typedef struct gough_end {
     gough_cause cause; /**< why */
     double time;       /**< time of the end, in the study's units */
-    int leg;           /**< 1 … 6 if a leg is the cause, else 0 */
+    int leg;           /**< 1 … 6 if a leg is the cause: the lowest such leg; else 0 */
+    unsigned legs;     /**< bit n − 1 is set for each leg n within 1e-6 of that limit */
+    double limit;      /**< the exceeded limit (length, speed or force); 0 for other causes */
     char message[400]; /**< one sentence; empty for GOUGH_END_DONE */
 } gough_end;
 

@@ -54,7 +54,8 @@ enum option_key {
     OPTION_DAMPING_RATIO,
     OPTION_FEEDFORWARD,
     OPTION_MARGIN,
-    OPTION_STIFFNESS
+    OPTION_STIFFNESS,
+    OPTION_ALL
 };
 
 /* Values of one axis of a map: `count` of them from `from` to `to`, by equal steps or equal ratios. */
@@ -78,7 +79,7 @@ typedef struct command_line {
     const char *output;   /* the last one; NULL: none */
     const char **outputs; /* all, where a verb takes several */
     size_t output_count;
-    bool json, quiet, reactions, dimensionless;
+    bool json, quiet, reactions, dimensionless, all;
     gough_precision precision;
     gough_setting *settings; /* from --set */
     size_t setting_count;

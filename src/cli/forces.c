@@ -13,6 +13,7 @@ static const struct argp_option option[] = {
     {"reactions", OPTION_REACTIONS, NULL, 0, "add the constraint reactions to the table", 0},
     {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
      "table and summary in units of R_b, M and sqrt(R_b/g)", 0},
+    {"all", OPTION_ALL, NULL, 0, "list each time that a leg exceeds a limit", 0},
     {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
     {0}};
 
@@ -21,12 +22,14 @@ gough_status forces_verb(int count, char **argument) {
                                      .option = option,
                                      .arguments = "STUDY",
                                      .text =
-                                         "The leg forces that the program of motion needs (the "
-                                         "paper's direct problem), with lengths, rates and "
-                                         "power; the summary gives what sizes a leg.\v"
-                                         "STUDY is a study file, or - for standard input. Limits "
-                                         "that the program leaves are all listed, and the "
-                                         "exit status is then 1.",
+                                         "The leg forces that the program of motion needs "
+                                         "(inverse dynamics), with lengths, rates and power. The "
+                                         "summary gives what you need to size a leg: peaks and "
+                                         "averages of the motion itself, between rows too, and "
+                                         "the share of each limit that is used.\vSTUDY is a study "
+                                         "file, or - for standard input. If the program exceeds a "
+                                         "limit, the table is still complete and the exit status "
+                                         "is 1.",
                                      .least_files = 1,
                                      .most_files = 1};
     return run_verb(&usage, false, count, argument);

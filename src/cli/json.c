@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/json.h"
+#include "cli/limits.h"
 #include "cli/summary.h"
 
 /* Of all objects printed: within a format keys are added, never changed (docs/guide/json.md). */
@@ -62,6 +63,34 @@ static json_t *leg_object(const run_report *report, const gough_leg_summary *leg
     return object;
 }
 
+static json_t *limits_array(const run_report *report) {
+    limit_use use[MOST_LIMITS];
+    const int count = limits_used(report, use);
+    json_t *array = json_array();
+    for (int i = 0; i < count; i++) {
+        const limit_use *u = &use[i];
+        json_t *object = json_object();
+        json_object_set_new(object, "leg", json_integer(u->leg));
+        json_object_set_new(object, "kind", json_string(gough_cause_name(u->kind)));
+        json_object_set_new(object, "limit", json_number(u->limit));
+        json_object_set_new(object, "worst", json_number(u->worst));
+        json_object_set_new(object, "share", json_number(u->share));
+        json_object_set_new(object, "count", json_integer((json_int_t)u->count));
+        json_object_set_new(object, "enter", json_number(u->enter));
+        json_object_set_new(object, "leave", json_number(u->leave));
+        json_object_set_new(object, "worst_time", json_number(u->worst_time));
+        json_array_append_new(array, object);
+    }
+    return array;
+}
+
+static json_t *legs_array(unsigned legs) {
+    json_t *array = json_array();
+    for (int v = 0; v < GOUGH_LEGS; v++)
+        if (legs >> v & 1) json_array_append_new(array, json_integer(v + 1));
+    return array;
+}
+
 json_t *run_report_json(const run_report *report) {
     const gough_summary *s = &report->summary;
     const gough_end *ended = &report->end;
@@ -72,6 +101,8 @@ json_t *run_report_json(const run_report *report) {
     json_object_set_new(end, "time", json_number(ended->time));
     json_object_set_new(end, "leg", ended->leg ? json_integer(ended->leg) : json_null());
     json_object_set_new(end, "message", json_words(ended->message));
+    json_object_set_new(end, "legs", legs_array(ended->legs));
+    json_object_set_new(end, "limit", json_number(ended->leg ? ended->limit : NAN));
     for (int i = 0; i < GOUGH_LEGS; i++)
         json_array_append_new(legs, leg_object(report, &s->leg[i]));
     json_object_set_new(deviation, "position", json_number(s->position_deviation));
@@ -84,6 +115,7 @@ json_t *run_report_json(const run_report *report) {
     json_object_set_new(object, "condition", json_number(s->condition));
     json_object_set_new(object, "deviation", deviation);
     json_object_set_new(object, "drift", json_number(report->simulated ? s->drift : NAN));
+    json_object_set_new(object, "limits", limits_array(report));
     return object;
 }
 

@@ -154,6 +154,9 @@ static error_t read_option(int key, char *text, struct argp_state *state) {
     case OPTION_REACTIONS:
         o->reactions = true;
         break;
+    case OPTION_ALL:
+        o->all = true;
+        break;
     case OPTION_DIMENSIONLESS:
         o->dimensionless = true;
         break;

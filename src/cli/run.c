@@ -48,9 +48,7 @@ static int by_beginning(const void *left, const void *right) {
 /* Says why a run ended; the table and the summary are the answer, this is the reason for the exit code. */
 static void explain_end(const command_line *line, const run_report *report) {
     if (report->end.cause == GOUGH_END_DONE) return;
-    const bool rescaled = report->units.time != 1 || report->units.length != 1;
-    complain(line->verb, "%s: %s%s", report->study->name, report->end.message,
-             rescaled ? " (in the study's own units)" : "");
+    complain(line->verb, "%s: %s", report->study->name, report->end.message);
 }
 
 static gough_status write_tables(const command_line *line, const gough_result *result) {
@@ -67,10 +65,7 @@ static gough_status write_tables(const command_line *line, const gough_result *r
 
 static gough_status print_summary(const command_line *line, const run_report *report) {
     const bool standard = writes_standard(line);
-    if (line->json) {
-        if (!line->quiet) run_report_print_crossings(stderr, report);
-        return run_report_print_json(report) ? GOUGH_ERROR_FILE : GOUGH_OK;
-    }
+    if (line->json) return run_report_print_json(report) ? GOUGH_ERROR_FILE : GOUGH_OK;
     if (!line->quiet) run_report_print(standard ? stderr : stdout, report);
     return GOUGH_OK;
 }
@@ -95,11 +90,17 @@ gough_status run_report_fill(run_report *report, const command_line *line, gough
     if (report->crossings.count)
         qsort(report->crossings.list, report->crossings.count, sizeof *report->crossings.list,
               by_beginning);
-    if (result) gough_result_set_end(result, &report->end);
+    if (result) {
+        const gough_end end = run_report_end(report);
+        gough_result_set_end(result, &end);
+    }
     if (run.memory_out)
-        return gough_fail(
-            error, GOUGH_ERROR_FILE,
-            "memory is out for the table; a greater simulation.output_step needs less");
+        return gough_fail(error, GOUGH_ERROR_FILE,
+                          "not enough memory for the table; a longer simulation.output_step "
+                          "needs less");
+    if (report->crossings.incomplete)
+        return gough_fail(error, GOUGH_ERROR_FILE,
+                          "not enough memory for the list of exceeded limits");
     return status;
 }
 
@@ -113,7 +114,7 @@ static gough_status run_study(const command_line *line, const gough_study *study
     }
     gough_result *result = NULL;
     if (line->output && !(result = gough_result_new(study, line->verb, &report->units))) {
-        complain(line->verb, "memory is out");
+        complain(line->verb, "out of memory");
         return GOUGH_ERROR_FILE;
     }
     if (report->simulated && !line->quiet) remark_growth(line->verb, study, &report->units);
@@ -139,7 +140,7 @@ static gough_status run_study(const command_line *line, const gough_study *study
 
 gough_status run_verb(const verb_usage *usage, bool simulated, int count, char **argument) {
     command_line line = command_line_read(usage, count, argument);
-    run_report report = {.verb = usage->verb, .simulated = simulated};
+    run_report report = {.verb = usage->verb, .simulated = simulated, .all = line.all};
     gough_study *study = NULL;
     gough_status status = check_output(&line, NULL);
     if (!status) status = read_study(&line, &study);

@@ -21,12 +21,13 @@ gough_status simulate_verb(int count, char **argument) {
                                      .option = option,
                                      .arguments = "STUDY",
                                      .text = "The motion under leg forces, control and disturbance "
-                                             "(the paper's inverse problem), and how far it "
-                                             "deviates from the program.\v"
+                                             "(forward dynamics), and how far it deviates from "
+                                             "the program.\v"
                                              "STUDY is a study file, or - for standard input. The "
-                                             "run ends at the first limit left, singular pose or "
-                                             "step that does not converge; the results up to there "
-                                             "are complete and the exit status is then 1.",
+                                             "run ends early at the first exceeded limit, at a "
+                                             "singular pose or at a step that does not converge; "
+                                             "the results up to there are complete and the exit "
+                                             "status is 1.",
                                      .least_files = 1,
                                      .most_files = 1};
     return run_verb(&usage, true, count, argument);

@@ -2,6 +2,8 @@
 #include "cli/summary.h"
 #include "cli/command.h"
 
+#include "cli/limits.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -22,14 +24,33 @@ static void scale_leg(gough_leg_summary *leg, const gough_units *u) {
     leg->swing_top *= DEGREES;
 }
 
+double limit_factor(gough_cause cause, const gough_units *u) {
+    if (cause == GOUGH_END_LEG_SPEED) return u->time / u->length;
+    if (cause == GOUGH_END_LEG_FORCE) return u->time * u->time / (u->mass * u->length);
+    return 1 / u->length;
+}
+
 static void scale_crossing(gough_crossing *crossing, const gough_units *u) {
-    double unit = u->length;
-    if (crossing->cause == GOUGH_END_LEG_SPEED) unit /= u->time;
-    if (crossing->cause == GOUGH_END_LEG_FORCE) unit *= u->mass / (u->time * u->time);
     crossing->enter /= u->time;
     crossing->leave /= u->time;
     crossing->worst_time /= u->time;
-    crossing->worst /= unit;
+    crossing->worst *= limit_factor(crossing->cause, u);
+}
+
+/* time and limit in the output's units, and the sentence with them */
+static void scale_end(gough_end *end, const gough_units *u) {
+    const unit_words *unit = unit_words_of(u);
+    end->time /= u->time;
+    end->limit *= limit_factor(end->cause, u);
+    gough_end_say(end, unit->length, unit->speed, unit->force, unit->time);
+}
+
+gough_end run_report_end(const run_report *report) {
+    gough_end end = report->end;
+    scale_end(&end, &report->units);
+    end.time = report->end.time;
+    end.limit = report->end.limit;
+    return end;
 }
 
 /* Without a row there is no number, not a 0. */
@@ -50,7 +71,7 @@ void run_report_scale(run_report *report) {
     s->condition_time /= u->time;
     s->position_deviation /= u->length;
     s->angle_deviation *= DEGREES;
-    report->end.time /= u->time;
+    scale_end(&report->end, u);
     for (size_t i = 0; i < report->crossings.count; i++)
         scale_crossing(&report->crossings.list[i], u);
     report->stroke[0] = report->study->model->machine.platform.length_min / u->length;
@@ -135,55 +156,16 @@ static void print_loads(FILE *stream, const run_report *report, const unit_words
     table_print(stream, column, true);
 }
 
-static const char *crossing_words(gough_cause cause) {
-    switch (cause) {
-    case GOUGH_END_LEG_SHORT:
-        return "too short";
-    case GOUGH_END_LEG_LONG:
-        return "too long";
-    case GOUGH_END_LEG_SPEED:
-        return "too fast";
-    case GOUGH_END_LEG_FORCE:
-        return "overloaded";
-    default:
-        return gough_cause_name(cause);
-    }
-}
-
-static const char *crossing_unit(const gough_crossing *crossing, const unit_words *unit) {
-    if (crossing->cause == GOUGH_END_LEG_SPEED) return unit->speed;
-    return crossing->cause == GOUGH_END_LEG_FORCE ? unit->force : unit->length;
-}
-
-void run_report_print_crossings(FILE *stream, const run_report *report) {
-    const unit_words *unit = unit_words_of(&report->units);
-    const crossing_list *crossings = &report->crossings;
-    if (crossings->count == 0) return;
-    fprintf(stream, "  limits left %zu time%s along the program:\n", crossings->count,
-            crossings->count == 1 ? "" : "s");
-    for (size_t i = 0; i < crossings->count; i++) {
-        const gough_crossing *c = &crossings->list[i];
-        fprintf(stream, "    leg %d %-10s  t = %.6g", c->leg, crossing_words(c->cause), c->enter);
-        if (isfinite(c->leave))
-            fprintf(stream, " to %.6g", c->leave);
-        else
-            fprintf(stream, " to the end");
-        fprintf(stream, ", at worst %.6g%s at t = %.6g\n", c->worst, crossing_unit(c, unit),
-                c->worst_time);
-    }
-    if (crossings->incomplete) fprintf(stream, "    and more: memory is out\n");
-}
-
 static void print_end(FILE *stream, const run_report *report, const unit_words *unit) {
     const gough_end *end = &report->end;
     fprintf(stream, "  end         ");
     if (end->cause == GOUGH_END_DONE)
         fprintf(stream, "the whole duration, t = %.6g%s\n", end->time, unit->time);
     else if (!report->simulated && report->crossings.count)
-        fprintf(stream, "t = %.6g%s, limits left on the way (first at t = %.6g%s)\n",
+        fprintf(stream, "t = %.6g%s; limits are exceeded, first at t = %.6g%s\n",
                 report->summary.last_time, unit->time, end->time, unit->time);
     else
-        fprintf(stream, "at t = %.6g%s: %s\n", end->time, unit->time, gough_cause_name(end->cause));
+        fprintf(stream, "%s\n", end->message);
 }
 
 void run_report_print(FILE *stream, const run_report *report) {
@@ -217,7 +199,7 @@ void run_report_print(FILE *stream, const run_report *report) {
     }
     fprintf(stream, "  legs        massless here: their own weight and inertia come on top\n");
     print_end(stream, report, unit);
-    run_report_print_crossings(stream, report);
+    limits_print(stream, report, report->all);
     for (size_t i = 0; i < report->outputs; i++)
         if (strcmp(report->output[i], "-") != 0)
             print_line(stream, "  table       %s", report->output[i]);

@@ -10,7 +10,7 @@
 typedef struct crossing_list {
     gough_crossing *list;
     size_t count, room;
-    bool incomplete; /* memory was out */
+    bool incomplete; /* there was no memory for all */
 } crossing_list;
 
 typedef struct run_report {
@@ -19,11 +19,12 @@ typedef struct run_report {
     const gough_study *study;
     gough_units units;
     gough_summary summary;     /* scaled to the output's units, angles in degrees */
-    gough_end end;             /* time scaled; its message is in the study's units */
+    gough_end end;             /* time, limit and sentence in the output's units */
     crossing_list crossings;   /* scaled; forces only */
     double stroke[2];          /* least and greatest leg length, scaled; 0 and INFINITY: none */
     const char *const *output; /* where the tables went; "-" among them */
     size_t outputs;
+    bool all; /* each excess of a limit is listed */
 } run_report;
 
 /* Runs the study of a report, `simulated` or not, whose numbers are then in units of the run; rows go into `result` too, which
@@ -35,8 +36,11 @@ gough_status run_report_fill(run_report *report, const struct command_line *line
 /* Turns the numbers of a run into the output's units. */
 void run_report_scale(run_report *report);
 
-/* The limits that the program leaves; nothing if none. */
-void run_report_print_crossings(FILE *stream, const run_report *report);
+/* The end of a run that is not scaled yet, its sentence in the output's units. */
+gough_end run_report_end(const run_report *report);
+
+/* What a limit of this cause is multiplied by to be in units of the output. */
+double limit_factor(gough_cause cause, const gough_units *units);
 void run_report_print(FILE *stream, const run_report *report);
 
 /* One JSON object on standard output. Returns 0, or -1 when memory is out or the output cannot be written. */

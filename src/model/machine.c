@@ -101,6 +101,23 @@ static double mean_radius(const double point[GOUGH_LEGS][3]) {
     return mean;
 }
 
+/* A length or magnitude that was computed from numbers given in decimals, to 15 significant digits: joints listed on a circle of
+ * radius 1 have a mean distance of 0.9999999999999999 before this, and would make that the unit of length. */
+static double decimal_again(double x) {
+    const double decade = floor(log10(x));
+    if (!(decade >= -8 && decade <= 14)) return x; /* beyond, powers of ten are not exact */
+    double scale = 1;
+    for (int i = 0; i < 14 - (int)decade; i++) scale *= 10;
+    return round(x * scale) / scale;
+}
+
+/* |g|: exact where gravity has one component */
+static double magnitude_of(const double a[3]) {
+    int components = 0;
+    for (int i = 0; i < 3; i++) components += fabs(a[i]) > 0;
+    return components > 1 ? decimal_again(length_of(a)) : length_of(a);
+}
+
 static gough_status check_joints(const gough_platform *p, gough_error *error) {
     const double span = mean_radius(p->base) + mean_radius(p->top);
     if (!real_finite(span)) return FAIL(error, "the joints lie too far apart to be measured");
@@ -248,8 +265,9 @@ gough_status gough_machine_init(gough_machine *machine, const gough_platform *pl
     gough_status status = check_numbers(platform, load, gravity, error);
     if (status == GOUGH_OK) status = check_joints(platform, error);
     if (status != GOUGH_OK) return status;
-    m.gravity_magnitude = length_of(gravity);
-    m.base_radius = platform->base_radius > 0 ? platform->base_radius : mean_radius(platform->base);
+    m.gravity_magnitude = magnitude_of(gravity);
+    m.base_radius = platform->base_radius > 0 ? platform->base_radius
+                                              : decimal_again(mean_radius(platform->base));
 
     status = set_inertia(&m, error);
     if (status == GOUGH_OK) status = set_home(&m, error);

@@ -27,10 +27,11 @@ static char *copy_text(const char *text) {
 }
 
 /* √(length/g) beyond the double that `units` holds: each step of Newton doubles the digits, 16 to 32 to all. The double itself
- * where the unit of time is not the machine's. */
+ * where the unit of time is not the machine's, as in tables that keep the study's own units: there it is exactly 1. */
 static gough_quad unit_of_time(const gough_units *units, double length, double gravity) {
     gough_quad time = units->time;
-    if (!(fabs(units->time * units->time * gravity / length - 1.0) <= 1e-15)) return time;
+    const bool own = !(units->length < 1 || units->length > 1 || time < 1 || time > 1);
+    if (own || !(fabs(units->time * units->time * gravity / length - 1.0) <= 1e-15)) return time;
     for (int step = 0; step < 2; step++)
         time += ((gough_quad)length / gravity - time * time) / (2 * time);
     return time;

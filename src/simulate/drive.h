@@ -90,9 +90,7 @@ static inline void drive_start(drive *d) {
 
 /* GOUGH_ERROR_NUMERICAL with the end said */
 static inline gough_status drive_stop(drive *d, gough_cause cause, real t, const char *sentence) {
-    d->end->cause = cause;
-    d->end->time = (double)t;
-    d->end->leg = 0;
+    limits_no_leg(d->end, cause, (double)t);
     end_say(d->end, "%s at t = %.9g", sentence, (double)t);
     return GOUGH_ERROR_NUMERICAL;
 }
@@ -132,10 +130,9 @@ static inline void drive_inside(const drive *d, real theta, number *y) {
     drive_project(d, y);
 }
 
-/* the margin that is gone at a point of the step, or -1; e: of the pose at its end */
-static inline int drive_broken(drive *d, real theta, const elimination *e) {
+/* the margins at a point of the step; e: of the pose at its end. Returns the first that is gone, or -1. */
+static inline int drive_broken(drive *d, real theta, const elimination *e, real margin[MARGINS]) {
     const real t = d->t0 + theta * d->h;
-    real margin[MARGINS];
     number y[STATE];
     instant m;
 
@@ -190,29 +187,30 @@ static inline gough_status drive_watch(drive *d, int inside, real *until) {
     const stage *s = run_stage(&d->r, d->t);
     const elimination e = limits_pose(&d->r, &d->now);
     const int quarters = inside && !drive_comfortable(d, s->singularity.determinant, &e);
-    real low = 0, high = 0;
+    real low = 0, high = 0, margin[MARGINS], there[MARGINS];
     int broken = -1;
 
     *until = d->t;
     for (int quarter = quarters ? 1 : 4; quarter <= 4 && broken < 0; quarter++) {
         low = high;
         high = (real)quarter / 4;
-        broken = drive_broken(d, high, &e);
+        broken = drive_broken(d, high, &e, margin);
     }
     if (broken >= 0) {
         drive_prepare(d);
         for (int i = 0; i < DRIVE_HALVINGS; i++) {
             const real middle = (low + high) / 2;
-            const int there = drive_broken(d, middle, &e);
-            if (there >= 0) {
-                broken = there;
+            const int gone = drive_broken(d, middle, &e, there);
+            if (gone >= 0) {
+                broken = gone;
+                memcpy(margin, there, sizeof margin);
                 high = middle;
             } else {
                 low = middle;
             }
         }
         *until = d->t0 + high * d->h;
-        limits_end(&d->r, broken, *until, d->end);
+        limits_end(&d->r, margin, broken, *until, d->end);
         return GOUGH_ERROR_NUMERICAL;
     }
     drive_remember(d, &e);
@@ -248,7 +246,7 @@ static inline gough_status drive_begin(drive *d) {
     limits_margins(&d->r, run_stage(&d->r, 0), &d->now, e.determinant, &d->side, margin);
     broken = limits_broken(margin, 0, MARGINS);
     if (broken < 0) return GOUGH_OK;
-    limits_end(&d->r, broken, 0, d->end);
+    limits_end(&d->r, margin, broken, 0, d->end);
     return GOUGH_ERROR_NUMERICAL;
 }
 

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "gough/simulate.h"
 #include "simulate/limits.h"
 
 /* the sentence of an end, as gough_fail() writes it: numbers with a point, whatever the locale */
@@ -75,58 +76,90 @@ static inline gough_cause limits_cause(const run *r, int margin) {
                : GOUGH_END_LEG_NO_LENGTH;
 }
 
-static inline void limits_say(const run *r, gough_cause cause, int leg, double t, gough_end *end) {
+/* within this share of its limit a leg counts as at it too: legs that move alike reach it together but for round-off, and but
+ * for what a stepper's tolerance leaves */
+static const double limits_together = 1e-6;
+
+static inline double limits_of(const run *r, gough_cause cause) {
     const gough_platform *p = &r->lane[0].machine->platform;
 
-    end->cause = cause;
-    end->time = t;
-    end->leg = leg;
     switch (cause) {
     case GOUGH_END_LEG_SHORT:
-        end_say(end, "leg %d gets shorter than its least length %.9g at t = %.9g", leg,
-                p->length_min, t);
-        break;
+        return p->length_min;
     case GOUGH_END_LEG_LONG:
-        end_say(end, "leg %d gets longer than its greatest length %.9g at t = %.9g", leg,
-                p->length_max, t);
-        break;
+        return p->length_max;
     case GOUGH_END_LEG_SPEED:
-        end_say(end, "leg %d exceeds its greatest speed %.9g at t = %.9g", leg, p->speed_max, t);
-        break;
+        return p->speed_max;
     case GOUGH_END_LEG_FORCE:
-        end_say(end, "leg %d exceeds its greatest force %.9g at t = %.9g", leg, p->force_max, t);
-        break;
-    case GOUGH_END_LEG_NO_LENGTH:
-        end_say(end, "leg %d has no length at t = %.9g: its joints meet, so it has no direction",
-                leg, t);
-        break;
+        return p->force_max;
     default:
-        end_say(end, "the run ends at t = %.9g", t);
+        return 0;
     }
 }
 
-static inline void limits_say_singular(int of_program, double t, gough_end *end) {
-    end->cause = GOUGH_END_SINGULAR;
+/* the legs at the limit that margin e belongs to: bit v for leg v + 1, e's own among them */
+static inline unsigned limits_together_at(const real margin[MARGINS], int e) {
+    const int first = e - e % LEGS;
+    unsigned which = 1u << e % LEGS;
+
+    for (int v = 0; v < LEGS; v++) {
+        if (!(margin[first + v] > (real)limits_together)) which |= 1u << v;
+    }
+    return which;
+}
+
+static inline int limits_lowest(unsigned which) {
+    int leg = 1;
+
+    while (leg < LEGS && !(which >> (leg - 1) & 1)) leg++;
+    return leg;
+}
+
+/* which: bit v for leg v + 1, at least one */
+static inline void limits_say(const run *r, gough_cause cause, unsigned which, double t,
+                              gough_end *end) {
+    end->cause = cause;
+    end->time = t;
+    end->leg = limits_lowest(which);
+    end->legs = which;
+    end->limit = limits_of(r, cause);
+    if (cause == GOUGH_END_LEG_NO_LENGTH) {
+        end_say(end, "leg %d has no length at t = %.9g: its joints meet, so it has no direction",
+                end->leg, t);
+        return;
+    }
+    gough_end_say(end, "", "", "", "");
+}
+
+/* an end of another kind than a leg's */
+static inline void limits_no_leg(gough_end *end, gough_cause cause, double t) {
+    end->cause = cause;
     end->time = t;
     end->leg = 0;
+    end->legs = 0;
+    end->limit = 0;
+}
+
+static inline void limits_say_singular(int of_program, double t, gough_end *end) {
+    limits_no_leg(end, GOUGH_END_SINGULAR, t);
     end_say(end,
             "%s is singular at t = %.9g: there the six legs cannot hold the load in every "
             "direction, and no leg forces are defined",
             of_program ? "the program's pose" : "the pose", t);
 }
 
-static inline void limits_end(const run *r, int margin, real t, gough_end *end) {
-    if (margin >= MARGIN_POSE) {
-        limits_say_singular(margin == MARGIN_PROGRAM, (double)t, end);
+/* the end where margin e is the first of those that are gone */
+static inline void limits_end(const run *r, const real margin[MARGINS], int e, real t,
+                              gough_end *end) {
+    if (e >= MARGIN_POSE) {
+        limits_say_singular(e == MARGIN_PROGRAM, (double)t, end);
     } else {
-        limits_say(r, limits_cause(r, margin), margin % LEGS + 1, (double)t, end);
+        limits_say(r, limits_cause(r, e), limits_together_at(margin, e), (double)t, end);
     }
 }
 
 static inline gough_status limits_fault(const run *r, gough_end *end) {
-    end->cause = GOUGH_END_NOT_FINITE;
-    end->time = (double)r->fault.time;
-    end->leg = 0;
+    limits_no_leg(end, GOUGH_END_NOT_FINITE, (double)r->fault.time);
     end_say(end, "%s (value or derivatives) is not finite at t = %.9g", r->fault.what, end->time);
     return GOUGH_ERROR_INPUT;
 }

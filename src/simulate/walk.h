@@ -19,6 +19,7 @@ typedef struct {
     gough_crossing open[MARGIN_POSE]; /* limits that are left now; leg 0: none */
     int crossed;                      /* some limit was left: `first` is the earliest */
     gough_crossing first;
+    unsigned first_legs; /* all legs at that limit then: bit v for leg v + 1 */
 } walk;
 
 /* the program as an instant: its forces are what the legs give */
@@ -75,13 +76,19 @@ static inline void walk_close(walk *a, int e, double leave) {
 }
 
 static inline void walk_open(walk *a, int e, double enter, double value) {
+    real margin[MARGINS];
+    instant m;
+
     a->open[e] = (gough_crossing){.cause = limits_cause(&a->r, e),
                                   .leg = e % LEGS + 1,
                                   .enter = enter,
                                   .leave = INFINITY,
                                   .worst = value,
                                   .worst_time = enter};
-    if (!a->crossed || enter < a->first.enter) a->first = a->open[e];
+    if (a->crossed && !(enter < a->first.enter)) return;
+    a->first = a->open[e];
+    walk_margins(a, (real)enter, &m, margin);
+    a->first_legs = limits_together_at(margin, e);
     a->crossed = 1;
 }
 
@@ -130,7 +137,7 @@ static inline gough_status walk_hard(walk *a, real before, real t, const instant
     if (a->r.fault.what) return limits_fault(&a->r, a->end);
     for (int v = 0; v < LEGS; v++) {
         if (!(m->g.length[v] > (real)nothing)) {
-            limits_say(&a->r, GOUGH_END_LEG_NO_LENGTH, v + 1, (double)t, a->end);
+            limits_say(&a->r, GOUGH_END_LEG_NO_LENGTH, 1u << v, (double)t, a->end);
             return GOUGH_ERROR_NUMERICAL;
         }
     }
@@ -157,8 +164,7 @@ static inline gough_status walk_row(walk *a, real t) {
         return GOUGH_ERROR_NUMERICAL;
     }
     if (row_send(value, a->sink, a->context)) {
-        a->end->cause = GOUGH_END_STOPPED;
-        a->end->time = (double)t;
+        limits_no_leg(a->end, GOUGH_END_STOPPED, (double)t);
         end_say(a->end, "the run was stopped at t = %.9g", (double)t);
         return GOUGH_ERROR_NUMERICAL;
     }
@@ -217,7 +223,7 @@ static inline gough_status walk_run(const gough_model *model, const gough_simula
     if (status != GOUGH_OK) return status;
     end->time = options->duration;
     if (!a.crossed) return GOUGH_OK;
-    limits_say(&a.r, a.first.cause, a.first.leg, a.first.enter, end);
+    limits_say(&a.r, a.first.cause, a.first_legs, a.first.enter, end);
     return GOUGH_ERROR_NUMERICAL;
 }
 

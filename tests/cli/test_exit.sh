@@ -9,11 +9,12 @@ attribute() { h5dump -N "$2" "$1" | sed -n 's/^ *(0): "\{0,1\}\([^"]*\)"\{0,1\}$
 limits=(--set 'platform.legs.length=[1.0, 1.3]')
 run forces "$study" "${limits[@]}" -o "$scratch/f.h5"
 expect_code 1 "forces beyond a limit"
-[[ $(grep -c 'too long' "$scratch/out") == 18 ]] || fail "forces lists $(grep -c 'too long' "$scratch/out") crossings, not 18"
-grep -q 'leg 1' "$scratch/err" || fail "forces does not say which leg: $(cat "$scratch/err")"
+[[ $(grep -c 'greatest length .* 3 times, t = 6.81885 to the end' "$scratch/out") == 6 ]] ||
+    fail "forces does not say once for each leg that it is too long: $(grep 'greatest length' "$scratch/out")"
+grep -q 'all six legs' "$scratch/err" || fail "forces does not say which leg: $(cat "$scratch/err")"
 [[ $("$GOUGH" forces "$study" "${limits[@]}" -o - -q 2>/dev/null | wc -l) == 402 ]] || fail "forces stops at a limit"
-run forces "$study" "${limits[@]}" --json
-[[ $(grep -c 'too long' "$scratch/err") == 18 ]] || fail "forces --json hides the crossings"
+run forces "$study" "${limits[@]}" --all
+[[ $(grep -c 'greatest length .*, at worst 1.3' "$scratch/out") == 18 ]] || fail "forces --all lists $(grep -c 'at worst' "$scratch/out") excesses, not 18"
 
 run simulate "$study" "${limits[@]}" --set control.stiffness=5 -o "$scratch/s.csv"
 expect_code 1 "simulate beyond a limit"

@@ -7,13 +7,13 @@ command -v jq >/dev/null || { echo "skipped: no jq"; exit 77; }
 (cd "$scratch" && awk -f ship-deck.awk >ship-deck.csv)
 short=(--set simulation.duration=20)
 
-keys='["verb","title","end","legs","condition","deviation","drift"]'
+keys='["verb","title","end","legs","condition","deviation","drift","limits"]'
 for verb in forces simulate; do
     run "$verb" "$scratch/fs.yaml" "${short[@]}" --json -o "$scratch/$verb.csv"
     expect_code 0 "$verb --json"
     cp "$scratch/out" "$scratch/$verb.json"
     [[ $(jq -c keys_unsorted "$scratch/out") == "$keys" ]] || fail "$verb: keys $(jq -c keys_unsorted "$scratch/out")"
-    [[ $(jq -c '.end | keys_unsorted' "$scratch/out") == '["status","time","leg","message"]' ]] || fail "$verb: end"
+    [[ $(jq -c '.end | keys_unsorted' "$scratch/out") == '["status","time","leg","message","legs","limit"]' ]] || fail "$verb: end"
     jq -e --arg verb "$verb" '.verb == $verb and .end.status == "done" and .end.time == 20 and .end.leg == null and (.legs | length) == 6' \
         "$scratch/out" >/dev/null || fail "$verb: $(jq -c '[.verb, .end, (.legs | length)]' "$scratch/out")"
     # lengths, forces and powers over the rows, by other means

@@ -44,6 +44,7 @@ static struct {
     long long steps;
     double goal; /* time to which live_advance() has been asked */
     int seen;    /* the row was looked at since the last step */
+    int si;      /* sentences name SI units */
 
     double row[GOUGH_COLUMNS], pose[6];
     char message[500];
@@ -165,7 +166,10 @@ static void settle(void) {
     refresh();
 }
 
-static void conclude(void) { say(live.end.message); }
+static void conclude(void) {
+    if (live.si) gough_end_say(&live.end, " m", " m/s", " N", " s");
+    say(live.end.message);
+}
 
 /* the state where the step was left that broke off at `until` */
 static void step_back(real until) {
@@ -389,6 +393,8 @@ const char *live_column_name(int column) {
 const char *live_cause_name(int cause) { return gough_cause_name((gough_cause)cause); }
 
 int live_end_leg(void) { return live.end.leg; }
+int live_end_legs(void) { return (int)live.end.legs; }
+void live_set_si(int si) { live.si = si != 0; }
 
 /* ---- a whole run ---- */
 

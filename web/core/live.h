@@ -31,6 +31,9 @@ void LIVE_EXPORT(live_set_damping)(double damping);
 /* Whether the program's forces are fed forward. */
 void LIVE_EXPORT(live_set_feedforward)(int feedforward);
 
+/* Whether sentences name SI units; told before live_begin(). At first they name none. */
+void LIVE_EXPORT(live_set_si)(int si);
+
 /* Factors of what the study has, 1 as it is. Those of the program pass smoothly from old to new within one unit of time,
  * √(R_b/g), so that the program keeps two continuous derivatives and its phase; before the first step they hold at once.
  * A frequency below 0 counts as 0, which stops the program where it is. */
@@ -66,8 +69,9 @@ const char *LIVE_EXPORT(live_column_name)(int column);
 /* The word for a cause. */
 const char *LIVE_EXPORT(live_cause_name)(int cause);
 
-/* The leg that ended the motion, 1 … 6, else 0. */
+/* The legs that ended the motion: the lowest, 1 … 6, else 0, and bit n − 1 for each leg n at that limit then. */
 int LIVE_EXPORT(live_end_leg)(void);
+int LIVE_EXPORT(live_end_legs)(void);
 
 /* ---- a whole run ---- */
 

@@ -38,8 +38,10 @@ export class Core {
     return new TextDecoder().decode(memory.slice(address, memory.indexOf(0, address)));
   }
 
-  // Takes a study in: its flat model as Float64Array. Throws an Error with the core's sentence where it is none.
-  begin(flat) {
+  // Takes a study in: its flat model as Float64Array, and whether its numbers are in SI units. Throws an Error with the core's
+  // sentence if the model is not valid.
+  begin(flat, si = false) {
+    this.calls.live_set_si(si ? 1 : 0);
     const address = this.calls.live_input(flat.length);
     if (address === 0) throw new Error("there is not enough memory for the study");
     this.#doubles(address, flat.length).set(flat);

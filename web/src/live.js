@@ -57,6 +57,7 @@ export class Live {
           step: this.step(),
           reach: REACH * this.study.machine.base_radius,
           grain: this.strips.grain,
+          si: this.study.units === "si",
         },
       });
       // the study's own settings stand until the reader moves something

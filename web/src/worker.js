@@ -85,7 +85,7 @@ function run(on) {
 const orders = {
   async begin({ module, flat, settings }) {
     core = await Core.load(module);
-    core.begin(flat);
+    core.begin(flat, settings.si);
     ({ step, reach, grain } = settings);
     postMessage({ kind: "ready", columns: core.columns });
     report();
