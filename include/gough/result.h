@@ -67,15 +67,16 @@ GOUGH_API void gough_result_free(gough_result *result);
 
 /** A table read back, from HDF5 or CSV, written by this program or any other (a CSV with a header row). */
 typedef struct gough_table {
-    size_t rows;     /**< rows of numbers */
-    size_t columns;  /**< numbers a row */
-    char **name;     /**< [columns] */
-    char **unit;     /**< [columns]; "" where unknown */
-    double **value;  /**< [columns][rows] */
-    char *title;     /**< "" where unknown */
-    char *verb;      /**< "" where unknown */
-    char *end_cause; /**< "" where unknown */
-    double end_time; /**< NaN where unknown */
+    size_t rows;       /**< rows of numbers */
+    size_t columns;    /**< numbers a row */
+    char **name;       /**< [columns] */
+    char **unit;       /**< [columns]; "" where unknown */
+    double **value;    /**< [columns][rows] */
+    char *title;       /**< "" where unknown */
+    char *verb;        /**< "" where unknown */
+    char *end_cause;   /**< "" where unknown */
+    char *end_message; /**< the end as a sentence; NULL or "" where unknown */
+    double end_time;   /**< NaN where unknown */
 } gough_table;
 
 /** Reads a table; HDF5 is recognised by its first bytes; "-" means CSV on standard input. HDF5 is read in a child process with

@@ -115,6 +115,8 @@ typedef struct gough_simulation {
     double baumgarte[2];           /**< α, β */
     gough_precision precision;     /**< of the whole run */
     bool reactions;                /**< fill the columns of Λ */
+    struct gough_summary *summary; /**< filled by the run with peaks and time integrals of the
+                                        motion itself, between rows too; NULL: not wanted */
 } gough_simulation;
 
 /** 20 units of time, a row every 0.05, dop853 with a tolerance of 1e-10, projection, double precision. */
@@ -223,7 +225,8 @@ typedef struct gough_leg_summary {
     double swing_top;  /**< the same, seen from the top */
 } gough_leg_summary;
 
-/** Summary of the rows so far; fill it by gough_summary_begin(), gough_summary_add(), gough_summary_end(). */
+/** Summary of the rows so far; fill it by gough_summary_begin(), gough_summary_add(), gough_summary_end(). For the motion
+ *  itself, between rows too, let the run fill it: gough_simulation.summary. */
 typedef struct gough_summary {
     gough_leg_summary leg[GOUGH_LEGS]; /**< legs 1 … 6 */
     size_t rows;                       /**< rows added */
@@ -234,9 +237,19 @@ typedef struct gough_summary {
     double position_deviation;         /**< largest distance actual – program; NaN for forces */
     double angle_deviation; /**< largest angle of the rotation between them; NaN for forces */
     double drift;           /**< largest */
+    double between_rows; /**< how far a leg's length goes between two rows beyond both of them, at
+                              most; 0 without looks between rows */
+    int between_leg;     /**< the leg that does, 1 … 6; 0: none */
+    double drawing_step; /**< rows this close draw the motion: chords miss lengths by a hundredth of
+                              the longest stroke at most; 0 where between_leg is 0 */
     double window_
         [4][1 + 2 * GOUGH_LEGS]; /**< private: the last rows for the fourth-order time integrals */
     double square_[GOUGH_LEGS];  /**< private */
+    double look_[4][4 + 6 * GOUGH_LEGS]; /**< private: the last looks */
+    size_t looks_;                       /**< private: looks since a corner */
+    double origin_, span_;               /**< private: time of the first look, time since then */
+    double between_[GOUGH_LEGS][3];      /**< private: lengths since the last row */
+    double acceleration_;                /**< private: largest of a leg */
 } gough_summary;
 
 /** An empty summary. */
@@ -244,6 +257,15 @@ GOUGH_API void gough_summary_begin(gough_summary *summary);
 /** Adds one row, in the units and order of the run. */
 GOUGH_API void gough_summary_add(gough_summary *summary, const gough_machine *machine,
                                  const gough_row *row);
+/** Adds one moment of the motion, a row or a look between rows, in order of time; do not mix with gough_summary_add().
+ *
+ *  Peaks are then those of the parabolas through neighbouring looks; time integrals are of fourth order in their distance,
+ *  which may vary. Columns that are NaN (position, condition, deviation) are left out of their peaks.
+ *  @param is_row  whether a row of the table stands here */
+GOUGH_API void gough_summary_look(gough_summary *summary, const gough_machine *machine,
+                                  const gough_row *row, bool is_row);
+/** Tells that derivatives of the motion may jump at the last look: nothing is interpolated across it. */
+GOUGH_API void gough_summary_corner(gough_summary *summary);
 /** Completes the time integrals. Rows equally spaced are integrated to fourth order. */
 GOUGH_API void gough_summary_end(gough_summary *summary);
 

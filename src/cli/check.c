@@ -7,6 +7,7 @@
 #include "cli/record.h"
 #include "cli/summary.h"
 #include "cli/sweep.h"
+#include "cli/warnings.h"
 
 static const double DEGREES = 57.295779513082320877;
 
@@ -322,6 +323,7 @@ static gough_status check_study(const command_line *line, const gough_study *stu
     }
     for (int k = GOUGH_ROLL; k < GOUGH_COMPONENTS; k++)
         c.least[k] *= DEGREES, c.greatest[k] *= DEGREES;
+    check_warnings(line->verb, study, c.unit);
     if (line->json) return print_check_json(&c) ? GOUGH_ERROR_FILE : GOUGH_OK;
     if (!line->quiet) print_check(&c);
     return GOUGH_OK;

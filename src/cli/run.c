@@ -9,7 +9,6 @@
 
 /* Rows on their way into table and summary. */
 typedef struct running {
-    const gough_machine *machine;
     gough_result *result; /* NULL: no table wanted */
     run_report *report;
     progress progress;
@@ -18,7 +17,6 @@ typedef struct running {
 
 static int take_row(void *context, const gough_row *row) {
     running *run = context;
-    gough_summary_add(&run->report->summary, run->machine, row);
     progress_update(&run->progress, row->value[GOUGH_T]);
     if (run->result && gough_result_add(run->result, row) != 0) run->memory_out = true;
     return run->memory_out;
@@ -76,8 +74,9 @@ gough_status run_report_fill(run_report *report, const command_line *line, gough
     gough_simulation simulation = study->simulation;
     if (line->precision == GOUGH_QUADRUPLE) simulation.precision = GOUGH_QUADRUPLE;
 
-    running run = {.machine = &study->model->machine, .report = report, .result = result};
-    gough_summary_begin(&report->summary);
+    running run = {.report = report, .result = result};
+    gough_summary_begin(&report->summary); /* where the run is refused */
+    simulation.summary = &report->summary;
     run.progress = progress_begin(line->verb, simulation.duration, line->quiet);
     const gough_status status =
         report->simulated
@@ -85,7 +84,6 @@ gough_status run_report_fill(run_report *report, const command_line *line, gough
             : gough_forces(study->model, &simulation, take_row, &run, take_crossing, &run,
                            &report->end, error);
     progress_end(&run.progress);
-    gough_summary_end(&report->summary);
     /* they come when they are over */
     if (report->crossings.count)
         qsort(report->crossings.list, report->crossings.count, sizeof *report->crossings.list,

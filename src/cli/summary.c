@@ -45,9 +45,35 @@ static void scale_end(gough_end *end, const gough_units *u) {
     gough_end_say(end, unit->length, unit->speed, unit->force, unit->time);
 }
 
+/* "… from t = 3 to 4 s" in place of "… at t = 3 s": of forces, which go on beyond a limit */
+static void say_span(gough_end *end, const run_report *report) {
+    const gough_units *u = &report->units;
+    const char *unit = unit_words_of(u)->time;
+    const crossing_list *crossings = &report->crossings;
+    char *at = strstr(end->message, " at t = ");
+    double leave = 0;
+    gough_error said;
+    if (!at || !end->legs || crossings->count == 0) return;
+    for (size_t i = 0; i < crossings->count; i++) {
+        const gough_crossing *c = &crossings->list[i];
+        if (c->cause == end->cause && (end->legs >> (c->leg - 1) & 1) &&
+            c->enter <= report->end.time * (1 + 1e-6))
+            leave = fmax(leave, c->leave);
+    }
+    char until[64] = "the end", more[64] = "";
+    if (isfinite(leave)) snprintf(until, sizeof until, "%.6g%s", leave / u->time, unit);
+    if (crossings->count > 1)
+        snprintf(more, sizeof more, "; limits are exceeded %zu times", crossings->count);
+    gough_fail(&said, GOUGH_ERROR_NUMERICAL, "%.*s from t = %.6g%s to %s%s",
+               (int)(at - end->message), end->message, end->time, isfinite(leave) ? "" : unit,
+               until, more);
+    snprintf(end->message, sizeof end->message, "%.*s", (int)sizeof end->message - 1, said.message);
+}
+
 gough_end run_report_end(const run_report *report) {
     gough_end end = report->end;
     scale_end(&end, &report->units);
+    say_span(&end, report);
     end.time = report->end.time;
     end.limit = report->end.limit;
     return end;
@@ -69,6 +95,8 @@ void run_report_scale(run_report *report) {
     s->first_time /= u->time;
     s->last_time /= u->time;
     s->condition_time /= u->time;
+    s->between_rows /= u->length;
+    s->drawing_step /= u->time;
     s->position_deviation /= u->length;
     s->angle_deviation *= DEGREES;
     scale_end(&report->end, u);
@@ -124,6 +152,9 @@ static void print_strokes(FILE *stream, const run_report *report, const unit_wor
                 report->stroke[1], unit->length);
 }
 
+/* time integrals are right to this share of the largest power times the time */
+static const double INTEGRAL_ERROR = 1e-8;
+
 static void print_loads(FILE *stream, const run_report *report, const unit_words *unit) {
     const table_heading force = heading_of("force", unit->force),
                         power = heading_of("power", unit->power);
@@ -153,7 +184,57 @@ static void print_loads(FILE *stream, const run_report *report, const unit_words
                 *all = fmax(*all, row[c]);
         }
     }
+    /* where works cancel, what is left is the error of the integrals */
+    const double span = report->summary.last_time - report->summary.first_time;
+    double most = 0;
+    for (int i = 0; i < GOUGH_LEGS; i++)
+        most = fmax(most, peak(report->summary.leg[i].power_min, report->summary.leg[i].power_max));
+    for (int i = 0; i <= GOUGH_LEGS; i++) {
+        double *net = &column[ENERGY].value[i];
+        if (fabs(*net) < INTEGRAL_ERROR * most * span) *net = 0;
+    }
     table_print(stream, column, true);
+}
+
+static bool any_formula(const gough_formula *formula, int count) {
+    bool any = false;
+    for (int i = 0; i < count; i++) any = any || !gough_formula_is_zero(&formula[i]);
+    return any;
+}
+
+/* Forces along a program are those of the program alone: which disturbances of the study they leave out. */
+static void print_left_out(FILE *stream, const gough_disturbance *d) {
+    const gough_noise *noise = &d->noise;
+    const struct {
+        const char *name;
+        bool present;
+    } part[] = {{"leg_force", any_formula(d->leg_force, GOUGH_LEGS)},
+                {"vertical_force", any_formula(&d->vertical_force, 1)},
+                {"force", any_formula(d->force, 3)},
+                {"moment", any_formula(d->moment, 3)},
+                {"noise", noise->leg_force > 0 || noise->force > 0 || noise->moment > 0}};
+    int named = 0;
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++)
+        if (part[i].present)
+            fprintf(stream, "%s%s", named++ ? ", " : "  left out    disturbance: ", part[i].name);
+    if (named)
+        fprintf(stream, "\n              (these are the program's forces alone; gough simulate "
+                        "includes disturbances)\n");
+}
+
+/* Rows that miss more than a twentieth of the longest stroke do not draw the motion. */
+static void print_between(FILE *stream, const gough_summary *s, const unit_words *unit) {
+    double stroke = 0;
+    for (int v = 0; v < GOUGH_LEGS; v++)
+        stroke = fmax(stroke, s->leg[v].length_max - s->leg[v].length_min);
+    if (s->rows < 2 || !(s->between_rows > 0.05 * stroke) || !(s->drawing_step > 0)) return;
+    /* rounded down to one digit */
+    const double decade = pow(10, floor(log10(s->drawing_step)));
+    const double step = floor(s->drawing_step / decade) * decade;
+    fprintf(stream,
+            "  rows        too far apart to draw the motion: between two rows leg %d moves up to\n"
+            "              %.4g%s beyond both; simulation.output_step %.3g%s or less draws it\n",
+            s->between_leg, s->between_rows, unit->length, step, unit->time);
 }
 
 static void print_end(FILE *stream, const run_report *report, const unit_words *unit) {
@@ -198,6 +279,8 @@ void run_report_print(FILE *stream, const run_report *report) {
                 s->drift);
     }
     fprintf(stream, "  legs        massless here: their own weight and inertia come on top\n");
+    print_between(stream, s, unit);
+    if (!report->simulated) print_left_out(stream, &report->study->model->disturbance);
     print_end(stream, report, unit);
     limits_print(stream, report, report->all);
     for (size_t i = 0; i < report->outputs; i++)

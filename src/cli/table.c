@@ -6,12 +6,18 @@
 
 enum { WIDEST = 24, MOST_COLUMNS = 16, GAP = 2, GROUP_GAP = 4 };
 
-/* How the numbers of one group are printed: decimals, or negative for an exponent. */
-static int decimals_for(const table_column *first, const table_column *last, bool with_all) {
+/* Every number keeps three significant digits, whatever stands beside it; what is smaller than this share of the largest beside
+ * it is round-off, and 0. */
+static const double ROUND_OFF = 1e-12;
+
+/* How the numbers of one group are printed: decimals, or negative for an exponent; and what is round-off there. */
+static int decimals_for(const table_column *first, const table_column *last, bool with_all,
+                        double *nothing) {
     double largest = 0;
     for (const table_column *c = first; c <= last; c++)
         for (int i = 0; i < GOUGH_LEGS + with_all; i++)
             if (isfinite(c->value[i])) largest = fmax(largest, fabs(c->value[i]));
+    *nothing = ROUND_OFF * largest;
     if (!(largest > 0)) return 0;
     const int decade = (int)floor(log10(largest));
     if (decade < -4 || decade > 8) return -first->digits;
@@ -19,16 +25,20 @@ static int decimals_for(const table_column *first, const table_column *last, boo
     return decimals < 0 ? 0 : decimals;
 }
 
-static int print_number(char *text, double value, int decimals) {
+static int print_number(char *text, double value, int decimals, double nothing) {
     if (!isfinite(value)) return snprintf(text, WIDEST, "-");
+    /* no "-0.000" for a round-off */
+    if (!(fabs(value) > nothing)) value = 0.0;
     if (decimals < 0) return snprintf(text, WIDEST, "%.*e", -decimals - 1, value);
-    /* no "-0.000" for a round-off below the last digit */
-    const double rounded = fabs(value) < 0.5 * pow(10, -decimals) ? 0.0 : value;
-    return snprintf(text, WIDEST, "%.*f", decimals, rounded);
+    /* 0.00123 rather than 0.0012 beside numbers that need fewer decimals */
+    if (fabs(value) > 0 && fabs(value) < 99.95 * pow(10, -decimals))
+        return snprintf(text, WIDEST, "%.3g", value);
+    return snprintf(text, WIDEST, "%.*f", decimals, value);
 }
 
 typedef struct column_layout {
     int gap, width, decimals;
+    double nothing;
     int last; /* of the group's columns */
 } column_layout;
 
@@ -45,17 +55,19 @@ static int lay_out(const table_column *column, bool with_all, column_layout *lay
     for (int first = 0, last; first < count; first = last + 1) {
         last = first;
         while (last + 1 < count && strcmp(column[last + 1].group, column[first].group) == 0) last++;
-        const int decimals = decimals_for(&column[first], &column[last], with_all);
+        double nothing = 0;
+        const int decimals = decimals_for(&column[first], &column[last], with_all, &nothing);
         int whole = -GAP;
         for (int c = first; c <= last; c++) {
             int width = display_width(column[c].head);
             for (int i = 0; i < GOUGH_LEGS + with_all; i++) {
                 char text[WIDEST];
-                const int wide = print_number(text, column[c].value[i], decimals);
+                const int wide = print_number(text, column[c].value[i], decimals, nothing);
                 if (wide > width) width = wide;
             }
             layout[c].width = width;
             layout[c].decimals = decimals;
+            layout[c].nothing = nothing;
             layout[c].gap = c == first ? GROUP_GAP : GAP;
             layout[c].last = last;
             whole += width + GAP;
@@ -101,7 +113,7 @@ void table_print(FILE *stream, const table_column *column, bool with_all) {
             fprintf(stream, "  all");
         for (int c = 0; c < count; c++) {
             char text[WIDEST];
-            print_number(text, column[c].value[i], layout[c].decimals);
+            print_number(text, column[c].value[i], layout[c].decimals, layout[c].nothing);
             fprintf(stream, "%*s%*s", layout[c].gap, "", layout[c].width, text);
         }
         fputc('\n', stream);

@@ -552,14 +552,18 @@ static void choose_title(builder *b) {
     snprintf(b->sheet->title, sizeof b->sheet->title, "%s", title);
 }
 
-/* How a single run ended, where it did not reach its duration. */
+/* How a single run ended, where it did not reach its duration; of forces, which go on, the limit that they exceed. */
 static void note_end(builder *b) {
     const gough_table *table = b->tables[0];
+    const char *message = table->end_message ? table->end_message : "";
     if (builder_compares(b) || table->end_cause[0] == '\0' || !isfinite(table->end_time) ||
         strcmp(table->end_cause, "done") == 0)
         return;
-    snprintf(b->sheet->note, sizeof b->sheet->note, "ended at t = %.6g: %.60s", table->end_time,
-             table->end_cause);
+    if (*message)
+        snprintf(b->sheet->note, sizeof b->sheet->note, "%s", message);
+    else
+        snprintf(b->sheet->note, sizeof b->sheet->note, "ended at t = %.6g: %.60s", table->end_time,
+                 table->end_cause);
 }
 
 gough_status sheet_fill(sheet *s, const gough_figure *figure, const gough_table *const *tables,

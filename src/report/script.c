@@ -21,6 +21,7 @@ enum {
     BUCKETS = 700, /* of a thinned line: finer than a pixel of a panel */
     MARGIN_LEFT = 64,
     MARGIN_RIGHT = 26,
+    NOTE_HEIGHT = 18, /* of a note below the title */
     TITLE_HEIGHT = 34,
     KEY_LINE = 18,
     KEY_TEXT = 60,   /* characters of a table's name */
@@ -90,6 +91,9 @@ static void lay_out_margins(const sheet *s, const ranges *r, layout *l) {
     }
 }
 
+/* Whether the note is too long to stand beside the title, and has a line of its own. */
+static bool note_below(const sheet *s) { return strlen(s->note) > 30 && s->title[0] != '\0'; }
+
 static layout lay_out(const sheet *s, const ranges *r) {
     layout l = {0};
     l.rows = (s->count + s->columns - 1) / s->columns;
@@ -99,6 +103,7 @@ static layout lay_out(const sheet *s, const ranges *r) {
     l.panel_width = room - l.left - l.right;
     l.width = s->columns * room;
     l.top = s->title[0] != '\0' || s->note[0] != '\0' ? TITLE_HEIGHT : 8;
+    if (note_below(s)) l.top += NOTE_HEIGHT;
     if (s->common_key) {
         int entries = 0;
         size_t longest = 1;
@@ -217,11 +222,13 @@ static void write_frame(const drawing *pen) {
             "set label 1 '%s' at screen %.6f,screen %.6f left noenhanced font 'DejaVu "
             "Sans:Bold,%.4g' textcolor rgb 'black'\n",
             quoted, screen_x(pen, pen->layout.left), screen_y(pen, 22), font_size(pen, TITLE_TEXT));
-    sheet_quote(quoted, sizeof quoted, pen->sheet->note, 60);
+    const bool below = note_below(pen->sheet);
+    sheet_quote(quoted, sizeof quoted, pen->sheet->note, 110);
     fprintf(file,
-            "set label 3 '%s' at screen %.6f,screen %.6f right noenhanced font ',%.4g' textcolor "
+            "set label 3 '%s' at screen %.6f,screen %.6f %s noenhanced font ',%.4g' textcolor "
             "rgb '%s'\n",
-            quoted, screen_x(pen, pen->layout.width - MARGIN_RIGHT), screen_y(pen, 22),
+            quoted, screen_x(pen, below ? pen->layout.left : pen->layout.width - MARGIN_RIGHT),
+            screen_y(pen, below ? 22 + NOTE_HEIGHT : 22), below ? "left" : "right",
             font_size(pen, SMALL_TEXT), alarm);
 }
 

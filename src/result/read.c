@@ -28,6 +28,7 @@ void gough_table_free(gough_table *table) {
     free(table->title);
     free(table->verb);
     free(table->end_cause);
+    free(table->end_message);
     free(table);
 }
 
@@ -117,7 +118,7 @@ static gough_status read_file(int file, const char *path, gough_table *table, go
 /* Texts that the format did not bring are empty. */
 static bool complete_texts(gough_table *table) {
     bool good = true;
-    char **texts[] = {&table->title, &table->verb, &table->end_cause};
+    char **texts[] = {&table->title, &table->verb, &table->end_cause, &table->end_message};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
         if (*texts[i] == NULL) *texts[i] = calloc(1, 1);
         good = good && *texts[i] != NULL;

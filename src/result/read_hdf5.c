@@ -165,8 +165,10 @@ static gough_status read_root(reader *r) {
     table->title = read_text(r->file, "title");
     table->verb = read_text(r->file, "verb");
     table->end_cause = read_text(r->file, "end_cause");
+    table->end_message = read_text(r->file, "end_message");
     table->end_time = read_number(r->file, "end_time");
-    if (table->title == NULL || table->verb == NULL || table->end_cause == NULL)
+    if (table->title == NULL || table->verb == NULL || table->end_cause == NULL ||
+        table->end_message == NULL)
         return gough_fail(r->error, GOUGH_ERROR_FILE, "%s: out of memory", r->path);
 
     hsize_t from = 0;

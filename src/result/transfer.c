@@ -68,7 +68,8 @@ static bool put_table(int pipe, const gough_table *table) {
                 put(pipe, &table->columns, sizeof table->columns) &&
                 put(pipe, &table->end_time, sizeof table->end_time) &&
                 put_text(pipe, table->title) && put_text(pipe, table->verb) &&
-                put_text(pipe, table->end_cause);
+                put_text(pipe, table->end_cause) &&
+                put_text(pipe, table->end_message ? table->end_message : "");
     for (size_t c = 0; c < table->columns && good; c++)
         good = put_text(pipe, table->name[c]) && put_text(pipe, table->unit[c]) &&
                put(pipe, table->value[c], table->rows * sizeof(double));
@@ -80,7 +81,8 @@ static bool get_table(int pipe, gough_table *table) {
     bool good = get(pipe, &rows, sizeof rows) && get(pipe, &columns, sizeof columns) &&
                 get(pipe, &table->end_time, sizeof table->end_time) &&
                 get_text(pipe, &table->title) && get_text(pipe, &table->verb) &&
-                get_text(pipe, &table->end_cause) && result_table_shape(table, columns, rows);
+                get_text(pipe, &table->end_cause) && get_text(pipe, &table->end_message) &&
+                result_table_shape(table, columns, rows);
     for (size_t c = 0; c < columns && good; c++)
         good = get_text(pipe, &table->name[c]) && get_text(pipe, &table->unit[c]) &&
                get(pipe, table->value[c], rows * sizeof(double));

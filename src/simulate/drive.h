@@ -95,6 +95,19 @@ static inline gough_status drive_stop(drive *d, gough_cause cause, real t, const
     return GOUGH_ERROR_NUMERICAL;
 }
 
+/* takes a moment between rows into the summary, if one is wanted */
+static inline void drive_look(drive *d, real t, const number *y) {
+    gough_summary *summary = d->r.options->summary;
+    real value[GOUGH_COLUMNS];
+    instant m;
+
+    if (summary == NULL) return;
+    const stage *s = run_whole_stage(&d->r, t);
+    run_instant(&d->r, t, y, &m);
+    row_fill(&d->r, s, t, &m, 1, d->drift, value);
+    if (row_finite(&d->r, 1, value)) row_sum(value, summary, d->r.lane[0].machine, 0);
+}
+
 /* sends the row that is due, from a state; GOUGH_OK to go on */
 static inline gough_status drive_row(drive *d, const number *y) {
     const real t = (real)d->row * (real)d->r.options->output_step;
@@ -112,6 +125,7 @@ static inline gough_status drive_row(drive *d, const number *y) {
     if (!row_finite(&d->r, 1, value)) {
         return drive_stop(d, GOUGH_END_NOT_FINITE, t, "the motion ceases to be finite");
     }
+    if (d->r.options->summary) row_sum(value, d->r.options->summary, d->r.lane[0].machine, 1);
     d->row++;
     d->drift = 0;
     if (row_send(value, d->sink, d->context)) {
@@ -250,16 +264,31 @@ static inline gough_status drive_begin(drive *d) {
     return GOUGH_ERROR_NUMERICAL;
 }
 
+/* Looks at the quarters of the step before t, for the summary, where rows are too far apart to serve. Steps of a fixed length are
+ * short beside the motion, and are looked at at their ends. */
+static inline void drive_quarters(drive *d, int *quarter, real t) {
+    if (d->r.options->summary == NULL || d->dense == NULL) return;
+    if (4 * (real)d->r.options->output_step < d->h) return;
+    for (; *quarter < 4 && d->t0 + (real)*quarter / 4 * d->h < t; (*quarter)++) {
+        number y[STATE];
+        drive_prepare(d);
+        drive_inside(d, (real)*quarter / 4, y);
+        drive_look(d, d->t0 + (real)*quarter / 4 * d->h, y);
+    }
+}
+
 /* rows due up to `until`, from inside the step */
 static inline gough_status drive_rows(drive *d, real until) {
     const real step = d->r.options->output_step;
+    int quarter = 1;
 
     while (d->row < d->rows) {
         const real t = (real)d->row * step;
         number y[STATE];
         gough_status status;
 
-        if (t > until + step * (real)1e-12) return GOUGH_OK;
+        if (t > until + step * (real)1e-12) break;
+        drive_quarters(d, &quarter, t);
         if (t < d->t) {
             drive_prepare(d);
             drive_inside(d, (t - d->t0) / d->h, y);
@@ -269,6 +298,8 @@ static inline gough_status drive_rows(drive *d, real until) {
         }
         if (status != GOUGH_OK) return status;
     }
+    drive_quarters(d, &quarter, until);
+    if (!(until < d->t)) drive_look(d, d->t, d->y);
     return GOUGH_OK;
 }
 

@@ -87,6 +87,15 @@ static inline int row_finite(const run *r, int simulated, const real value[GOUGH
     return 1;
 }
 
+/* takes a row, or a moment between rows, into a summary */
+static inline void row_sum(const real value[GOUGH_COLUMNS], gough_summary *summary,
+                           const gough_machine *machine, int is_row) {
+    gough_row row = {.quad = NULL};
+
+    for (int c = 0; c < GOUGH_COLUMNS; c++) row.value[c] = (double)value[c];
+    gough_summary_look(summary, machine, &row, is_row);
+}
+
 /* hands the row on; nonzero: the sink asks to stop */
 static inline int row_send(const real value[GOUGH_COLUMNS], gough_sink sink, void *context) {
     gough_row row = {.quad = NULL};

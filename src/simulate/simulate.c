@@ -181,9 +181,12 @@ gough_status gough_forces(const gough_model *model, const gough_simulation *simu
 
     *end = (gough_end){.cause = GOUGH_END_DONE};
     if (checked != GOUGH_OK) return checked;
-    return finish(simulate_table_of(simulation->precision)
-                      ->forces(model, simulation, sink, context, crossings, crossings_context, end),
-                  end, error);
+    if (simulation->summary) gough_summary_begin(simulation->summary);
+    const gough_status status =
+        simulate_table_of(simulation->precision)
+            ->forces(model, simulation, sink, context, crossings, crossings_context, end);
+    if (simulation->summary) gough_summary_end(simulation->summary);
+    return finish(status, end, error);
 }
 
 gough_status gough_simulate(const gough_model *model, const gough_simulation *simulation,
@@ -195,7 +198,9 @@ gough_status gough_simulate(const gough_model *model, const gough_simulation *si
     const simulate_parts parts = {&model->motion,  &model->machine,
                                   &model->control, &model->disturbance,
                                   &model->initial, model->disturbance.noise.run};
-    return finish(
-        simulate_table_of(simulation->precision)->simulate(&parts, simulation, sink, context, end),
-        end, error);
+    if (simulation->summary) gough_summary_begin(simulation->summary);
+    const gough_status status =
+        simulate_table_of(simulation->precision)->simulate(&parts, simulation, sink, context, end);
+    if (simulation->summary) gough_summary_end(simulation->summary);
+    return finish(status, end, error);
 }

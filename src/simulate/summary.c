@@ -1,4 +1,5 @@
-/* A run in a few numbers: what sizes a leg. Peaks are those of the rows; time integrals are of fourth order in the row spacing. */
+/* A run in a few numbers: what you need to size a leg. From rows alone, peaks are those of the rows and time integrals of fourth
+ * order in their spacing; from looks at the motion between them, peaks and integrals are those of the motion. */
 #include <math.h>
 #include <string.h>
 
@@ -8,6 +9,21 @@
 
 /* columns of the window: time, then per leg the square of the force and the power */
 enum { WINDOW = QUADRATURE_ROWS, SQUARE = 1, POWER = 1 + GOUGH_LEGS };
+
+/* columns of the window of looks: time, six quantities of each leg, three of the whole machine */
+enum {
+    LOOK_LENGTH = 1,
+    LOOK_RATE = LOOK_LENGTH + GOUGH_LEGS,
+    LOOK_FORCE = LOOK_RATE + GOUGH_LEGS,
+    LOOK_POWER = LOOK_FORCE + GOUGH_LEGS,
+    LOOK_BASE = LOOK_POWER + GOUGH_LEGS,
+    LOOK_TOP = LOOK_BASE + GOUGH_LEGS,
+    LOOK_CONDITION = LOOK_TOP + GOUGH_LEGS,
+    LOOK_POSITION,
+    LOOK_ANGLE,
+    LOOK_COLUMNS
+};
+_Static_assert(LOOK_COLUMNS == sizeof((gough_summary *)0)->look_[0] / sizeof(double), "window");
 
 void gough_summary_begin(gough_summary *summary) {
     memset(summary, 0, sizeof *summary);
@@ -46,7 +62,8 @@ static void leg_vector(const gough_machine *machine, const gough_state *state, i
     }
 }
 
-static void add_swing(gough_summary *summary, const gough_machine *machine, const double *value) {
+static void find_swing(const gough_machine *machine, const double *value,
+                       double at_base[GOUGH_LEGS], double at_top[GOUGH_LEGS]) {
     const gough_state home = gough_state_home(machine);
     gough_state state = home;
 
@@ -56,21 +73,19 @@ static void add_swing(gough_summary *summary, const gough_machine *machine, cons
         double base[3], top[3], base_home[3], top_home[3];
         leg_vector(machine, &state, v, base, top);
         leg_vector(machine, &home, v, base_home, top_home);
-        summary->leg[v].swing_base =
-            larger(summary->leg[v].swing_base, angle_between(base, base_home));
-        summary->leg[v].swing_top = larger(summary->leg[v].swing_top, angle_between(top, top_home));
+        at_base[v] = angle_between(base, base_home);
+        at_top[v] = angle_between(top, top_home);
     }
 }
 
-/* deviation in angle: the program's angles are those of the row less their deviation */
-static void add_deviation(gough_summary *summary, const double *value) {
+/* deviation in position, and in angle: the program's angles are those of the row less their deviation */
+static void find_deviation(const double *value, double *position, double *angle) {
     double program[3], a[3][3], b[3][3], trace = 0, s[3] = {0, 0, 0};
 
+    *position = *angle = NAN;
     if (isnan(value[GOUGH_EX])) return;
-    summary->position_deviation =
-        larger(summary->position_deviation,
-               sqrt(value[GOUGH_EX] * value[GOUGH_EX] + value[GOUGH_EY] * value[GOUGH_EY] +
-                    value[GOUGH_EZ] * value[GOUGH_EZ]));
+    *position = sqrt(value[GOUGH_EX] * value[GOUGH_EX] + value[GOUGH_EY] * value[GOUGH_EY] +
+                     value[GOUGH_EZ] * value[GOUGH_EZ]);
     for (int c = 0; c < 3; c++) {
         program[c] = value[GOUGH_ROLL_ANGLE + c] - value[GOUGH_EROLL + c];
     }
@@ -82,10 +97,42 @@ static void add_deviation(gough_summary *summary, const double *value) {
         s[1] += a[2][c] * b[0][c] - a[0][c] * b[2][c];
         s[2] += a[0][c] * b[1][c] - a[1][c] * b[0][c];
     }
-    summary->angle_deviation = larger(
-        summary->angle_deviation, atan2(sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]), trace - 1));
+    *angle = atan2(sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]), trace - 1);
+}
+
+/* peaks up to a moment, whose swing and deviation are given */
+static void take_peaks(gough_summary *summary, const double *value,
+                       const double at_base[GOUGH_LEGS], const double at_top[GOUGH_LEGS],
+                       double position, double angle) {
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        leg->length_min = fmin(leg->length_min, value[GOUGH_L + v]);
+        leg->length_max = fmax(leg->length_max, value[GOUGH_L + v]);
+        leg->speed = fmax(leg->speed, fabs(value[GOUGH_DL + v]));
+        leg->force_min = fmin(leg->force_min, value[GOUGH_F + v]);
+        leg->force_max = fmax(leg->force_max, value[GOUGH_F + v]);
+        leg->power_min = fmin(leg->power_min, value[GOUGH_P + v]);
+        leg->power_max = fmax(leg->power_max, value[GOUGH_P + v]);
+        leg->swing_base = fmax(leg->swing_base, at_base[v]);
+        leg->swing_top = fmax(leg->swing_top, at_top[v]);
+    }
+    if (value[GOUGH_CONDITION] > summary->condition) {
+        summary->condition = value[GOUGH_CONDITION];
+        summary->condition_time = value[GOUGH_T];
+    }
+    if (isnan(position)) return;
+    summary->position_deviation = larger(summary->position_deviation, position);
+    summary->angle_deviation = larger(summary->angle_deviation, angle);
     summary->drift = larger(summary->drift, value[GOUGH_DRIFT]);
 }
+
+static void count_row(gough_summary *summary, double t) {
+    if (summary->rows == 0) summary->first_time = t;
+    summary->last_time = t;
+    summary->rows++;
+}
+
+/* ---- rows alone ---- */
 
 /* adds ∫ over one interval of the window, h · Σ weight · value, to the legs' squares and energies */
 static void add_interval(gough_summary *summary, double h, const double weight[WINDOW]) {
@@ -117,32 +164,16 @@ static void add_to_window(gough_summary *summary, const double *value) {
 
 void gough_summary_add(gough_summary *summary, const gough_machine *machine, const gough_row *row) {
     const double *value = row->value;
+    double at_base[GOUGH_LEGS], at_top[GOUGH_LEGS], position, angle;
 
-    if (summary->rows == 0) summary->first_time = value[GOUGH_T];
-    summary->last_time = value[GOUGH_T];
-    summary->rows++;
-    for (int v = 0; v < GOUGH_LEGS; v++) {
-        gough_leg_summary *leg = &summary->leg[v];
-        leg->length_min = fmin(leg->length_min, value[GOUGH_L + v]);
-        leg->length_max = fmax(leg->length_max, value[GOUGH_L + v]);
-        leg->speed = fmax(leg->speed, fabs(value[GOUGH_DL + v]));
-        leg->force_min = fmin(leg->force_min, value[GOUGH_F + v]);
-        leg->force_max = fmax(leg->force_max, value[GOUGH_F + v]);
-        leg->power_min = fmin(leg->power_min, value[GOUGH_P + v]);
-        leg->power_max = fmax(leg->power_max, value[GOUGH_P + v]);
-    }
-    if (value[GOUGH_CONDITION] > summary->condition) {
-        summary->condition = value[GOUGH_CONDITION];
-        summary->condition_time = value[GOUGH_T];
-    }
-    add_swing(summary, machine, value);
-    add_deviation(summary, value);
+    count_row(summary, value[GOUGH_T]);
+    find_swing(machine, value, at_base, at_top);
+    find_deviation(value, &position, &angle);
+    take_peaks(summary, value, at_base, at_top, position, angle);
     add_to_window(summary, value);
 }
 
-void gough_summary_end(gough_summary *summary) {
-    const double span = summary->last_time - summary->first_time;
-
+static void end_rows(gough_summary *summary) {
     if (summary->rows >= WINDOW) {
         add_interval(summary,
                      (summary->window_[WINDOW - 1][0] - summary->window_[0][0]) / (WINDOW - 1),
@@ -155,9 +186,172 @@ void gough_summary_end(gough_summary *summary) {
             add_interval(summary, summary->window_[i + 1][0] - summary->window_[i][0], weight);
         }
     }
+}
+
+/* ---- looks at the motion, rows among them ---- */
+
+/* weights of ∫ from look a to look b of the polynomial through `count` looks, the last of the window */
+static void weigh(const gough_summary *summary, int count, int a, int b, double weight[WINDOW]) {
+    const int first = WINDOW - count;
+    const double from = summary->look_[a][0], h = summary->look_[b][0] - from;
+
+    for (int i = first; i < WINDOW; i++) {
+        /* the polynomial in s = (t - from)/h that is 1 at look i and 0 at the others */
+        double c[WINDOW] = {1, 0, 0, 0};
+        for (int j = first; j < WINDOW; j++) {
+            if (j == i) continue;
+            const double s = (summary->look_[j][0] - from) / h;
+            const double scale = h / (summary->look_[i][0] - summary->look_[j][0]);
+            for (int k = WINDOW - 1; k > 0; k--) c[k] = scale * (c[k - 1] - s * c[k]);
+            c[0] = -scale * s * c[0];
+        }
+        weight[i] = h * (c[0] + c[1] / 2 + c[2] / 3 + c[3] / 4);
+    }
+}
+
+static void integrate(gough_summary *summary, int count, int a, int b) {
+    double weight[WINDOW];
+
+    weigh(summary, count, a, b, weight);
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        for (int i = WINDOW - count; i < WINDOW; i++) {
+            const double force = summary->look_[i][LOOK_FORCE + v];
+            summary->square_[v] += weight[i] * force * force;
+            summary->leg[v].energy += weight[i] * summary->look_[i][LOOK_POWER + v];
+        }
+    }
+}
+
+/* where the last interval has no look after it */
+static void integrate_last(gough_summary *summary) {
+    const int count = summary->looks_ < WINDOW ? (int)summary->looks_ : WINDOW;
+
+    if (count == 3) integrate(summary, 3, 1, 2);
+    if (count >= 2) integrate(summary, count, WINDOW - 2, WINDOW - 1);
+}
+
+/* value at the vertex of the parabola through three looks, where the middle one is the largest or the least; else the middle */
+static double vertex_of(gough_summary *summary, int column) {
+    double(*w)[LOOK_COLUMNS] = summary->look_;
+    const double a = w[1][column], b = w[2][column], c = w[3][column];
+    const double left = w[2][0] - w[1][0], right = w[3][0] - w[2][0];
+
+    if (!((b > a && b >= c) || (b < a && b <= c))) return b;
+    const double before = (b - a) / left, after = (c - b) / right;
+    const double bend = (after - before) / (left + right), slope = before + bend * left;
+    const double vertex = b - slope * slope / (4 * bend);
+    return isfinite(vertex) ? vertex : b;
+}
+
+static void take_vertices(gough_summary *summary) {
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        const double length = vertex_of(summary, LOOK_LENGTH + v);
+        const double force = vertex_of(summary, LOOK_FORCE + v);
+        const double power = vertex_of(summary, LOOK_POWER + v);
+        leg->length_min = fmin(leg->length_min, length);
+        leg->length_max = fmax(leg->length_max, length);
+        leg->speed = fmax(leg->speed, fabs(vertex_of(summary, LOOK_RATE + v)));
+        leg->force_min = fmin(leg->force_min, force);
+        leg->force_max = fmax(leg->force_max, force);
+        leg->power_min = fmin(leg->power_min, power);
+        leg->power_max = fmax(leg->power_max, power);
+        leg->swing_base = fmax(leg->swing_base, vertex_of(summary, LOOK_BASE + v));
+        leg->swing_top = fmax(leg->swing_top, vertex_of(summary, LOOK_TOP + v));
+    }
+    const double condition = vertex_of(summary, LOOK_CONDITION);
+    if (condition > summary->condition) summary->condition = condition;
+    const double position = vertex_of(summary, LOOK_POSITION),
+                 angle = vertex_of(summary, LOOK_ANGLE);
+    if (position > summary->position_deviation) summary->position_deviation = position;
+    if (angle > summary->angle_deviation) summary->angle_deviation = angle;
+}
+
+/* how far a leg's length goes between two rows beyond both of them, and how fast its rate changes */
+static void watch_rows(gough_summary *summary, bool is_row) {
+    const double *newest = summary->look_[WINDOW - 1], *before = summary->look_[WINDOW - 2];
+
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        const double length = newest[LOOK_LENGTH + v];
+        double *range = summary->between_[v];
+        if (summary->looks_ > 1) {
+            const double change = newest[LOOK_RATE + v] - before[LOOK_RATE + v];
+            summary->acceleration_ =
+                fmax(summary->acceleration_, fabs(change) / (newest[0] - before[0]));
+        }
+        range[0] = fmin(range[0], length);
+        range[1] = fmax(range[1], length);
+        if (!is_row) continue;
+        if (summary->rows > 1) {
+            const double low = fmin(range[2], length), high = fmax(range[2], length);
+            const double beyond = fmax(low - range[0], range[1] - high);
+            if (beyond > summary->between_rows) {
+                summary->between_rows = beyond;
+                summary->between_leg = v + 1;
+            }
+        }
+        range[0] = range[1] = range[2] = length;
+    }
+}
+
+void gough_summary_look(gough_summary *summary, const gough_machine *machine, const gough_row *row,
+                        bool is_row) {
+    const double *value = row->value;
+    double *newest = summary->look_[WINDOW - 1], *at_base, *at_top;
+
+    if (is_row) count_row(summary, value[GOUGH_T]);
+    if (summary->looks_ > 0 && !(value[GOUGH_T] > newest[0])) {
+        if (is_row) watch_rows(summary, true);
+        return; /* seen already */
+    }
+    if (summary->span_ <= 0 && summary->looks_ == 0) summary->origin_ = value[GOUGH_T];
+    summary->span_ = value[GOUGH_T] - summary->origin_;
+    memmove(summary->look_[0], summary->look_[1], (WINDOW - 1) * sizeof summary->look_[0]);
+    newest[0] = value[GOUGH_T];
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        newest[LOOK_LENGTH + v] = value[GOUGH_L + v];
+        newest[LOOK_RATE + v] = value[GOUGH_DL + v];
+        newest[LOOK_FORCE + v] = value[GOUGH_F + v];
+        newest[LOOK_POWER + v] = value[GOUGH_P + v];
+        newest[LOOK_BASE + v] = newest[LOOK_TOP + v] = NAN;
+    }
+    at_base = newest + LOOK_BASE;
+    at_top = newest + LOOK_TOP;
+    if (!isnan(value[GOUGH_X])) find_swing(machine, value, at_base, at_top);
+    newest[LOOK_CONDITION] = value[GOUGH_CONDITION];
+    find_deviation(value, &newest[LOOK_POSITION], &newest[LOOK_ANGLE]);
+    take_peaks(summary, value, at_base, at_top, newest[LOOK_POSITION], newest[LOOK_ANGLE]);
+    summary->looks_++;
+    watch_rows(summary, is_row);
+    if (summary->looks_ >= 3) take_vertices(summary);
+    if (summary->looks_ == WINDOW) integrate(summary, WINDOW, 0, 1);
+    if (summary->looks_ >= WINDOW) integrate(summary, WINDOW, 1, 2);
+}
+
+void gough_summary_corner(gough_summary *summary) {
+    if (summary->looks_ < 2) return;
+    integrate_last(summary);
+    summary->looks_ = 1;
+}
+
+void gough_summary_end(gough_summary *summary) {
+    const bool looked = summary->looks_ > 0;
+    const double span = looked ? summary->span_ : summary->last_time - summary->first_time;
+
+    if (looked) {
+        integrate_last(summary);
+    } else {
+        end_rows(summary);
+    }
     for (int v = 0; v < GOUGH_LEGS; v++) {
         gough_leg_summary *leg = &summary->leg[v];
         const double newest = fmax(fabs(leg->force_min), fabs(leg->force_max));
         leg->rms_force = span > 0 ? sqrt(fmax(0, summary->square_[v] / span)) : newest;
     }
+    if (summary->between_leg == 0 || !(summary->acceleration_ > 0)) return;
+    /* chords of a curve with this curvature miss it by at most a hundredth of the stroke */
+    double stroke = 0;
+    for (int v = 0; v < GOUGH_LEGS; v++)
+        stroke = fmax(stroke, summary->leg[v].length_max - summary->leg[v].length_min);
+    summary->drawing_step = sqrt(0.08 * stroke / summary->acceleration_);
 }

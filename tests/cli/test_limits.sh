@@ -72,6 +72,13 @@ run forces "$scratch/surge.yaml" --set motion.surge=0 --set 'motion.yaw=90*ramp(
 grep -qE 'singular at t = [0-9.]+ s: there' "$scratch/err" || fail "a singular end: $(cat "$scratch/err")"
 run forces "$scratch/surge.yaml" -q -o "$scratch/limit.h5"
 if command -v h5dump >/dev/null; then
-    h5dump -a end_message "$scratch/limit.h5" | grep -q "$pair exceed their greatest speed 0.2 m/s at t = " || fail "end_message: $(h5dump -a end_message "$scratch/limit.h5")"
+    h5dump -w 0 -a end_message "$scratch/limit.h5" | grep -q "$pair exceed their greatest speed 0.2 m/s from t = .* to .* s; limits are exceeded 10 times" || fail "end_message: $(h5dump -a end_message "$scratch/limit.h5")"
+fi
+# a figure says which legs, which limit and from when to when, and does not call the curves' end what is none
+if command -v gnuplot >/dev/null; then
+    run plot "$scratch/limit.h5" -o "$scratch/limit.svg"
+    expect_code 0 "a plot of forces beyond a limit"
+    tr -d '\n' <"$scratch/limit.svg" | grep -q "$pair exceed their greatest speed 0.2 m/s from t = " || fail "the figure's note: $(grep -o '>[^<]*leg[^<]*<' "$scratch/limit.svg" | head -3)"
+    ! grep -qE 'leg_speed|ended at' "$scratch/limit.svg" || fail "the figure has a raw word or calls the run ended"
 fi
 finish

@@ -50,7 +50,11 @@ static inline gough_result *result_by_hand(const gough_study *study, const char 
         row.value[GOUGH_T] = (double)r / 8.0;
         ck_assert_int_eq(gough_result_add(result, &row), 0);
     }
-    const gough_end end = {GOUGH_END_LEG_LONG, (double)rows / 8.0, 3, "leg 3 is too long"};
+    const gough_end end = {.cause = GOUGH_END_LEG_LONG,
+                           .time = (double)rows / 8.0,
+                           .leg = 3,
+                           .legs = 4,
+                           .message = "leg 3 is too long"};
     gough_result_set_end(result, &end);
     return result;
 }

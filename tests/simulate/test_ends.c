@@ -170,7 +170,8 @@ START_TEST(singular_pose_is_located) {
     ck_assert_int_eq(gough_forces(model, &s, take, &rows, NULL, NULL, &end, &error),
                      GOUGH_ERROR_NUMERICAL);
     ck_assert_int_eq(end.cause, GOUGH_END_SINGULAR);
-    ck_assert_msg(fabs(end.time - 10 * low) <= 1e-8, "%.12g, not %.12g", end.time, 10 * low);
+    /* within 1e-8 of the plane the condition is over 1e8, which counts as singular: 4e-8 before */
+    ck_assert_msg(fabs(end.time - 10 * low) <= 1e-7, "%.12g, not %.12g", end.time, 10 * low);
     ck_assert(rows.last_time < end.time && rows.last_time > end.time - 0.1);
     ck_assert_int_eq(rows.not_finite, 0);
 
