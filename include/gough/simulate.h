@@ -264,7 +264,8 @@ GOUGH_API void gough_summary_add(gough_summary *summary, const gough_machine *ma
  *  @param is_row  whether a row of the table stands here */
 GOUGH_API void gough_summary_look(gough_summary *summary, const gough_machine *machine,
                                   const gough_row *row, bool is_row);
-/** Tells that derivatives of the motion may jump at the last look: nothing is interpolated across it. */
+/** Marks the last look as a corner: derivatives of the motion may jump there, and nothing is
+ *  interpolated across it. */
 GOUGH_API void gough_summary_corner(gough_summary *summary);
 /** Completes the time integrals. Rows equally spaced are integrated to fourth order. */
 GOUGH_API void gough_summary_end(gough_summary *summary);

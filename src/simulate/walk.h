@@ -19,7 +19,8 @@ enum { WALK_SCAN = 128 };
 /* halvings of a cell; the deeper ones are for single kinks and jumps, which take few cells */
 enum { WALK_DEPTH = 10, WALK_DEPTH_KINK = 24, WALK_CELLS_KINK = 1024 };
 
-/* fourth differences over five looks, as a share of the largest value so far: peaks are then right to about 1e-6, integrals to 1e-7 */
+/* fourth differences over five looks, as a share of the largest value so far: peaks are then right to about 1e-6, integrals to
+ * 1e-7 */
 static const double walk_difference = 1e-6;
 /* accelerations of the program may differ from what looks expect by this share of gravity and of the largest so far */
 static const double walk_surprise = 1e-5;

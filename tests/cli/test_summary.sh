@@ -21,10 +21,12 @@ for verb in forces simulate; do
         for what in l:length f:force p:power; do
             column "$scratch/$verb.csv" "${what%:*}$leg" | sort -g | sed -n '1p;$p' | tr '\n' ' ' >"$scratch/pair"
             read -r least greatest <"$scratch/pair"
-            jq -e --arg a "$least" --arg b "$greatest" --argjson i $((leg - 1)) --arg k "${what#*:}" \
-                '.legs[$i][$k] as $pair | ($pair[0] - ($a | tonumber) | fabs) <= 1e-12 * ($a | tonumber | fabs)
-                 and ($pair[1] - ($b | tonumber) | fabs) <= 1e-12 * ($b | tonumber | fabs)' "$scratch/out" >/dev/null ||
-                fail "$verb: leg $leg ${what#*:} is not $least … $greatest"
+            # the motion goes a little further between rows than at them, and no less far
+            jq -e --arg a "$least" --arg b "$greatest" --argjson i $((leg - 1)) --arg k "${what#*:}" '
+                ($a | tonumber) as $a | ($b | tonumber) as $b | .legs[$i][$k] as $pair |
+                ($a - $pair[0]) as $below | ($pair[1] - $b) as $above | ([$a, $b] | map(fabs) | max) as $size |
+                $below >= -1e-12 * $size and $above >= -1e-12 * $size and $below <= 0.01 * ($b - $a) and $above <= 0.01 * ($b - $a)' \
+                "$scratch/out" >/dev/null || fail "$verb: leg $leg ${what#*:} is not $least … $greatest"
         done
         # RMS to the accuracy of the trapezoidal rule
         rms=$(column "$scratch/$verb.csv" "f$leg" | awk '{ s += $1 * $1 } NR == 1 { s /= 2 } { last = $1 * $1 } END { printf "%.17g", sqrt((s - last / 2) / (NR - 1)) }')
@@ -36,7 +38,7 @@ done
 jq -e '.deviation.position >= 0 and .deviation.angle >= 0 and .drift >= 0' "$scratch/simulate.json" >/dev/null || fail "simulate has no deviation"
 largest=$(paste -d' ' <(column "$scratch/simulate.csv" ex) <(column "$scratch/simulate.csv" ey) <(column "$scratch/simulate.csv" ez) |
     awk '{ d = sqrt($1 * $1 + $2 * $2 + $3 * $3); if (d > m) m = d } END { printf "%.17g", m }')
-jq -e --argjson d "$largest" '(.deviation.position / $d - 1 | fabs) < 1e-9' "$scratch/simulate.json" >/dev/null || fail "deviation is not $largest"
+jq -e --argjson d "$largest" '(.deviation.position / $d - 1) as $more | $more >= -1e-9 and $more <= 0.02' "$scratch/simulate.json" >/dev/null || fail "deviation is not $largest"
 
 # R_b = 1.5 m, M = 1050 kg, g = 9.80665 m/s²
 run forces "$scratch/fs.yaml" "${short[@]}" --json --dimensionless
