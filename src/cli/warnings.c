@@ -109,7 +109,7 @@ static void warn_way(const warning *w) {
     s.constraints = w->study->simulation.constraints;
     memcpy(s.baumgarte, w->study->simulation.baumgarte, sizeof s.baumgarte);
     if (gough_simulate(model, &s, NULL, NULL, &end, NULL) == GOUGH_ERROR_NUMERICAL &&
-        !(end.time > 0))
+        !(end.time > 0) && (end.legs || end.cause == GOUGH_END_SINGULAR))
         say_end(w, &end, "a run of gough simulate ends at once");
 }
 
