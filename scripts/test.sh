@@ -4,6 +4,6 @@ set -euo pipefail
 build=${1:-build}
 shift || true
 jobs=$(nproc)
-cmake -S . -B "$build" -G Ninja -DGOUGH_TESTS_SANITIZED=ON >/dev/null
+cmake -S . -B "$build" -G Ninja -DGOUGH_TESTS_SANITIZED=ON "-DGOUGH_TEST_SLOWNESS=$(scripts/slowness.sh)" >/dev/null
 cmake --build "$build"
 ctest --test-dir "$build" --output-on-failure -j "$jobs" "$@"

@@ -5,6 +5,7 @@
 #include "analyse/mode.h"
 #include "analyse/orbit.h"
 #include "analyse/spectrum.h"
+#include "model/motion.h"
 
 /* the steps' tolerance where none is given, and what double precision can be asked for */
 static const double usual_tolerance = 1e-13, least_tolerance = 1e-15, greatest_tolerance = 1e-3;
@@ -92,6 +93,8 @@ gough_status gough_floquet_multipliers(const gough_model *model, const gough_per
     monodromy m;
     spectrum s;
 
+    status = motion_check(&model->motion, error);
+    if (status != GOUGH_OK) return status;
     if (period == NULL) {
         status = gough_motion_period(&model->motion, &found, error);
         if (status != GOUGH_OK) return status;

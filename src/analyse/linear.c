@@ -1,6 +1,9 @@
 /* Linearisation for callers: checks around the complex equations. Theory: docs/theory/stability.md. */
 #include "analyse/linear.h"
 
+#include "dynamics/valid.h"
+#include "model/motion.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -89,7 +92,15 @@ gough_status linear_check(const linear_loop *loop, double t, const gough_state *
 gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
                              double matrix[GOUGH_LINEAR][GOUGH_LINEAR], gough_error *error) {
     const linear_loop loop = {&model->machine, &model->motion, &model->control};
-    const char *wrong = linear_complex.matrix(&loop, t, state, matrix);
+    const gough_status status = motion_check(&model->motion, error);
+    const char *wrong;
 
+    if (status != GOUGH_OK) return status;
+    if (state != NULL && !is_rotation(state->rotation)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the rotation of the state is not a rotation matrix: its columns must be "
+                          "orthonormal to 1e-6 and right-handed");
+    }
+    wrong = linear_complex.matrix(&loop, t, state, matrix);
     return linear_check(&loop, t, state, matrix, wrong, error);
 }

@@ -26,7 +26,7 @@ gough_map_options gough_map_options_default(void) {
 const char *gough_interval_kind_name(gough_interval_kind kind) {
     static const char *const name[] = {"static", "resonance +1", "resonance -1", "combination"};
 
-    return name[kind];
+    return (int)kind >= 0 && (size_t)kind < sizeof name / sizeof *name ? name[kind] : "unknown";
 }
 
 double gough_map_value(const gough_map_range *range, size_t i) {
@@ -106,6 +106,12 @@ static gough_status check(const gough_map_options *given, gough_map_options *o,
     gough_status status;
 
     *o = *given;
+    if ((int)o->axis < GOUGH_MAP_NONE || (int)o->axis > GOUGH_MAP_DAMPING) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the second axis of the map: %d is neither amplitude nor frequency nor "
+                          "damping",
+                          (int)o->axis);
+    }
     if (o->accuracy <= 0) o->accuracy = 1e-9;
     if (o->resolution <= 0) o->resolution = 1e-6;
     if (o->lanes == 0) o->lanes = widest;

@@ -6,6 +6,7 @@
 #include "analyse/rates.h"
 #include "gough/analyse.h"
 #include "kernel/real.h"
+#include "model/motion.h"
 
 /* What is compared: in each of some periods, chosen denser at the beginning, a number of moments spread by the golden ratio. */
 enum { MOMENTS = 32, DENSE = 16, SURE = 3, ORDERS = 3 };
@@ -397,6 +398,9 @@ static gough_status period_of_record(const gough_motion *motion, gough_period *p
 
 gough_status gough_motion_period(const gough_motion *motion, gough_period *period,
                                  gough_error *error) {
+    const gough_status status = motion_check(motion, error);
+
+    if (status != GOUGH_OK) return status;
     if (motion->kind == GOUGH_MOTION_MOVES) return period_of_moves(motion, period);
     if (motion->kind == GOUGH_MOTION_SAMPLES) return period_of_record(motion, period, error);
     return period_of_formulas(motion, period, error);

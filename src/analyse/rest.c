@@ -10,6 +10,7 @@
 #include "analyse/mode.h"
 #include "analyse/symmetric.h"
 #include "analyse/verdict.h"
+#include "model/motion.h"
 
 enum { WORK = 512 };
 
@@ -294,6 +295,8 @@ gough_status gough_stability_at_rest(const gough_model *model,
     gough_status status;
 
     memset(rest, 0, sizeof *rest);
+    status = motion_check(&model->motion, error);
+    if (status != GOUGH_OK) return status;
     status = equilibrium_find(model, component, &motion, error);
     if (status != GOUGH_OK) return status;
     control.feedforward = true;

@@ -22,11 +22,13 @@ static const char *const binding_names[] = {"position",  "angle",  "end",
 static const char *const exception_names[] = {"ended", "unstable", "off_trend"};
 
 const char *gough_tuning_binding_name(gough_tuning_binding binding) {
-    return binding_names[binding];
+    const size_t names = sizeof binding_names / sizeof *binding_names;
+    return (int)binding >= 0 && (size_t)binding < names ? binding_names[binding] : "unknown";
 }
 
 const char *gough_tuning_exception_name(gough_tuning_exception_kind kind) {
-    return exception_names[kind];
+    const size_t names = sizeof exception_names / sizeof *exception_names;
+    return (int)kind >= 0 && (size_t)kind < names ? exception_names[kind] : "unknown";
 }
 
 /* ---- trend -------------------------------------------------------------------------------------------------------- */

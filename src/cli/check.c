@@ -318,7 +318,7 @@ static gough_status check_study(const command_line *line, const gough_study *stu
     if (!status)
         status = program_range(study->model, &study->simulation, c.least, c.greatest, &error);
     if (status) {
-        complain(line->verb, "%s: %s", study->name, error.message);
+        complain_of(line->verb, study, error.message);
         return status;
     }
     for (int k = GOUGH_ROLL; k < GOUGH_COMPONENTS; k++)

@@ -99,10 +99,9 @@ gough_status program_range(const gough_model *model, const gough_simulation *sim
         for (int c = 0; c < GOUGH_COMPONENTS; c++) {
             for (int order = 0; order < 3; order++)
                 if (!isfinite(component[c][order]))
-                    return gough_fail(
-                        error, GOUGH_ERROR_INPUT,
-                        "the program's %s or a derivative of it is not finite at t = %g",
-                        gough_component_name(c), t);
+                    return gough_fail(error, GOUGH_ERROR_INPUT,
+                                      "motion.%s (value or derivatives) is not finite at t = %.9g",
+                                      gough_component_name(c), t);
             least[c] = fmin(least[c], component[c][0]);
             greatest[c] = fmax(greatest[c], component[c][0]);
         }

@@ -1,4 +1,4 @@
-/* The command `gough`: finds the verb and hands it the rest of the command line. Exit codes are those of gough_status. */
+/* The command `gough`: finds the verb and passes it the rest of the command line. Exit codes are those of gough_status. */
 #define _GNU_SOURCE
 #include <argp.h>
 #include <fcntl.h>
@@ -25,22 +25,22 @@ enum { VERBS = sizeof verbs / sizeof *verbs };
 static const char text[] =
     "Dynamics and control of Stewart-Gough platforms.\n"
     "\n"
-    "  gough example NAME      print a ready study file to start from, or list them\n"
+    "  gough example NAME      print an example study to start from, or list them\n"
     "  gough check STUDY       validate a study and print its machine\n"
-    "  gough forces STUDY      the leg forces that the program of motion needs\n"
-    "  gough simulate STUDY    the motion under control and disturbance\n"
-    "  gough sweep STUDY       many runs of a study with other numbers\n"
-    "  gough merge SHARD...    one table of the shards of a sweep\n"
-    "  gough stability STUDY   modes, thresholds of the stiffness, growth along the program\n"
-    "  gough tune STUDY        the least stiffness of the feedback for an accuracy\n"
+    "  gough forces STUDY      the leg forces that the motion of a study needs\n"
+    "  gough simulate STUDY    the motion under control and disturbances\n"
+    "  gough sweep STUDY       many runs of a study with varied numbers\n"
+    "  gough merge SHARD...    join the shards of a sweep into one table\n"
+    "  gough stability STUDY   modes, stiffness thresholds, growth along the program\n"
+    "  gough tune STUDY        the lowest feedback stiffness for a given accuracy\n"
     "  gough plot RESULT...    figures as PNG, SVG or PDF\n"
-    "  gough report STUDY...   all of it as one HTML page\n"
+    "  gough report STUDY...   everything about a study on one HTML page\n"
     "\n"
-    "'gough VERB --help' says more about each."
+    "'gough VERB --help' describes each verb."
     "\v"
-    "Exit status: 0 done; 1 a numerical end (a leg's limit, a singular pose, no convergence), the "
-    "results up to there "
-    "being complete; 2 a bad study or command line; 3 reading or writing failed.\n"
+    "Exit status: 0 done; 1 the run stopped early (a leg's limit, a singular pose, no "
+    "convergence) and its results up to there are complete; 2 the study or the command line is "
+    "invalid; 3 reading or writing failed.\n"
     "\n"
     "First steps:\n"
     "  gough example paper-heave > heave.yaml\n"
@@ -48,14 +48,15 @@ static const char text[] =
     "  gough forces heave.yaml -o heave.h5\n"
     "  gough plot heave.h5";
 
-/* A descriptor that was closed is taken, in the mode that makes its use fail, lest a result file get its number. */
+/* Opens /dev/null for a standard descriptor that is closed, in the mode that makes its use fail, so that no result file gets its
+ * number. */
 static void occupy_standard_descriptors(void) {
     for (int descriptor = 0; descriptor <= 2; descriptor++)
         if (fcntl(descriptor, F_GETFD) == -1)
             (void)!open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
 }
 
-/* The last word on standard output: what could not be written must not pass as done. */
+/* Closes standard output: a failed write must not end with exit code 0. */
 static void close_output(void) {
     const bool failed = ferror(stdout) != 0;
     if (fclose(stdout) != 0 || failed) {

@@ -146,7 +146,7 @@ static gough_status add_run(const command_line *line, const gough_study *study, 
                             columns_of(result, !simulated));
         if (simulated) json_object_set_new(object, "end", end_object(&report.end));
     } else {
-        complain(line->verb, "%s: %s", study->name, error.message);
+        complain_of(line->verb, study, error.message);
     }
     free(report.crossings.list);
     gough_result_free(result);

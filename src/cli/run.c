@@ -107,7 +107,7 @@ static gough_status run_study(const command_line *line, const gough_study *study
     gough_error error = {0};
     gough_status status = gough_units_of_study(study, line->dimensionless, &report->units, &error);
     if (status) {
-        complain(line->verb, "%s: %s", study->name, error.message);
+        complain_of(line->verb, study, error.message);
         return status;
     }
     gough_result *result = NULL;
@@ -130,7 +130,7 @@ static gough_status run_study(const command_line *line, const gough_study *study
         explain_end(line, report);
         if (written || printed) status = written ? written : printed;
     } else {
-        complain(line->verb, "%s: %s", study->name, error.message);
+        complain_of(line->verb, study, error.message);
     }
     gough_result_free(result);
     return status;

@@ -235,7 +235,7 @@ static gough_status answer(const command_line *line, stability_report *report) {
     }
     if (!status) status = stability_find(report, &error);
     if (status) {
-        complain(line->verb, "%s: %s", report->study->name, error.message);
+        complain_of(line->verb, report->study, error.message);
         return status;
     }
     stability_scale(report);

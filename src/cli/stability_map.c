@@ -218,7 +218,7 @@ gough_status stability_map(const command_line *line, const gough_study *study) {
     status = gough_units_of_study(study, line->dimensionless, &report.units, &error);
     if (!status) status = find(line, &report, &error);
     if (status) {
-        complain(line->verb, "%s: %s", study->name, error.message);
+        complain_of(line->verb, study, error.message);
     } else {
         find_thresholds(&report);
         report.own_row = find_own_row(&report);

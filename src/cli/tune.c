@@ -281,7 +281,7 @@ static gough_status tune_study(const command_line *line, const gough_study *stud
     }
     if (!status) status = search(line, report, &error);
     if (status)
-        complain(line->verb, "%s: %s", study->name, error.message);
+        complain_of(line->verb, study, error.message);
     else
         status = tell(line, report);
     for (int c = 0; report && c < 2; c++) free(report->choice[c].point);

@@ -7,6 +7,7 @@
 #include "dynamics/machine.h"
 #include "dynamics/program.h"
 #include "dynamics/rotation.h"
+#include "dynamics/valid.h"
 #include "kernel/law.h"
 
 /* beyond this condition the six equations are called singular: eight digits of the forces are then gone */
@@ -34,16 +35,19 @@ static void rotation_of_triad(const triad *R, double r[3][3]) {
 
 static void vector_out(vector v, double out[3]) { out[0] = v.x, out[1] = v.y, out[2] = v.z; }
 
-static void pose_of_state(pose *p, const gough_machine *machine, const gough_state *state) {
+/* false for a state whose rotation is none */
+static bool pose_of_state(pose *p, const gough_machine *machine, const gough_state *state) {
     const triad R = triad_of_rotation(state->rotation);
     const vector origin = {0, 0, 0};
 
+    if (!is_rotation(state->rotation)) return false;
     hexapod_of_machine(&p->h, machine);
     p->omega = vector_of(state->angular_velocity);
     p->x = coordinates_of_top(&p->h, origin, vector_of(state->position), &R);
     p->rate = rates_of_top(&p->h, &p->x, vector_of(state->velocity), p->omega);
     legs_at(&p->h, &p->x, &p->g);
     legs_rates(&p->h, &p->rate, &p->g);
+    return true;
 }
 
 static coordinates acceleration_of(const pose *p, const gough_acceleration *a) {
@@ -73,19 +77,21 @@ void gough_rotation_from_angles(const double angles[3], double rotation[3][3]) {
     }
 }
 
-void gough_angles_from_rotation(double rotation[3][3], double angles[3]) {
+gough_status gough_angles_from_rotation(double rotation[3][3], double angles[3]) {
+    if (!is_rotation((const double(*)[3])rotation)) return GOUGH_ERROR_INPUT;
     const triad R = {{rotation[0][0], rotation[1][0], rotation[2][0]},
                      {rotation[0][1], rotation[1][1], rotation[2][1]},
                      {rotation[0][2], rotation[1][2], rotation[2][2]}};
     rotation_angles(&R, angles);
+    return GOUGH_OK;
 }
 
-void gough_leg_kinematics(const gough_machine *machine, const gough_state *state,
-                          const gough_acceleration *acceleration, double length[GOUGH_LEGS],
-                          double rate[GOUGH_LEGS], double second_rate[GOUGH_LEGS]) {
+gough_status gough_leg_kinematics(const gough_machine *machine, const gough_state *state,
+                                  const gough_acceleration *acceleration, double length[GOUGH_LEGS],
+                                  double rate[GOUGH_LEGS], double second_rate[GOUGH_LEGS]) {
     pose p;
 
-    pose_of_state(&p, machine, state);
+    if (!pose_of_state(&p, machine, state)) return GOUGH_ERROR_INPUT;
     for (int v = 0; v < LEGS; v++) {
         if (length) length[v] = p.g.length[v];
         if (rate) rate[v] = p.g.rate[v];
@@ -94,27 +100,30 @@ void gough_leg_kinematics(const gough_machine *machine, const gough_state *state
         const coordinates a = acceleration_of(&p, acceleration);
         legs_second_rates(&p.h, &p.rate, &a, &p.g, second_rate);
     }
+    return GOUGH_OK;
 }
 
-void gough_jacobian(const gough_machine *machine, const gough_state *state,
-                    double jacobian[GOUGH_LEGS][6]) {
+gough_status gough_jacobian(const gough_machine *machine, const gough_state *state,
+                            double jacobian[GOUGH_LEGS][6]) {
     pose p;
 
     /* (legs-5): row (n, (R t) × n), t the top joint in the top frame */
-    pose_of_state(&p, machine, state);
+    if (!pose_of_state(&p, machine, state)) return GOUGH_ERROR_INPUT;
     for (int v = 0; v < LEGS; v++) {
         vector_out(p.g.n[v], jacobian[v]);
         vector_out(cross(out_of(&p.x.q, p.h.top[v]), p.g.n[v]), jacobian[v] + 3);
     }
+    return GOUGH_OK;
 }
 
-void gough_conditioning(const gough_machine *machine, const gough_state *state, double *condition,
-                        double *determinant) {
+gough_status gough_conditioning(const gough_machine *machine, const gough_state *state,
+                                double *condition, double *determinant) {
     pose p;
 
-    pose_of_state(&p, machine, state);
+    if (!pose_of_state(&p, machine, state)) return GOUGH_ERROR_INPUT;
     if (condition) *condition = legs_condition(&p.h, &p.x, &p.g);
     if (determinant) *determinant = legs_determinant(&p.h, &p.x, &p.g).determinant;
+    return GOUGH_OK;
 }
 
 gough_status gough_inverse_dynamics(const gough_machine *machine, const gough_state *state,
@@ -126,7 +135,7 @@ gough_status gough_inverse_dynamics(const gough_machine *machine, const gough_st
     coordinates a;
     pose p;
 
-    pose_of_state(&p, machine, state);
+    if (!pose_of_state(&p, machine, state)) return GOUGH_ERROR_INPUT;
     a = acceleration_of(&p, acceleration);
     required_wrench(&p.h, &p.x, &p.rate, &a, external_force(external), external_moment(external),
                     wrench[0]);
@@ -148,7 +157,7 @@ gough_status gough_forward_dynamics(const gough_machine *machine, const gough_st
     triad R;
     pose p;
 
-    pose_of_state(&p, machine, state);
+    if (!pose_of_state(&p, machine, state)) return GOUGH_ERROR_INPUT;
     forward_dynamics(&p.h, &p.x, &p.rate, &p.g, force, external_force(external),
                      external_moment(external), &a);
     top_of_coordinates(&p.h, &a, &linear, &R);
@@ -161,15 +170,16 @@ gough_status gough_forward_dynamics(const gough_machine *machine, const gough_st
     return GOUGH_OK;
 }
 
-void gough_reactions(const gough_machine *machine, const gough_state *state,
-                     const double force[GOUGH_LEGS], const gough_wrench *external,
-                     double reactions[6]) {
+gough_status gough_reactions(const gough_machine *machine, const gough_state *state,
+                             const double force[GOUGH_LEGS], const gough_wrench *external,
+                             double reactions[6]) {
     triad Q;
     pose p;
 
-    pose_of_state(&p, machine, state);
+    if (!pose_of_state(&p, machine, state)) return GOUGH_ERROR_INPUT;
     Q = legs_generalised(&p.h, &p.g, &p.x.q, force, external_moment(external));
     body_reactions(&p.h.load, &p.x.q, &p.rate.q, &Q, reactions);
+    return GOUGH_OK;
 }
 
 void gough_control_law(const gough_control *control, const double program_force[GOUGH_LEGS],

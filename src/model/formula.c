@@ -60,7 +60,7 @@ static gough_status emit(compiler *c, int code, int constant, double value, size
 /* An operation without operands: a new value on the stack. */
 static gough_status emit_value(compiler *c, int code, double value, size_t at) {
     if (c->values == GOUGH_FORMULA_DEPTH)
-        return FAIL(c, at, "the formula is too deep: more than %d values wait to be used",
+        return FAIL(c, at, "the formula is nested too deeply: more than %d pending values",
                     GOUGH_FORMULA_DEPTH);
     c->value[c->values].first = c->formula->count;
     c->value[c->values].constant = code != FORMULA_TIME;
@@ -79,7 +79,7 @@ static gough_status check_rise(compiler *c, size_t at) {
            (size_t)rise.count * sizeof rise.operation[0]);
     const double duration = formula_jet(&rise, 0).v;
     if (duration > 0 && real_finite(duration)) return GOUGH_OK;
-    return FAIL(c, at, "ramp(t, T) needs a rise time T that is positive, this one is %g", duration);
+    return FAIL(c, at, "the rise time T of ramp(t, T) must be positive, not %g", duration);
 }
 
 static gough_status emit_operation(compiler *c, int code, size_t at) {
@@ -100,7 +100,7 @@ static gough_status emit_operation(compiler *c, int code, size_t at) {
 
 static gough_status hold(compiler *c, int code, bool opening, size_t at) {
     if (c->waitings == WAITING || (opening && c->nesting == GOUGH_FORMULA_DEPTH))
-        return FAIL(c, at, "the formula is too deep: at most %d parentheses within each other",
+        return FAIL(c, at, "the formula is nested too deeply: at most %d levels of parentheses",
                     GOUGH_FORMULA_DEPTH);
     c->waiting[c->waitings++] =
         (waiting){.code = code, .opening = opening, .arguments = 1, .at = at};
@@ -183,7 +183,7 @@ static gough_status read_number(compiler *c) {
     double value = 0;
     const size_t at = c->at;
     const size_t bytes = gough_decimal_read(c->text + at, c->length - at, &value);
-    if (bytes == 0) return FAIL(c, at, "a number needs a digit besides its point");
+    if (bytes == 0) return FAIL(c, at, "a number needs at least one digit");
     c->at += bytes;
     if (!real_finite(value)) return FAIL(c, at, "the number is too large for a double");
     return emit_value(c, FORMULA_NUMBER, value, at);
@@ -236,7 +236,7 @@ static gough_status read_operand(compiler *c) {
 static gough_status close(compiler *c) {
     const size_t at = c->at++;
     if (settle(c, 0) != GOUGH_OK) return GOUGH_ERROR_INPUT;
-    if (c->waitings == 0) return FAIL(c, at, "this ) closes nothing: ( is missing");
+    if (c->waitings == 0) return FAIL(c, at, "unmatched ')': '(' is missing");
     const waiting w = c->waiting[--c->waitings];
     c->nesting--;
     if (w.code == OPEN) return GOUGH_OK;
@@ -272,13 +272,12 @@ static gough_status read_operator(compiler *c) {
     if (next == ')') return close(c);
     if (next == ',') return next_argument(c);
     if (is_letter(next) || is_digit(next) || next == '.' || next == '(')
-        return FAIL(c, c->at, "an operator is missing before '%c': a product is written with *",
-                    next);
+        return FAIL(c, c->at, "an operator is missing before '%c': write products with *", next);
     const char *sign = next == '\0' ? NULL : strchr(SIGNS, next);
     if (sign == NULL) return unexpected(c);
     const int code = CODES[sign - SIGNS];
     if (next == '*' && c->at + 1 < c->length && c->text[c->at + 1] == '*')
-        return FAIL(c, c->at, "a power is written with ^, not **");
+        return FAIL(c, c->at, "write powers with ^, not **");
     /* what binds as tightly comes first, except in a^b^c = a^(b^c) */
     if (settle(c, binding(code) + (code == FORMULA_POWER ? 1 : 0)) != GOUGH_OK)
         return GOUGH_ERROR_INPUT;
@@ -292,12 +291,13 @@ static gough_status compile(compiler *c) {
     }
     if (!c->complete) {
         if (c->formula->count == 0 && c->waitings == 0)
-            return FAIL(c, 0, "the formula is empty: write 0 for none");
+            return FAIL(c, 0, "the formula is empty: write 0 for no motion or force");
         return FAIL(c, c->length, "a value is missing at the end of the formula");
     }
     if (settle(c, 0) != GOUGH_OK) return GOUGH_ERROR_INPUT;
     if (c->waitings > 0)
-        return FAIL(c, c->waiting[c->waitings - 1].at, "missing ): what opens here is not closed");
+        return FAIL(c, c->waiting[c->waitings - 1].at,
+                    "')' is missing: this parenthesis is not closed");
     return GOUGH_OK;
 }
 

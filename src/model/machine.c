@@ -63,7 +63,7 @@ static gough_status check_numbers(const gough_platform *p, const gough_load *loa
     if (!(p->force_max > 0))
         return FAIL(error, "the greatest leg force must be positive, not %g", p->force_max);
     if (!(load->mass > 0 && real_finite(load->mass)))
-        return FAIL(error, "the load's mass must be positive and finite, not %g", load->mass);
+        return FAIL(error, "the mass of the load must be positive and finite, not %g", load->mass);
     if (!all_finite(load->center_of_mass, 3))
         return FAIL(error, "the load's centre of mass is not finite");
     if (!all_finite(load->inertia[0], 3) || !all_finite(load->inertia[1], 3) ||
@@ -120,7 +120,8 @@ static double magnitude_of(const double a[3]) {
 
 static gough_status check_joints(const gough_platform *p, gough_error *error) {
     const double span = mean_radius(p->base) + mean_radius(p->top);
-    if (!real_finite(span)) return FAIL(error, "the joints lie too far apart to be measured");
+    if (!real_finite(span))
+        return FAIL(error, "the joints are too far apart: their distances overflow");
     if (on_a_line(p->base)) return FAIL(error, "all base joints lie on one line");
     if (on_a_line(p->top)) return FAIL(error, "all top joints lie on one line");
     for (int m = 0; m < GOUGH_LEGS; m++) {
@@ -134,7 +135,7 @@ static gough_status check_joints(const gough_platform *p, gough_error *error) {
     for (int n = 0; n < GOUGH_LEGS; n++) {
         const double top[3] = {p->top[n][0], p->top[n][1], p->top[n][2] + p->height};
         if (distance(top, p->base[n]) <= NO_DISTANCE * span)
-            return FAIL(error, "leg %d has no length at home: its joints meet", n + 1);
+            return FAIL(error, "leg %d has zero length at home: its joints coincide", n + 1);
     }
     return GOUGH_OK;
 }
@@ -152,8 +153,8 @@ static gough_status set_inertia(gough_machine *m, gough_error *error) {
         for (int j = 0; j < i; j++) {
             if (fabs(J[i][j] - J[j][i]) > NO_DISTANCE * largest)
                 return FAIL(error,
-                            "the inertia is not symmetric: row %d column %d holds %g, row %d "
-                            "column %d holds %g",
+                            "the inertia is not symmetric: row %d, column %d is %g, but row %d, "
+                            "column %d is %g",
                             i + 1, j + 1, J[i][j], j + 1, i + 1, J[j][i]);
             if (J[i][j] > J[j][i] || J[i][j] < J[j][i])
                 J[i][j] = J[j][i] = J[i][j] / 2 + J[j][i] / 2;

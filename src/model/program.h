@@ -274,6 +274,9 @@ static inline void motion_components(const gough_motion *m, real t, jet out[GOUG
         samples_jets(&m->samples, inner, out);
     } else if (m->kind == GOUGH_MOTION_MOVES) {
         for (int c = 0; c < GOUGH_COMPONENTS; c++) out[c] = moves_jet(m, c, inner);
+    } else if (m->kind != GOUGH_MOTION_FORMULAS) {
+        /* no kind of motion: not finite */
+        for (int c = 0; c < GOUGH_COMPONENTS; c++) out[c] = (jet){NAN, NAN, NAN};
     } else {
         const real unit = motion_angle_unit(m);
         for (int c = 0; c < GOUGH_COMPONENTS; c++) out[c] = formula_jet(&m->formula[c], inner);

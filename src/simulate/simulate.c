@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "model/motion.h"
 #include "simulate/ahead.h"
 #include "simulate/simulate.h"
 
@@ -147,8 +148,23 @@ gough_status simulate_check(const gough_motion *motion, const gough_simulation *
 
     if (status != GOUGH_OK) return status;
     if (gough_method_name((int)s->method) == NULL) {
-        return gough_fail(error, GOUGH_ERROR_INPUT, "simulation.method is none of the methods");
+        return gough_fail(error, GOUGH_ERROR_INPUT, "simulation.method: %d is not a method",
+                          (int)s->method);
     }
+    if (s->precision != GOUGH_DOUBLE && s->precision != GOUGH_QUADRUPLE) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.precision: %d is neither double nor quadruple precision",
+                          (int)s->precision);
+    }
+    if (s->constraints != GOUGH_PROJECTION && s->constraints != GOUGH_NONE &&
+        s->constraints != GOUGH_BAUMGARTE) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.constraints: %d is neither projection nor none nor "
+                          "Baumgarte's stabilisation",
+                          (int)s->constraints);
+    }
+    status = motion_check(motion, error);
+    if (status != GOUGH_OK) return status;
     if (s->method == GOUGH_DOP853 && fpclassify(s->step) == FP_ZERO) {
         status = check_tolerance(s, error);
     } else {

@@ -205,18 +205,21 @@ static inline void run_disturbances(run *r, real t, stage *s) {
                  moment = offsetof(gough_disturbance, moment), one = sizeof(gough_formula);
 
     for (int v = 0; v < LEGS; v++) {
+        static const char *const name[LEGS] = {
+            "disturbance.leg_force.1", "disturbance.leg_force.2", "disturbance.leg_force.3",
+            "disturbance.leg_force.4", "disturbance.leg_force.5", "disturbance.leg_force.6"};
         const size_t place = offsetof(gough_disturbance, leg_force) + (size_t)v * one;
         if (!r->shaken[v]) continue;
-        s->force[v] = s->force[v] + run_disturbance(r, place, "disturbance.leg_force", t);
+        s->force[v] = s->force[v] + run_disturbance(r, place, name[v], t);
     }
     s->push = s->turn = (vector){number_of(0), number_of(0), number_of(0)};
     if (!r->loaded) return;
-    s->push.x = run_disturbance(r, force, "disturbance.force", t);
-    s->push.y = run_disturbance(r, force + one, "disturbance.force", t);
-    s->push.z = run_disturbance(r, force + 2 * one, "disturbance.force", t);
-    s->turn.x = run_disturbance(r, moment, "disturbance.moment", t);
-    s->turn.y = run_disturbance(r, moment + one, "disturbance.moment", t);
-    s->turn.z = run_disturbance(r, moment + 2 * one, "disturbance.moment", t);
+    s->push.x = run_disturbance(r, force, "disturbance.force.1", t);
+    s->push.y = run_disturbance(r, force + one, "disturbance.force.2", t);
+    s->push.z = run_disturbance(r, force + 2 * one, "disturbance.force.3", t);
+    s->turn.x = run_disturbance(r, moment, "disturbance.moment.1", t);
+    s->turn.y = run_disturbance(r, moment + one, "disturbance.moment.2", t);
+    s->turn.z = run_disturbance(r, moment + 2 * one, "disturbance.moment.3", t);
 }
 
 /* root of 315/151: over an interval the squares of the four weights below have the mean 151/315 */

@@ -45,9 +45,10 @@ static bool check_ring(study_build *build, study_node *ring) {
     const char *path = study_node_path(messages->arena, ring);
     const study_node *other = radius ? radius : angle;
     if (joints && other)
-        study_node_say(messages, joints, study_node_place(joints, true),
-                       "`%s` has `joints` beside `%s`; give joints, or radius and half_angle", path,
-                       other->key->text);
+        study_node_say(
+            messages, joints, study_node_place(joints, true),
+            "`%s` has both `joints` and `%s`; give either joints, or radius and half_angle", path,
+            other->key->text);
     else if (study_node_meant(ring, "radius") || study_node_meant(ring, "half_angle") ||
              study_node_meant(ring, "joints"))
         return false;
@@ -101,7 +102,7 @@ static void read_limits(study_build *build, study_node *legs, gough_platform *pl
         platform->length_max = limit[1];
         if (!(limit[0] < limit[1]))
             study_node_say(build->messages, length, study_node_place(length, false),
-                           "`platform.legs.length` must be [least, greatest], the least first");
+                           "`platform.legs.length` must be [shortest, longest], in this order");
     }
     if (speed) platform->speed_max = study_number(speed);
     if (force) platform->force_max = study_number(force);
@@ -123,7 +124,7 @@ static bool read_inertia(study_build *build, study_node *node, double inertia[3]
             if (!(fabs(inertia[i][j] - inertia[j][i]) <= 1e-9 * largest)) {
                 study_node *item = study_node_item(study_node_item(node, i), j);
                 study_node_say(build->messages, item, study_node_place(item, false),
-                               "`load.inertia` must be symmetric: `%s` stands opposite",
+                               "`load.inertia` must be symmetric: the opposite element is `%s`",
                                study_node_item(study_node_item(node, j), i)->text);
                 return false;
             }
@@ -280,7 +281,7 @@ static void check_method(study_build *build, study_node *node) {
     const bool adaptive = !method || strcmp(method->text, "dop853") == 0;
     if (!adaptive && !step)
         study_node_say(build->messages, method, study_node_place(method, false),
-                       "`%s` has a fixed step: give `simulation.step`, a divisor of output_step",
+                       "`%s` needs a fixed step: set `simulation.step` to a divisor of output_step",
                        method->text);
     if (constraints && constraints->kind == STUDY_MAPPING &&
         !study_node_child(constraints, "baumgarte"))

@@ -2,6 +2,7 @@
 #include "study/check.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "study/value.h"
@@ -29,17 +30,20 @@ static const char *join(study_arena *arena, const char *const *names, size_t cou
     return list;
 }
 
-/* The mapping in which a key of that name is known, for one that stands in the wrong place. */
-static const char *home_of(study_arena *arena, const char *name) {
-    size_t rules;
+/* The paths of all keys of that name, for one in a mapping that does not have it: "`load.mass`"; NULL if there are none. */
+static const char *elsewhere(study_arena *arena, const char *name) {
+    size_t rules, count = 0, length = 1;
     const study_rule *rule = study_rules(&rules);
-    for (size_t i = 0; i < rules; i++) {
+    const char *path[STUDY_RULES];
+    for (size_t i = 0; i < rules && count < STUDY_RULES; i++) {
         const char *dot = strrchr(rule[i].path, '.');
-        if (dot && strcmp(dot + 1, name) == 0 && !strstr(rule[i].path, ".N.") &&
-            !strstr(rule[i].path, ".KEY."))
-            return study_arena_copy(arena, rule[i].path, (size_t)(dot - rule[i].path));
+        if (strcmp(dot ? dot + 1 : rule[i].path, name) == 0) path[count++] = rule[i].path;
     }
-    return NULL;
+    for (size_t i = 0; i < count; i++) length += strlen(path[i]) + sizeof "``, ";
+    char *list = count ? study_arena_take(arena, length) : NULL;
+    for (size_t i = 0, at = 0; list && i < count; i++)
+        at += (size_t)sprintf(list + at, "%s`%s`", i ? ", " : "", path[i]);
+    return list;
 }
 
 /* Whether the node is the part after the comma of a formula cut in a flow mapping. */
@@ -54,19 +58,19 @@ static void say_unknown(study_messages *messages, const study_node *before, stud
     const size_t count = names_in(path, names);
     const char *key = study_quote(messages->arena, node->key->text, node->key->length);
     const char *nearest = study_nearest(node->key->text, names, count);
-    const char *home = nearest ? NULL : home_of(messages->arena, node->key->text);
+    const char *others = elsewhere(messages->arena, node->key->text);
+    const char *and = others ? "; keys of that name elsewhere: " : "";
     const study_place place = study_node_place(node, true);
     if (follows_cut(before, node)) {
         study_node_mark(node);
     } else if (nearest) {
         node->meant = nearest;
-        study_node_say(messages, node, place, "unknown key `%s`; did you mean `%s`?", key, nearest);
-    } else if (home) {
-        study_node_say(messages, node, place, "unknown key `%s` here; it belongs under `%s`", key,
-                       home);
+        study_node_say(messages, node, place, "unknown key `%s`; did you mean `%s`?%s%s", key,
+                       nearest, others ? " Keys of that name elsewhere: " : "",
+                       others ? others : "");
     } else {
-        study_node_say(messages, node, place, "unknown key `%s`; known here: %s", key,
-                       join(messages->arena, names, count));
+        study_node_say(messages, node, place, "unknown key `%s`; known here: %s%s%s", key,
+                       join(messages->arena, names, count), and, others ? others : "");
     }
 }
 
@@ -261,7 +265,7 @@ static void say_duplicate(study_messages *messages, study_node *node, const stud
     const study_node *name = first->key;
     study_place_find(name->place, &line, &column);
     study_node_say(messages, node, study_node_place(node, true),
-                   "duplicate key `%s`: line %zu has it already", name->text, line);
+                   "duplicate key `%s`: it is already set in line %zu", name->text, line);
 }
 
 static void check_mapping(study_messages *messages, study_node *node, const char *parent) {

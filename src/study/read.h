@@ -10,6 +10,8 @@ typedef struct study_memory {
     gough_move *moves;
     void *samples;
     gough_record record;
+    struct study_where *where; /* in `places` */
+    study_arena places;
 } study_memory;
 
 /* The guarded, parsed and checked tree of a text that outlives it, settings applied; NULL where there is none. What is wrong

@@ -65,7 +65,7 @@ static study_node *item_of(study_messages *messages, study_node *list, const stu
     study_node *item = number ? study_node_item(list, number - 1) : NULL;
     if (!item)
         study_say(messages, GOUGH_ERROR_INPUT, part->place,
-                  "`%s` is no element of a list of %zu; they are numbered from 1",
+                  "there is no element `%s` in this list of %zu, numbered from 1",
                   study_quote(messages->arena, part->text, part->length), list->count);
     return item;
 }
@@ -96,7 +96,8 @@ static study_node *find(study_messages *messages, study_node *root, const study_
             node = item_of(messages, node, part);
         } else if (node->kind == STUDY_SCALAR && is_number(part)) {
             study_say(messages, GOUGH_ERROR_INPUT, part->place,
-                      "there is no list here that `%s` could number; give the whole list",
+                      "`%s` is the number of a list element, but there is no list here; set the "
+                      "whole list",
                       part->text);
             return NULL;
         } else {

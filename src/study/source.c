@@ -140,11 +140,10 @@ static bool guard_character(study_messages *messages, study_place place, size_t 
                   "byte 0x%02X is not UTF-8 here; save the file as UTF-8", byte);
         return false;
     }
-    if (code == 0)
-        return refuse(messages, place, "a NUL byte: text was expected up to the end of the file");
+    if (code == 0) return refuse(messages, place, "NUL byte; a study is plain text");
     if (is_control(code)) {
         study_say(messages, GOUGH_ERROR_INPUT, place,
-                  "control character U+%04X: only tab and line ends may stand in this text", code);
+                  "control character U+%04X: only tabs and line ends are allowed", code);
         return false;
     }
     return true;
@@ -153,7 +152,7 @@ static bool guard_character(study_messages *messages, study_place place, size_t 
 bool study_source_guard(study_messages *messages, const study_source *source, size_t begin) {
     if (source->length - begin > STUDY_MOST_BYTES) {
         study_say(messages, GOUGH_ERROR_INPUT, (study_place){source, begin},
-                  "the text has %zu bytes; at most %d are read", source->length - begin,
+                  "the text has %zu bytes; the limit is %d", source->length - begin,
                   STUDY_MOST_BYTES);
         return false;
     }
@@ -165,7 +164,7 @@ bool study_source_guard(study_messages *messages, const study_source *source, si
         if (!guard_character(messages, place, size, code)) return false;
         if (line_start && code == '%')
             return refuse(messages, place,
-                          "a line may not begin with %: a study has no directives");
+                          "lines must not begin with %: directives are not allowed in a study");
         line_start = code == '\n' || code == '\r';
         at += size;
     }

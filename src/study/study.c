@@ -8,6 +8,7 @@
 #include "study/read.h"
 #include "study/settings.h"
 #include "study/source.h"
+#include "study/where.h"
 
 static char *duplicate(const char *text, size_t length) {
     char *copy = malloc(length + 1);
@@ -23,6 +24,7 @@ void gough_study_free(gough_study *study) {
     if (memory) {
         free(memory->moves);
         free(memory->samples);
+        study_arena_free(&memory->places);
     }
     free(memory);
     free(study->model);
@@ -78,6 +80,8 @@ static void build_study(study_messages *messages, const study_node *root, gough_
     study_model_build(&build);
     memory->moves = build.moves;
     memory->samples = build.samples;
+    if (messages->count == 0) memory->where = study_where_keep(&memory->places, root);
+    if (memory->places.exhausted) messages->arena->exhausted = true;
     study->title = duplicate(given ? title->text : "", given ? title->length : 0);
     if (build.samples_path)
         study->samples = duplicate(build.samples_path, strlen(build.samples_path));

@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "study/comma.h"
+
 enum { DEEPEST = 12 };
 
 typedef struct builder {
@@ -118,10 +120,10 @@ static void refuse_properties(builder *build, struct fy_event *event) {
     struct fy_token *tag = fy_event_get_tag_token(event);
     if (anchor) {
         const size_t offset = offset_of(build, fy_token_start_mark(anchor));
-        fail(build, offset > 0 ? offset - 1 : 0, "anchors (&) have no place in a study");
+        fail(build, offset > 0 ? offset - 1 : 0, "anchors (&) are not allowed in a study");
     } else if (tag) {
         fail(build, offset_of(build, fy_token_start_mark(tag)),
-             "tags (!) have no place in a study");
+             "tags (!) are not allowed in a study");
     }
 }
 
@@ -208,7 +210,7 @@ static void open_node(builder *build, struct fy_event *event, study_kind kind) {
     study_node *node = study_node_new(build->arena, kind, place);
     if (!node) return;
     node->in_flow = fy_event_get_node_style(event) == FYNS_FLOW;
-    if (++build->depth > DEEPEST) fail(build, place.offset, "nested deeper than any study is");
+    if (++build->depth > DEEPEST) fail(build, place.offset, "nested too deeply");
     place_node(build, node);
     node->parent = build->open;
     build->open = node;
@@ -217,6 +219,7 @@ static void open_node(builder *build, struct fy_event *event, study_kind kind) {
 static void close_node(builder *build, struct fy_event *event) {
     if (!build->open) return;
     build->open->end = offset_of(build, fy_event_end_mark(event));
+    if (build->open->in_flow) study_join_at_commas(build->arena, build->open);
     build->open = build->open->parent;
     build->depth--;
 }
@@ -241,8 +244,8 @@ static void take_event(builder *build, struct fy_event *event) {
         break;
     case FYET_ALIAS:
         fail(build, offset_of(build, fy_event_start_mark(event)) - 1,
-             "aliases (*) have no place in a study; in a formula write the factor first, or quote "
-             "it");
+             "aliases (*) are not allowed in a study; in a formula, write the factor first or use "
+             "quotes");
         break;
     case FYET_SCALAR:
         refuse_properties(build, event);
@@ -283,14 +286,15 @@ static size_t offset_of_line(const builder *build, int line, int column) {
 static const char *meaning(const char *complaint) {
     static const char *const known[][2] = {
         {"quoted scalar", "these quotes are not closed, or lines between them are not indented"},
-        {"wrongly indented", "what stands in braces or brackets, the closing one included, must be "
-                             "indented further than its key"},
-        {"tab character", "indent with spaces: YAML takes no tabs here"},
+        {"wrongly indented", "the lines inside braces or brackets, including the closing one, must "
+                             "be indented further than their key"},
+        {"tab character", "indent with spaces: YAML does not allow tabs here"},
         {"invalid multiline plain key", "a colon and a space are missing after a key"},
         {"could not find expected ':'", "a colon and a space are missing after this key"},
-        {"invalid indentation", "this line is indented neither as the keys before it nor as a part "
-                                "of them"},
-        {"nested block mapping", "two keys in one line: put quotes around a text with a colon"}};
+        {"invalid indentation",
+         "the indentation of this line matches neither the keys above it nor their contents"},
+        {"nested block mapping",
+         "two keys on one line: put quotes around text that contains a colon"}};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
         if (strstr(complaint, known[i][0])) return known[i][1];
     return NULL;

@@ -150,11 +150,10 @@ bool study_check_formula(study_messages *messages, study_node *node) {
     gough_formula formula;
     gough_error error = {.message = ""};
     if (is_cut(node)) {
-        study_node_say(
-            messages, node, study_scalar_place(node, node->length),
-            "the formula `%s` is cut at the comma: inside braces or brackets quote it, as "
-            "in \"atan2(t, 1)\"",
-            path);
+        study_node_say(messages, node, study_scalar_place(node, node->length),
+                       "YAML splits the formula `%s` at this comma: inside braces or brackets, put "
+                       "it in quotes, as in \"atan2(t, 1)\"",
+                       path);
         return false;
     }
     if (gough_formula_compile(&formula, node->text, node->length, &offset, &error) == GOUGH_OK)

@@ -203,7 +203,7 @@ cmp -s thresholds below || fail "at rest: $(cat below) instead of $(cat threshol
 if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
     env TERM=xterm script -qec "'$GOUGH' stability heave.yaml --sweep-stiffness 0:2:100 --sweep-amplitude 0.1:1:1000 --threads 1 --lanes 1 -o long.csv" /dev/null </dev/null >bar 2>/dev/null &
     pid=$!
-    for _ in $(seq 120); do
+    for _ in $(seq $((120 * ${GOUGH_TEST_SLOWNESS:-4}))); do
         sleep 0.25
         grep -q '\[#*-*\]' bar && break
     done

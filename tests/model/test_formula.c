@@ -117,9 +117,9 @@ static const struct {
     {"3*x", 2, "did you mean 't'?"},
     {"qwertyuiop", 0, "unknown name 'qwertyuiop'"},
     {"t1", 0, "unknown name 't1'"},
-    {"(t", 0, "missing )"},
-    {"2*sin((t + 1)", 2, "missing )"},
-    {"t)", 1, "( is missing"},
+    {"(t", 0, "')' is missing: this parenthesis"},
+    {"2*sin((t + 1)", 2, "')' is missing: this parenthesis"},
+    {"t)", 1, "'(' is missing"},
     {"()", 1, "a value is missing before ')'"},
     {"sin()", 4, "a value is missing before ')'"},
     {"t*", 2, "a value is missing at the end"},
@@ -135,15 +135,15 @@ static const struct {
     {"ramp(t, 1/0)", 0, "positive"},
     {"sin t", 4, "sin needs its argument in parentheses: sin(x)"},
     {"cos", 3, "cos needs its argument in parentheses"},
-    {"2t", 1, "a product is written with *"},
-    {"2 sin(t)", 2, "a product is written with *"},
-    {"(t)(t)", 3, "a product is written with *"},
-    {"2exp(t)", 1, "a product is written with *"},
+    {"2t", 1, "write products with *"},
+    {"2 sin(t)", 2, "write products with *"},
+    {"(t)(t)", 3, "write products with *"},
+    {"2exp(t)", 1, "write products with *"},
     {"1.2.3", 3, "an operator is missing before '.'"},
-    {"t**2", 1, "a power is written with ^"},
+    {"t**2", 1, "write powers with ^"},
     {"1,5", 1, "numbers are written with a point"},
     {"(1,5)", 2, "numbers are written with a point"},
-    {".", 0, "a number needs a digit"},
+    {".", 0, "a number needs at least one digit"},
     {"t + 1e999", 4, "too large"},
     {"t = 1", 2, "unexpected character '='"},
     {"t # no", 2, "unexpected character '#'"},
@@ -204,7 +204,7 @@ START_TEST(one_too_deep_is_an_error) {
     const int deep = GOUGH_FORMULA_DEPTH;
     ck_assert_int_eq(compile_repeated("(", deep, "t", ")", &error), GOUGH_OK);
     ck_assert_int_eq(compile_repeated("(", deep + 1, "t", ")", &error), GOUGH_ERROR_INPUT);
-    ck_assert(strstr(error.message, "too deep") != NULL);
+    ck_assert(strstr(error.message, "nested too deeply") != NULL);
     ck_assert_int_eq(compile_repeated("sin(", deep, "t", ")", &error), GOUGH_OK);
     ck_assert_int_eq(compile_repeated("sin(", deep + 1, "t", ")", &error), GOUGH_ERROR_INPUT);
     /* each level leaves a value waiting */

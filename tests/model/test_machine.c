@@ -341,7 +341,7 @@ START_TEST(a_leg_of_no_length_is_refused) {
     gough_platform p = plain_platform();
     const gough_load load = plain_load();
     p.base[2][0] = p.top[2][0], p.base[2][1] = p.top[2][1], p.base[2][2] = p.top[2][2] + p.height;
-    refused(&p, &load, DOWN, "leg 3 has no length at home");
+    refused(&p, &load, DOWN, "leg 3 has zero length at home");
 }
 END_TEST
 
@@ -356,7 +356,7 @@ static const struct {
      "each must be positive"}, /* a rod: nothing resists its spin */
     {{{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}, "each must be positive"},
     {{{1, 2, 0}, {2, 1, 0}, {0, 0, 1}}, "each must be positive"},
-    {{{1, 0.5, 0}, {0.4, 1, 0}, {0, 0, 1}}, "row 2 column 1 holds 0.4"},
+    {{{1, 0.5, 0}, {0.4, 1, 0}, {0, 0, 1}}, "row 2, column 1 is 0.4"},
     {{{NAN, 0, 0}, {0, 1, 0}, {0, 0, 1}}, "inertia is not finite"},
     {{{1, 0, 0}, {0, 1, 0}, {0, INFINITY, 1}}, "inertia is not finite"},
 };
@@ -388,7 +388,7 @@ START_TEST(numbers_out_of_range_are_refused) {
         refused(&p, &good_load, DOWN, "base radius");
         gough_load load = good_load;
         load.mass = BAD[i];
-        refused(&good, &load, DOWN, "mass must be positive");
+        refused(&good, &load, DOWN, "the mass of the load must be positive");
         load = good_load;
         load.center_of_mass[2] = BAD[i];
         refused(&good, &load, DOWN, "centre of mass is not finite");
@@ -396,7 +396,7 @@ START_TEST(numbers_out_of_range_are_refused) {
     }
     gough_load load = good_load;
     load.mass = 0;
-    refused(&good, &load, DOWN, "mass must be positive");
+    refused(&good, &load, DOWN, "the mass of the load must be positive");
     gough_platform p = good;
     p.base_radius = -1;
     refused(&p, &good_load, DOWN, "base radius");

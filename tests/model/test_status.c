@@ -68,7 +68,7 @@ END_TEST
 START_TEST(causes_have_their_words) {
     static const char *const WORDS[] = {"done",           "leg_short",     "leg_long", "leg_speed",
                                         "leg_force",      "leg_no_length", "singular", "not_finite",
-                                        "no_convergence", "stopped",      "invalid"};
+                                        "no_convergence", "stopped",       "invalid"};
     for (int c = GOUGH_END_DONE; c <= GOUGH_END_INVALID; c++)
         ck_assert_str_eq(gough_cause_name((gough_cause)c), WORDS[c]);
 }

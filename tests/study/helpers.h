@@ -15,6 +15,7 @@ typedef struct reading {
 
 /* Reads "study.yaml" of these bytes with `key=value` settings, a list ended by NULL (or NULL for none). */
 reading read_bytes(const char *text, size_t length, const char *const settings[]);
+#define SETTINGS(...) ((const char *const[]){__VA_ARGS__, NULL})
 
 /* The good study and more lines. */
 reading read_more(const char *more, const char *const settings[]);

@@ -46,7 +46,7 @@ START_TEST(a_ring_is_given_in_one_way_and_whole) {
                    "`platform.base` needs radius and half_angle, or joints");
     expect_machine("{radius: 1, joints: [[1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 0, 0], [0, 2, 0], "
                    "[2, 2, 0]]}",
-                   ring, body, "2:21", "has `joints` beside `radius`");
+                   ring, body, "2:21", "has both `joints` and `radius`");
 }
 END_TEST
 
@@ -72,7 +72,7 @@ START_TEST(impossible_machines_are_errors_at_their_part) {
     expect_machine(ring, small_ring, "{mass: 1, inertia: [1, 1, -1]}", "5:17",
                    "no body has this inertia");
     expect_machine(ring, small_ring, "{mass: 1, inertia: [[1, 0.2, 0], [0.1, 1, 0], [0, 0, 1]]}",
-                   "5:41", "`load.inertia` must be symmetric: `0.2` stands opposite");
+                   "5:41", "`load.inertia` must be symmetric: the opposite element is `0.2`");
     /* similar hexagons: the same spacing in base and top, leg by leg */
     expect_machine("{joints: [[1, 0, 0], [0.5, 1, 0], [-0.5, 1, 0], [-1, 0, 0], [-0.5, -1, 0], "
                    "[0.5, -1, 0]]}",
@@ -107,11 +107,11 @@ START_TEST(limits_of_a_leg_are_in_order) {
     expect_one("platform:\n  base: {radius: 1, half_angle: 15}\n  top: {radius: 0.6, half_angle: "
                "15}\n  height: 1.2\n  legs:\n    length: [2, 1]\nload: {mass: 1, inertia: [1, 1, "
                "1]}\n",
-               "6:13", "[least, greatest]");
+               "6:13", "[shortest, longest]");
     expect_one("platform:\n  base: {radius: 1, half_angle: 15}\n  top: {radius: 0.6, half_angle: "
                "15}\n  height: 1.2\n  legs:\n    length: [1, 1]\nload: {mass: 1, inertia: [1, 1, "
                "1]}\n",
-               "6:13", "[least, greatest]");
+               "6:13", "[shortest, longest]");
 }
 END_TEST
 
@@ -147,7 +147,7 @@ START_TEST(moves_follow_one_another) {
 END_TEST
 
 START_TEST(steps_and_methods_fit_each_other) {
-    expect_one_more("simulation: {method: rattle4}\n", "8:22", "`rattle4` has a fixed step");
+    expect_one_more("simulation: {method: rattle4}\n", "8:22", "`rattle4` needs a fixed step");
     expect_one_more("simulation: {step: 0.03}\n", "8:14", "divide");
     expect_one_more("simulation: {duration: 1e9, output_step: 0.1}\n", "8:29", "rows");
     expect_one_more("simulation: {method: rattle2, step: 0.01, constraints: {baumgarte: [1, 1]}}\n",
@@ -195,7 +195,7 @@ START_TEST(a_part_that_is_wrong_hides_no_error_of_another) {
     ck_assert_ptr_nonnull(strstr(made.messages, ":5:17: error: no body has this inertia"));
     ck_assert_ptr_nonnull(strstr(made.messages, ":6:19: error: cannot open"));
     ck_assert_ptr_nonnull(strstr(made.messages, ":7:20: error: `control.damping` must be"));
-    ck_assert_ptr_nonnull(strstr(made.messages, ":8:22: error: `rk4` has a fixed step"));
+    ck_assert_ptr_nonnull(strstr(made.messages, ":8:22: error: `rk4` needs a fixed step"));
     reading_free(&made);
 }
 END_TEST

@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include "study/helpers.h"
+#include "support/slowness.h"
 #include "support/suite.h"
 
 /* Expects an error in input whose text begins with this. */
@@ -32,7 +33,7 @@ END_TEST
 START_TEST(refuses_broken_utf8) {
     EXPECT_REFUSED("title: \xff\n", "study.yaml:1:8: error: byte 0xFF is not UTF-8 here");
     EXPECT_REFUSED("title: %\xc3\n", "study.yaml:1:9: error: byte 0xC3 is not UTF-8 here");
-    EXPECT_REFUSED("%\xff", "study.yaml:1:1: error: a line may not begin with %");
+    EXPECT_REFUSED("%\xff", "study.yaml:1:1: error: lines must not begin with %");
     EXPECT_REFUSED("title: x\n\xc3", "study.yaml:2:1: error: byte 0xC3 is not UTF-8 here");
     EXPECT_REFUSED("\xc0\x80", "study.yaml:1:1: error: byte 0xC0 is not UTF-8 here");
     EXPECT_REFUSED("# \xed\xa0\x80", "study.yaml:1:3: error: byte 0xED is not UTF-8 here");
@@ -45,7 +46,7 @@ START_TEST(refuses_text_after_nul_and_control_characters) {
     char text[1000];
     const int length = snprintf(text, sizeof text, "%s", good_study);
     memcpy(text + length, "\0title: x\n", 10);
-    expect_refused(text, (size_t)length + 10, "study.yaml:8:1: error: a NUL byte");
+    expect_refused(text, (size_t)length + 10, "study.yaml:8:1: error: NUL byte");
     EXPECT_REFUSED("title: a\x07 b\n", "study.yaml:1:9: error: control character U+0007");
     EXPECT_REFUSED("title: a\x7f b\n", "study.yaml:1:9: error: control character U+007F");
     EXPECT_REFUSED("title: a\xc2\x9b b\n", "study.yaml:1:9: error: control character U+009B");
@@ -71,7 +72,7 @@ START_TEST(refuses_anchors_aliases_tags_directives_documents) {
     EXPECT_REFUSED("title: x\n...\n---\ntitle: y\n", "study.yaml:3:1: error: a second document");
     EXPECT_REFUSED("title: x\n...\n\ntitle: y\n", "study.yaml:4:1: error: a second document");
     EXPECT_REFUSED("%YAML 1.2\n---\ntitle: x\n",
-                   "study.yaml:1:1: error: a line may not begin with");
+                   "study.yaml:1:1: error: lines must not begin with %");
     EXPECT_REFUSED("? [a]\n: 1\n", "study.yaml:1:3: error: a key must be a word");
     EXPECT_REFUSED("{a: 1}: 1\n", "study.yaml:1:1: error: a key must be a word");
 }
@@ -94,8 +95,8 @@ static double seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Reads count times the piece (with its number) between two ends; an error is expected, within two seconds of work. Reading
- * takes tens of milliseconds where time grows with the size; sanitizers make it a few times longer. */
+/* Reads count times the piece (with its number) between two ends; an error is expected, within two seconds of work on a quiet
+ * machine. Reading takes tens of milliseconds where time grows with the size; sanitizers make it a few times longer. */
 static void expect_soon(const char *before, const char *piece, int count, const char *after) {
     const size_t capacity = 20U * (size_t)count + 200;
     char *text = malloc(capacity);
@@ -109,7 +110,7 @@ static void expect_soon(const char *before, const char *piece, int count, const 
     ck_assert_int_eq(made.status, GOUGH_ERROR_INPUT);
     ck_assert_uint_lt(strlen(made.messages), 100000);
     reading_free(&made);
-    ck_assert_double_lt(seconds() - start, 2);
+    ck_assert_double_lt(seconds() - start, 2 * slowness());
     free(text);
 }
 
@@ -147,7 +148,8 @@ START_TEST(refuses_more_than_64_kib) {
     ck_assert_ptr_nonnull(text);
     memset(text, '\n', length);
     memcpy(text, good_study, strlen(good_study));
-    expect_refused(text, length, "study.yaml:1:1: error: the text has 65537 bytes; at most 65536");
+    expect_refused(text, length,
+                   "study.yaml:1:1: error: the text has 65537 bytes; the limit is 65536");
     reading made = read_bytes(text, length - 1, NULL);
     ck_assert_int_eq(made.status, GOUGH_OK);
     reading_free(&made);
@@ -212,7 +214,7 @@ START_TEST(a_study_that_cannot_be_read_is_a_file_error) {
         gough_study *study = NULL;
         char *messages = NULL;
         const gough_status status = gough_study_read(paths[i], NULL, 0, &study, &messages);
-        ck_assert_int_eq(status, i == 2 ? GOUGH_ERROR_INPUT : GOUGH_ERROR_FILE);
+        ck_assert_int_eq(status, GOUGH_ERROR_FILE);
         ck_assert_ptr_null(study);
         ck_assert_msg(strncmp(messages, paths[i], strlen(paths[i])) == 0, "%s", messages);
         ck_assert_ptr_nonnull(strstr(messages, ": error: "));

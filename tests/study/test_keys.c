@@ -205,8 +205,8 @@ START_TEST(rejects_duplicate_of_every_key) {
         nest(&made, key, "", "5");
         snprintf(line, sizeof line, "%*s%s: 6\n", made.column - 1, "", made.name);
         strcat(made.text, line);
-        snprintf(sentence, sizeof sentence, "duplicate key `%s`: line %d has it already", made.name,
-                 made.line);
+        snprintf(sentence, sizeof sentence, "duplicate key `%s`: it is already set in line %d",
+                 made.name, made.line);
         made.line++;
         expect_at(&made, true, sentence);
     }
@@ -268,11 +268,79 @@ START_TEST(table_is_complete_and_in_order) {
 }
 END_TEST
 
+/* Every key of the table under every other mapping that does not have it: the hint names all keys of that name, and never tells
+ * that a key belongs somewhere. */
+START_TEST(hints_for_keys_in_the_wrong_place_are_true) {
+    static const char *const parents[] = {"",
+                                          "platform",
+                                          "platform.base",
+                                          "platform.top",
+                                          "platform.legs",
+                                          "load",
+                                          "motion",
+                                          "motion.moves.1",
+                                          "disturbance",
+                                          "disturbance.noise",
+                                          "control",
+                                          "initial",
+                                          "simulation",
+                                          "simulation.constraints",
+                                          "sweep",
+                                          "sweep.keys.load.mass"};
+    size_t count, tried = 0;
+    const gough_key *keys = gough_study_keys(&count);
+    for (size_t k = 0; k < count; k++) {
+        const char *dot = strrchr(keys[k].path, '.'), *name = dot ? dot + 1 : keys[k].path;
+        if (strcmp(name, "KEY") == 0 || strcmp(name, "N") == 0) continue;
+        for (size_t p = 0; p < sizeof parents / sizeof parents[0]; p++) {
+            const char *row = strcmp(parents[p], "motion.moves.1") == 0     ? "motion.moves.N"
+                              : strncmp(parents[p], "sweep.keys.", 11) == 0 ? "sweep.keys.KEY"
+                                                                            : parents[p];
+            char path[100], setting[120], quoted[110];
+            bool known = false;
+            snprintf(path, sizeof path, "%s%s%s", row, *row ? "." : "", name);
+            for (size_t i = 0; i < count; i++) known |= strcmp(keys[i].path, path) == 0;
+            if (known) continue;
+            if (strcmp(row, "sweep.keys.KEY") == 0)
+                snprintf(setting, sizeof setting, "sweep.keys={load.mass: {%s: 1}}", name);
+            else
+                snprintf(setting, sizeof setting, "%s%s%s=1", parents[p], *row ? "." : "", name);
+            reading made = read_more("motion: {moves: [{start: 1, duration: 1}]}\n"
+                                     "simulation: {constraints: {baumgarte: [1, 1]}}\n"
+                                     "sweep: {keys: {load.mass: {from: 1, to: 2, steps: 2}}}\n",
+                                     SETTINGS(setting));
+            ck_assert_int_eq(made.status, GOUGH_ERROR_INPUT);
+            snprintf(quoted, sizeof quoted, "unknown key `%s`; ", name);
+            const char *line = strstr(made.messages, quoted);
+            ck_assert_msg(line, "%s: %s", setting, made.messages);
+            ck_assert_msg(!strstr(line, "belongs"), "%s: %s", setting, made.messages);
+            ck_assert_msg(strstr(line, "did you mean `") || strstr(line, "known here: "), "%s: %s",
+                          setting, made.messages);
+            /* all keys of that name, each by its whole path */
+            const char *others = strstr(line, "eys of that name elsewhere: ");
+            ck_assert_msg(others && strchr(others, '\n'), "%s: %s", setting, made.messages);
+            for (size_t i = 0; i < count; i++) {
+                const char *last = strrchr(keys[i].path, '.');
+                snprintf(quoted, sizeof quoted, "`%s`", keys[i].path);
+                const char *at = strstr(others, quoted);
+                const bool named = at && at < strchr(others, '\n');
+                ck_assert_msg(named == (strcmp(last ? last + 1 : keys[i].path, name) == 0),
+                              "%s: %s", setting, made.messages);
+            }
+            reading_free(&made);
+            tried++;
+        }
+    }
+    ck_assert_uint_gt(tried, 800);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("study/keys", 60, rejects_wrong_type_of_every_key,
                      rejects_every_key_without_a_value, rejects_text_for_every_number,
                      rejects_every_number_that_is_not_finite, rejects_every_number_out_of_range,
                      rejects_every_list_of_another_length, rejects_duplicate_of_every_key,
                      suggests_every_key_that_is_misspelled,
-                     names_every_required_key_that_is_missing, table_is_complete_and_in_order);
+                     names_every_required_key_that_is_missing, table_is_complete_and_in_order,
+                     hints_for_keys_in_the_wrong_place_are_true);
 }

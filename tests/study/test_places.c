@@ -18,10 +18,13 @@ START_TEST(points_at_unknown_key) {
                 "study.yaml:8:11: error: unknown key `stifness`; did you mean `stiffness`?\n"
                 "control: {stifness: 50}\n"
                 "          ^\n");
-    expect_more("mass: 50\n",
-                "study.yaml:8:1: error: unknown key `mass` here; it belongs under `load`\n"
-                "mass: 50\n"
-                "^\n");
+    expect_more(
+        "mass: 50\n",
+        "study.yaml:8:1: error: unknown key `mass`; known here: title, units, platform, load, "
+        "gravity, motion, disturbance, control, initial, simulation, sweep; keys of that name "
+        "elsewhere: `load.mass`\n"
+        "mass: 50\n"
+        "^\n");
     expect_more("control: {zzz: 50}\n",
                 "study.yaml:8:11: error: unknown key `zzz`; known here: feedforward, stiffness, "
                 "damping\n"
@@ -32,7 +35,7 @@ END_TEST
 
 START_TEST(points_at_duplicate_key) {
     expect_more("gravity: 1\ncontrol:\n  damping: 1\n  stiffness: 2\n  damping: 3\n",
-                "study.yaml:12:3: error: duplicate key `damping`: line 10 has it already\n"
+                "study.yaml:12:3: error: duplicate key `damping`: it is already set in line 10\n"
                 "  damping: 3\n"
                 "  ^\n");
 }
@@ -136,16 +139,57 @@ START_TEST(keeps_tabs_before_the_caret) {
 }
 END_TEST
 
-START_TEST(says_quote_it_where_a_comma_cuts_a_formula) {
-    expect_more("motion: {heave: atan2(t, 1), yaw: 3}\n",
-                "study.yaml:8:24: error: the formula `motion.heave` is cut at the comma: inside "
-                "braces or brackets quote it, as in \"atan2(t, 1)\"\n"
-                "motion: {heave: atan2(t, 1), yaw: 3}\n"
-                "                       ^\n");
-    expect_more("disturbance: {force: [0, ramp(t, 1), 0]}\n",
-                "study.yaml:8:32: error: the formula `disturbance.force.2` is cut at the comma: "
-                "inside braces or brackets quote it, as in \"atan2(t, 1)\"\n"
-                "disturbance: {force: [0, ramp(t, 1), 0]}\n"
+/* Whether a formula in braces and the same in quotes are one model. */
+static void reads_as(const char *cut, const char *quoted) {
+    reading a = expect_good(cut, NULL), b = expect_good(quoted, NULL);
+    const gough_model *m = a.study->model, *n = b.study->model;
+    for (double t = 0; t < 9; t += 0.7) {
+        double p[GOUGH_COMPONENTS][3], q[GOUGH_COMPONENTS][3];
+        gough_motion_evaluate(&m->motion, t, p);
+        gough_motion_evaluate(&n->motion, t, q);
+        ck_assert_int_eq(memcmp(p, q, sizeof p), 0);
+        for (int c = 0; c < 3; c++) {
+            double f[3], g[3];
+            gough_formula_evaluate(&m->disturbance.force[c], t, f);
+            gough_formula_evaluate(&n->disturbance.force[c], t, g);
+            ck_assert_int_eq(memcmp(f, g, sizeof f), 0);
+        }
+    }
+    reading_free(&a);
+    reading_free(&b);
+}
+
+START_TEST(reads_formulas_with_commas_inside_braces_and_brackets) {
+    reads_as("motion: {yaw: 1*ramp(t,8)}\n", "motion: {yaw: \"1*ramp(t,8)\"}\n");
+    reads_as("motion: {heave: 0.1*atan2(t, 1), yaw: 3}\n",
+             "motion: {heave: \"0.1*atan2(t, 1)\", yaw: 3}\n");
+    reads_as("motion: {heave: 0.1*atan2(ramp(t, 2) ,\n    1 + ramp( t,3 )), yaw: 3}\n",
+             "motion: {heave: \"0.1*atan2(ramp(t, 2), 1 + ramp(t, 3))\", yaw: 3}\n");
+    reads_as("disturbance: {force: [0, ramp(t, 1), atan2(t,ramp(t,2))]}\n",
+             "disturbance: {force: [0, \"ramp(t, 1)\", \"atan2(t,ramp(t,2))\"]}\n");
+    reading made = read_more("", SETTINGS("motion={yaw: 1*ramp(t,8), heave: 0.1*ramp(t,2)}",
+                                          "disturbance.force=[ramp(t, 1), 0, 0]"));
+    ck_assert_int_eq(made.status, GOUGH_OK);
+    reading_free(&made);
+    expect_more("motion: {heave: 0.1*sin(ramp(t, 1) + u), yaw: 3}\n",
+                "study.yaml:8:38: error: `motion.heave`: unknown name 'u'\n"
+                "motion: {heave: 0.1*sin(ramp(t, 1) + u), yaw: 3}\n"
+                "                                     ^\n");
+}
+END_TEST
+
+START_TEST(says_quote_it_where_a_comma_cuts_a_formula_in_doubt) {
+    reading doubt = read_more("motion: {heave: atan2(t, 1: 2, yaw: 3}\n", NULL);
+    ck_assert_ptr_nonnull(strstr(doubt.messages,
+                                 "study.yaml:8:24: error: YAML splits the formula "
+                                 "`motion.heave` at this comma: inside braces or "
+                                 "brackets, put it in quotes, as in \"atan2(t, 1)\"\n"));
+    ck_assert_ptr_nonnull(strstr(doubt.messages, "study.yaml:8:26: error: unknown key `1`;"));
+    reading_free(&doubt);
+    expect_more("disturbance: {force: [0, ramp(t, '1)', 0]}\n",
+                "study.yaml:8:32: error: YAML splits the formula `disturbance.force.2` at this "
+                "comma: inside braces or brackets, put it in quotes, as in \"atan2(t, 1)\"\n"
+                "disturbance: {force: [0, ramp(t, '1)', 0]}\n"
                 "                               ^\n");
     reading made = expect_good("motion: {heave: \"atan2(t, 1)\", yaw: 'ramp(t, 2)'}\n", NULL);
     reading_free(&made);
@@ -177,25 +221,24 @@ START_TEST(points_at_what_the_parser_dislikes) {
                     "title: 'x\n"
                     "       ^\n");
     expect_messages("load:\n\tmass: 1\n", NULL,
-                    "study.yaml:2:1: error: indent with spaces: YAML takes no tabs here\n"
+                    "study.yaml:2:1: error: indent with spaces: YAML does not allow tabs here\n"
                     "\tmass: 1\n"
                     "^\n");
     expect_messages("title: a: b\n", NULL,
-                    "study.yaml:1:9: error: two keys in one line: put quotes around a text with a "
-                    "colon\n"
+                    "study.yaml:1:9: error: two keys on one line: put quotes around text that "
+                    "contains a colon\n"
                     "title: a: b\n"
                     "        ^\n");
     expect_messages("load: {\n  mass: 1\n}\n", NULL,
-                    "study.yaml:3:1: error: what stands in braces or brackets, the closing one "
-                    "included, must be indented further than its key\n"
+                    "study.yaml:3:1: error: the lines inside braces or brackets, including the "
+                    "closing one, must be indented further than their key\n"
                     "}\n"
                     "^\n");
-    expect_messages(
-        "load:\n  mass: 1\n inertia: [1, 1, 1]\n", NULL,
-        "study.yaml:3:2: error: this line is indented neither as the keys before it nor "
-        "as a part of them\n"
-        " inertia: [1, 1, 1]\n"
-        " ^\n");
+    expect_messages("load:\n  mass: 1\n inertia: [1, 1, 1]\n", NULL,
+                    "study.yaml:3:2: error: the indentation of this line matches neither the keys "
+                    "above it nor their contents\n"
+                    " inertia: [1, 1, 1]\n"
+                    " ^\n");
     expect_messages("title: x\nload\nunits: si\n", NULL,
                     "study.yaml:2:1: error: a colon and a space are missing after this key\n"
                     "load\n"
@@ -236,8 +279,8 @@ START_TEST(says_all_errors_in_the_order_of_the_file) {
         "`high`\n"
         "  height: high\n"
         "          ^\n"
-        "study.yaml:7:18: error: `platform.legs.length` must be [least, greatest], the "
-        "least first\n"
+        "study.yaml:7:18: error: `platform.legs.length` must be [shortest, longest], in this "
+        "order\n"
         "  legs: {length: [2, 1]}\n"
         "                 ^\n"
         "study.yaml:8:1: error: `load.inertia` is missing: moments of inertia Jx, Jy, Jz "
@@ -245,12 +288,12 @@ START_TEST(says_all_errors_in_the_order_of_the_file) {
         "matrix of inertia\n"
         "load: {mass: 1}\n"
         "^\n"
-        "study.yaml:9:21: error: the formula `motion.heave` is cut at the comma: inside "
-        "braces or brackets quote it, as in \"atan2(t, 1)\"\n"
+        "study.yaml:9:21: error: YAML splits the formula `motion.heave` at this comma: inside "
+        "braces or brackets, put it in quotes, as in \"atan2(t, 1)\"\n"
         "motion: {heave: sin(, yaw: 3}\n"
         "                    ^\n"
-        "study.yaml:10:22: error: `rk4` has a fixed step: give `simulation.step`, a "
-        "divisor of output_step\n"
+        "study.yaml:10:22: error: `rk4` needs a fixed step: set `simulation.step` to a divisor of "
+        "output_step\n"
         "simulation: {method: rk4}\n"
         "                     ^\n");
 }
@@ -263,6 +306,32 @@ START_TEST(keeps_a_hundred_errors_and_counts_the_rest) {
     ck_assert_int_eq(occurrences(made.messages, ": error: "), 100);
     /* platform and load are missing besides */
     ck_assert_ptr_nonnull(strstr(made.messages, "… and 152 more errors, left out here\n"));
+    reading_free(&made);
+}
+END_TEST
+
+static void place_is(const gough_study *study, const char *sentence, const char *place) {
+    char found[100] = "x";
+    const size_t length = gough_study_place(study, sentence, found, sizeof found);
+    ck_assert_str_eq(found, place);
+    ck_assert_uint_eq(length, strlen(place));
+    ck_assert_uint_eq(gough_study_place(study, sentence, NULL, 0), length);
+}
+
+START_TEST(a_sentence_of_a_run_finds_its_key) {
+    reading made = expect_good("motion:\n  yaw: t\n  heave: \"0.1*log(1 - t)\"\n"
+                               "disturbance: {force: [0, log(3 - t), 0], leg_force: t}\n",
+                               SETTINGS("motion.sway=sqrt(t)", "simulation.duration=3"));
+    place_is(made.study, "motion.heave (value or derivatives) is not finite", "study.yaml:10:10");
+    place_is(made.study, "motion.yaw", "study.yaml:9:8");
+    place_is(made.study, "motion.roll is not finite", "study.yaml:9:3");
+    place_is(made.study, "motion.sway is not finite", "--set motion.sway");
+    place_is(made.study, "simulation.duration: the run", "--set simulation.duration");
+    place_is(made.study, "disturbance.force.2 is not finite", "study.yaml:11:26");
+    place_is(made.study, "disturbance.leg_force.4 is not finite", "study.yaml:11:53");
+    place_is(made.study, "the machine is singular", "");
+    place_is(made.study, "", "");
+    place_is(made.study, "...", "");
     reading_free(&made);
 }
 END_TEST
@@ -284,7 +353,9 @@ int main(void) {
         "study/places", 30, points_at_unknown_key, points_at_duplicate_key,
         points_at_text_after_a_number, points_into_a_formula, points_at_the_end_of_an_open_formula,
         counts_characters_not_bytes, keeps_tabs_before_the_caret,
-        says_quote_it_where_a_comma_cuts_a_formula, shows_a_window_of_a_long_line,
-        points_at_what_the_parser_dislikes, says_all_errors_in_the_order_of_the_file,
-        keeps_a_hundred_errors_and_counts_the_rest, control_characters_never_reach_the_terminal);
+        reads_formulas_with_commas_inside_braces_and_brackets,
+        says_quote_it_where_a_comma_cuts_a_formula_in_doubt, a_sentence_of_a_run_finds_its_key,
+        shows_a_window_of_a_long_line, points_at_what_the_parser_dislikes,
+        says_all_errors_in_the_order_of_the_file, keeps_a_hundred_errors_and_counts_the_rest,
+        control_characters_never_reach_the_terminal);
 }

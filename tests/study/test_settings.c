@@ -5,7 +5,6 @@
 #include "study/helpers.h"
 #include "support/suite.h"
 
-#define SETTINGS(...) ((const char *const[]){__VA_ARGS__, NULL})
 #define EXACTLY(a, b) ck_assert_msg((a) <= (b) && (a) >= (b), "%s is %.17g", #a, (double)(a))
 
 START_TEST(a_setting_replaces_a_value) {
@@ -99,19 +98,19 @@ START_TEST(errors_stand_at_the_setting) {
            "--set motion.heave: error: `motion.heave`: unknown name 'x': did you mean 't'?\n"
            "motion.heave=2*x\n"
            "               ^\n");
-    expect("", SETTINGS("load.inertia.4=1"),
-           "--set load.inertia.4: error: `4` is no element of a list of 3; they are numbered from "
-           "1\n"
-           "load.inertia.4=1\n"
-           "             ^\n");
+    expect(
+        "", SETTINGS("load.inertia.4=1"),
+        "--set load.inertia.4: error: there is no element `4` in this list of 3, numbered from 1\n"
+        "load.inertia.4=1\n"
+        "             ^\n");
     expect("control: {stiffness: 5}\n", SETTINGS("control.stiffness.2=1"),
-           "--set control.stiffness.2: error: there is no list here that `2` could number; give "
-           "the whole list\n"
+           "--set control.stiffness.2: error: `2` is the number of a list element, but there is no "
+           "list here; set the whole list\n"
            "control.stiffness.2=1\n"
            "                  ^\n");
     expect("", SETTINGS("control={stiffness: *a}"),
-           "--set control: error: aliases (*) have no place in a study; in a formula write the "
-           "factor first, or quote it\n"
+           "--set control: error: aliases (*) are not allowed in a study; in a formula, write the "
+           "factor first or use quotes\n"
            "control={stiffness: *a}\n"
            "                    ^\n");
     expect("", SETTINGS(".=5"),

@@ -59,11 +59,18 @@ export function table(verb, file, ...options) {
   return { names: head.split(","), rows: lines.map((line) => line.split(",").map(Number)) };
 }
 
+/** Milliseconds that a quiet machine may take, for this one: every wait of the tests has its limit from here. */
+export function limit(milliseconds) {
+  const slowness = Number(process.env.GOUGH_TEST_SLOWNESS);
+  return milliseconds * (slowness >= 1 ? slowness : 4);
+}
+
 let browsers = {};
 
 async function browser(webgl) {
   browsers[webgl] ??= chromium.launch({
     executablePath: CHROMIUM,
+    timeout: limit(30000),
     args: [
       "--no-sandbox",
       ...(webgl
@@ -88,6 +95,8 @@ export async function open(
     acceptDownloads: true,
     hasTouch: touch,
   });
+  context.setDefaultTimeout(limit(30000));
+  context.setDefaultNavigationTimeout(limit(30000));
   const page = await context.newPage();
   page.said = [];
   page.on(
@@ -103,11 +112,11 @@ export async function open(
   );
   await page.goto(pathToFileURL(file).href);
   await page.waitForFunction(() => document.documentElement.dataset.ready === "true", null, {
-    timeout: 60000,
+    timeout: limit(60000),
   });
   if (webgl)
     await page.waitForFunction(() => document.documentElement.dataset.firstPicture, null, {
-      timeout: 60000,
+      timeout: limit(60000),
     });
   return page;
 }

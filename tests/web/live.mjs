@@ -6,6 +6,7 @@ import {
   closeAll,
   example,
   flightSimulator,
+  limit,
   open,
   picture,
   pictureDrawn,
@@ -52,14 +53,14 @@ const reach = (page, wanted) =>
       return live.over || live.row[live.place.t] > t;
     },
     wanted,
-    { timeout: 120000 },
+    { timeout: limit(120000) },
   );
 
 test("below the threshold of G the platform leaves and the page says why; above it stays", async () => {
   const page = await live(example("paper-feedback"));
   await set(page, "stiffness", 0.05);
   await set(page, "speed", 10);
-  await byName(page, "fallen").waitFor({ state: "visible", timeout: 120000 });
+  await byName(page, "fallen").waitFor({ state: "visible", timeout: limit(120000) });
   assert.match(await byName(page, "fallen").textContent(), /at t = [\d.]+/);
   // gone in place or, where yaw or tilt was faster, in angle: far beyond what it is when it holds
   assert.ok(Math.max(await off(page), await turned(page)) > 0.1, `${await off(page)} off`);
@@ -121,7 +122,7 @@ test("the slider does what the number does", async () => {
   });
   assert.equal(await byName(page, "live-stiffness-number").inputValue(), "0");
   await set(page, "speed", 10);
-  await byName(page, "fallen").waitFor({ state: "visible", timeout: 120000 });
+  await byName(page, "fallen").waitFor({ state: "visible", timeout: limit(120000) });
   assert.match(await byName(page, "fallen").textContent(), /feedback/);
   await page.close();
 });
@@ -160,7 +161,7 @@ test("a hand on the load moves it, an arrow shows it, and feedback takes it back
       return Math.hypot(live.row[live.place.ex], live.row[live.place.ey]) > 0.01;
     },
     null,
-    { timeout: 60000 },
+    { timeout: limit(60000) },
   );
   assert.ok(await page.locator("#push").isVisible());
   assert.match(await page.locator("#push-size").textContent(), /M g/);
@@ -174,7 +175,7 @@ test("a hand on the load moves it, an arrow shows it, and feedback takes it back
       return live.over || Math.hypot(live.row[live.place.ex], live.row[live.place.ey]) < 1e-3;
     },
     null,
-    { timeout: 60000 },
+    { timeout: limit(60000) },
   );
   assert.ok(await byName(page, "fallen").isHidden());
   assert.deepEqual(page.said, []);
