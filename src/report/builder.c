@@ -48,13 +48,30 @@ const double *builder_column(builder *b, size_t table, const char *name) {
     return column;
 }
 
-const char *builder_unit(const builder *b, const char *name) {
-    for (size_t t = 0; t < b->table_count; t++) {
+static const char *unit_in(const gough_table *table, const char *name) {
+    for (size_t c = 0; c < table->columns; c++)
+        if (strcmp(table->name[c], name) == 0) return table->unit[c];
+    return "";
+}
+
+bool builder_mixes_units(const builder *b) {
+    for (size_t t = 1; t < b->table_count; t++)
         for (size_t c = 0; c < b->tables[t]->columns; c++) {
-            if (strcmp(b->tables[t]->name[c], name) == 0 && b->tables[t]->unit[c][0] != '\0')
-                return b->tables[t]->unit[c];
+            const char *first = unit_in(b->tables[0], b->tables[t]->name[c]);
+            const char *unit = b->tables[t]->unit[c];
+            if (first[0] != '\0' && unit[0] != '\0' && strcmp(first, unit) != 0) return true;
         }
+    return false;
+}
+
+const char *builder_unit(const builder *b, const char *name) {
+    const char *found = "";
+    for (size_t t = 0; t < b->table_count; t++) {
+        const char *unit = unit_in(b->tables[t], name);
+        if (found[0] != '\0' && unit[0] != '\0' && strcmp(found, unit) != 0) return "";
+        if (unit[0] != '\0') found = unit;
     }
+    if (found[0] != '\0') return found;
     /* CSV brings no units, but angles are in degrees in every table */
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
         const gough_column_info *info = &gough_column_table[c];

@@ -24,8 +24,11 @@ const char *builder_label(builder *b, size_t table);
 
 /* The column, or NULL with a sentence that names it. */
 const double *builder_column(builder *b, size_t table, const char *name);
-/* Unit of a column in the first table that has it. */
+/* Unit of a column in the tables that have it; "" where they differ. */
 const char *builder_unit(const builder *b, const char *name);
+
+/* Whether tables are compared whose columns are in different units. */
+bool builder_mixes_units(const builder *b);
 
 panel *builder_panel(builder *b, const char *heading, const char *unit, bool logarithmic);
 /* A panel in the unit of a column, with the noise of its numbers. */
@@ -40,6 +43,9 @@ series *builder_line(builder *b, panel *p, size_t table, const char *abscissa, c
 
 /* An array of the sheet with one number for each row of a table. */
 double *builder_array(builder *b, size_t table);
+
+/* Title and note of the sheet (titles.c). */
+void builder_title(builder *b);
 
 /* A table of a sweep (sweep.c). */
 void builder_fill_sweep(builder *b);

@@ -543,29 +543,6 @@ static int find_kind(builder *b, const char *name) {
     return -1;
 }
 
-/* The common title: the figure's, or the tables' where they agree. */
-static void choose_title(builder *b) {
-    const char *title = b->figure->title != NULL ? b->figure->title : b->tables[0]->title;
-    for (size_t t = 1; t < b->table_count && b->figure->title == NULL; t++) {
-        if (strcmp(b->tables[t]->title, title) != 0) title = "";
-    }
-    snprintf(b->sheet->title, sizeof b->sheet->title, "%s", title);
-}
-
-/* How a single run ended, where it did not reach its duration; of forces, which go on, the limit that they exceed. */
-static void note_end(builder *b) {
-    const gough_table *table = b->tables[0];
-    const char *message = table->end_message ? table->end_message : "";
-    if (builder_compares(b) || table->end_cause[0] == '\0' || !isfinite(table->end_time) ||
-        strcmp(table->end_cause, "done") == 0)
-        return;
-    if (*message)
-        snprintf(b->sheet->note, sizeof b->sheet->note, "%s", message);
-    else
-        snprintf(b->sheet->note, sizeof b->sheet->note, "ended at t = %.6g: %.60s", table->end_time,
-                 table->end_cause);
-}
-
 gough_status sheet_fill(sheet *s, const gough_figure *figure, const gough_table *const *tables,
                         const char *const *labels, size_t table_count, gough_error *error) {
     builder b = {s, figure, tables, labels, table_count, error, GOUGH_OK, ""};
@@ -579,8 +556,7 @@ gough_status sheet_fill(sheet *s, const gough_figure *figure, const gough_table 
     s->from = figure->from;
     s->to = figure->to;
     s->common_key = builder_compares(&b);
-    choose_title(&b);
-    note_end(&b);
+    builder_title(&b);
     name_abscissa(&b, "t");
     fillers[k](&b);
     for (int p = 0; p < s->count; p++) panel_settle_scale(&s->panel[p]);

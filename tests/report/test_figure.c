@@ -248,7 +248,7 @@ START_TEST(an_early_end_is_told) {
     const gough_table *table = run;
     const gough_figure figure = gough_figure_default();
     char *text = svg_of(&figure, &table, NULL, 1);
-    ck_assert(strstr(text, "ended at t = 17.15: singular") != NULL);
+    ck_assert(strstr(text, "ended at t = 17.15: singular pose") != NULL);
     free(text);
     gough_table_free(run);
 }

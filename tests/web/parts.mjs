@@ -9,7 +9,8 @@ import { legWork, loadEnergy } from "../../web/src/energy.js";
 import { amount, fixed, known, number, ticks, unit, shower } from "../../web/src/format.js";
 import { equalEllipsoid, symmetricEigen } from "../../web/src/inertia.js";
 import { legsOf, poseOf } from "../../web/src/pose.js";
-import { holdsFrom, thresholdsOf } from "../../web/src/stability.js";
+import { Player } from "../../web/src/player.js";
+import { holdsFrom, thresholdsOf, verdictOf } from "../../web/src/stability.js";
 import { lowerBound, thin } from "../../web/src/thin.js";
 
 const { GOUGH, SOURCE } = process.env;
@@ -290,6 +291,40 @@ test("thresholds are told once for each value, and a mode holds from its greates
     { mode: "sway–tilt", stiffness: 0.894 },
   ]);
   assert.deepEqual(holdsFrom(null), []);
+});
+
+test("a mode that drifts is not said to grow, nor one that grows to drift", () => {
+  const loop = (...settings) =>
+    JSON.parse(
+      execFileSync(
+        GOUGH,
+        [
+          "stability",
+          join(SOURCE, "examples/own-machine.yaml"),
+          "--json",
+          "-q",
+          ...settings.flatMap((setting) => ["--set", setting]),
+        ],
+        { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] },
+      ),
+    );
+  assert.equal(verdictOf(loop()), "stays");
+  assert.equal(
+    verdictOf(loop("gravity=0", "control.stiffness=0", "control.damping=0")),
+    "drifts",
+  );
+  assert.equal(verdictOf(loop("control.stiffness=0", "control.damping=0")), "grows");
+});
+
+test("the clock does not run backwards", () => {
+  const player = new Player(8, 0.02);
+  player.play();
+  player.advance(-0.5);
+  assert.equal(player.time, 0);
+  player.advance(NaN);
+  assert.equal(player.time, 0);
+  player.advance(0.25);
+  assert.equal(player.time, 0.25);
 });
 
 test("changing numbers fit their place for machines of any size", () => {

@@ -3,7 +3,7 @@ import { multiplierCircle } from "./circle.js";
 import { LEGS } from "./color.js";
 import { element } from "./dom.js";
 import { amount, causeWords, number, unit, unitAfter } from "./format.js";
-import { modesAtRest, multipliersBySize, thresholdsOf } from "./stability.js";
+import { modesAtRest, multipliersBySize, thresholdsOf, verdictOf } from "./stability.js";
 
 /** A table with headings; cells are text or nodes. */
 function table(caption, headings, rows, attributes = {}) {
@@ -206,7 +206,12 @@ function stabilitySection(study) {
   const rate = time ? " [1/s]" : "";
   const periodic = stability.multipliers?.length > 0;
   const about = periodic ? "about the program" : "at rest";
-  const verdict = `${stability.stable ? "No" : "Some"} mode grows ${about} under this feedback.`;
+  const verdict = {
+    stays: `No mode grows ${about} under this feedback.`,
+    drifts: `No mode grows ${about} under this feedback, but a velocity in ${stability.drifts?.join(", ")} \
+stays for ever: the top drifts away.`,
+    grows: `Some mode grows ${about} under this feedback.`,
+  }[verdictOf(stability)];
   const facts = factList([
     ["verdict", element("strong", { class: stability.stable ? "good" : "bad" }, verdict)],
     present(stability.growth_rate) && [

@@ -2,6 +2,7 @@
 import { forceCss, LEGS, studyColor } from "./color.js";
 import { element } from "./dom.js";
 import { causeWords, fixed, known, number, shower, unit, unitAfter } from "./format.js";
+import { verdictOf } from "./stability.js";
 
 const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
 
@@ -143,7 +144,9 @@ function glance(study) {
     ["condition, at most", number(simulate.condition, 4)],
     stability && [
       stability.multipliers?.length ? "about the program" : "at rest",
-      stability.stable ? "no mode grows" : "a mode grows",
+      { stays: "no mode grows", drifts: "a mode drifts away", grows: "a mode grows" }[
+        verdictOf(stability)
+      ],
     ],
   ];
   return element(

@@ -1,5 +1,15 @@
 // What `gough stability` found, put in order for reading: equal values of a pair of modes once, the least first.
 
+/** What the loop does with a small deviation: "stays", "drifts" (nothing grows, but a velocity once given stays for ever) or
+ *  "grows". */
+export function verdictOf(stability) {
+  if (stability.stable) return "stays";
+  const fastest = Math.max(...(stability.eigenvalues ?? []).map((pair) => Math.hypot(...pair)), 0);
+  const grows =
+    stability.growth_per_period > 1 + 1e-7 || stability.growth_rate > 1e-6 * fastest;
+  return stability.drifts?.length && !grows ? "drifts" : "grows";
+}
+
 /** Thresholds of G at rest, ascending, each value of a mode once: [{mode, stiffness}]. */
 export function thresholdsOf(stability) {
   const sorted = [...(stability?.thresholds ?? [])].sort((a, b) => a.stiffness - b.stiffness);
