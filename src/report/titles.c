@@ -16,14 +16,11 @@ static void choose_title(builder *b) {
 
 /* What gough_cause_name() stands for. */
 static const char *words_of_cause(const char *cause) {
-    static const char *const known[][2] = {{"leg_short", "a leg is shorter than its limit"},
-                                           {"leg_long", "a leg is longer than its limit"},
-                                           {"leg_speed", "a leg is faster than its limit"},
-                                           {"leg_force", "a leg force exceeds its limit"},
-                                           {"leg_no_length", "the joints of a leg meet"},
-                                           {"singular", "singular pose"},
-                                           {"not_finite", "a number is no longer finite"},
-                                           {"no_convergence", "the steps did not converge"}};
+    static const char *const known[][2] = {
+        {"leg_short", "a leg too short"},          {"leg_long", "a leg too long"},
+        {"leg_speed", "a leg too fast"},           {"leg_force", "a leg overloaded"},
+        {"leg_no_length", "joints of a leg meet"}, {"singular", "singular pose"},
+        {"not_finite", "a number not finite"},     {"no_convergence", "no convergence"}};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
         if (strcmp(cause, known[i][0]) == 0) return known[i][1];
     return cause;
