@@ -9,8 +9,9 @@
 
 static const double DEGREES = 57.295779513082320877;
 
-/* displacements and rates smaller than this, in base radii and radians, are those of decimals that were rounded */
-static const double NOTHING = 1e-9;
+/* displacements smaller than this, in base radii and radians, and rates that would not make more than SLOW over the run, are those
+ * of decimals that were rounded */
+static const double NOTHING = 1e-9, SLOW = 1e-4;
 
 typedef struct warning {
     const char *verb;
@@ -73,7 +74,7 @@ static void warn_start(const warning *w) {
         for (int c = 0; c < GOUGH_COMPONENTS; c++) {
             const bool turns = c >= GOUGH_ROLL;
             const double value = component[c][order];
-            const double scale = order ? 1 / w->study->simulation.duration : 1;
+            const double scale = order ? SLOW / NOTHING / w->study->simulation.duration : 1;
             if (!(fabs(value) > NOTHING * scale * (turns ? 1 : radius))) continue;
             const size_t used = strlen(text);
             snprintf(text + used, sizeof text - used, "%s%s %.6g%s%s", used ? ", " : "",
