@@ -20,6 +20,7 @@ import sys
 import tempfile
 
 import facts
+import limits
 import mechanics
 import printed
 import studies
@@ -159,18 +160,33 @@ class Case:
         data = json.loads(self.run(run.verb, name, "--json", *options, allowed=status).stdout)
         self.tree_of(run.verb, data, run.json(), units)
         done = self.run(run.verb, name, *options, *table, allowed=status)
-        known = verbs.summary_lines(self.meaning, units, run.simulated, title) + run.end_lines(units)
+        lines, wanted = run.limit_lines(units)
+        known = verbs.summary_lines(self.meaning, units, run.simulated, title) + run.end_lines(units) + lines
         known.append(printed.Line("table table.csv", units.name))
-        rest = self.text(run.verb, done.stdout, known, run.facts(), units)
+        rest = self.text(run.verb, done.stdout, known, run.facts() | wanted, units)
+        self.sentence(run, data["end"]["message"], done.stderr, units)
         if rest:
             self.condition_time(run, rest.pop("condition_time")[0], units)
             if run.simulated:
                 self.near("simulate text drift", rest.pop("drift")[0].value, 0.0, 1e-6)
-            run.compare_rest(self, rest, units)
+            for name in list(rest):
+                if name in run.nearest:
+                    self.same(f"{run.verb} text {name}", int(rest.pop(name)[0].value) in run.nearest[name], True)
             for name in rest:
                 self.fail(f"{run.verb} text: nothing is known of {name}")
         with open(os.path.join(self.folder, "table.csv"), encoding="utf-8") as stream:
             self.table(run, stream.read(), units, reactions)
+
+    def sentence(self, run, message, said, units):
+        """The end as a sentence, in JSON and on standard error, where only an end is an error."""
+        template = limits.sentence(run.end, units)
+        errors = [line for line in said.splitlines() if " error: " in line]
+        self.same(f"{run.verb} errors", len(errors), 1 if template else 0)
+        if not template:
+            self.same(f"{run.verb} json end.message", message, "")
+            return
+        for text, start in [(message, "")] + [(line, f"gough {run.verb}: error: {os.path.basename(self.path)}: ") for line in errors]:
+            self.text(run.verb, text, [printed.Line(start + template, units.name)], limits.sentence_facts(run.end), units)
 
     def condition_time(self, run, number, units):
         """The condition at the time that is printed for it is the largest."""
@@ -240,7 +256,7 @@ class Case:
     def settings(self, sweep):
         """--run N: what to set for that run, as text and as JSON."""
         name, units = os.path.basename(self.path), facts.Units(self.meaning, False)
-        for number in range(1, len(sweep.runs) + 1):
+        for number in {1 + self.number % len(sweep.runs), len(sweep.runs)}:
             wanted = sweep.set_of(number)
             data = json.loads(self.run("sweep", name, "--run", str(number), "--json").stdout)
             self.tree_of("sweep", data, {"run": number, "set": wanted}, units)

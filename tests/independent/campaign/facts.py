@@ -189,8 +189,28 @@ class Curves:
             total += piece * (high - low) / 2
         return total
 
-    def intervals(self, name, beyond, last):
-        """Where beyond(value) > 0: [enter, leave, worst, time] of each interval, leave None where it lasts to the end."""
+    def worst(self, name, enter, leave, share):
+        """The value of the largest share between two times, and when."""
+        best = -1.0, 0.0, enter
+        for low, high, curves in self.pieces:
+            if high < enter or low > leave:
+                continue
+            values = self.fine_values(curves[name])
+            step = (high - low) / (len(values) - 1)
+            inside = [k for k in range(len(values)) if enter <= low + step * k <= leave]
+            for k in inside:
+                if share(values[k]) > best[0] + 1e-12 * abs(best[0]):  # of equal ones the first
+                    best = share(values[k]), values[k], low + step * k
+            if inside and best[2] >= low and best[2] <= high:
+                first, last = max(inside[0] - 1, 0), min(inside[-1] + 2, len(values))
+                sign = 1 if share(1.01 * best[1]) < share(best[1]) else -1 if best[1] > 0 else 1
+                value, time = peak_of([sign * v for v in values[first:last]], low + step * first, step)
+                if share(sign * value) > best[0] * (1 + 1e-12) and enter <= time <= leave:
+                    best = share(sign * value), sign * value, time
+        return best[1], best[2]
+
+    def intervals(self, name, beyond):
+        """Where beyond(value) > 0: [enter, leave] of each interval, leave None where it lasts to the end."""
         out, inside = [], None
         for low, high, curves in self.pieces:
             values = [beyond(v) for v in self.fine_values(curves[name])]

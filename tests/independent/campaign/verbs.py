@@ -2,6 +2,7 @@
 import math
 
 import facts as f
+import limits
 import mechanics as m
 import studies
 import sweeps
@@ -9,7 +10,6 @@ from facts import Q, Skip
 from printed import Line, Table
 
 COMPONENTS = studies.COMPONENTS
-CAUSE = {"short": "leg_short", "long": "leg_long", "speed": "leg_speed", "force": "leg_force"}
 
 
 DRIFT = Skip("round-off of the constraints: only that it is small is checked")
@@ -247,9 +247,10 @@ class Run:
     """Numbers that forces and simulate have in common. Needs: curves (Rows or Curves), rows (times), legs, end_*."""
 
     verb, simulated = "", False
+    worst_slack, worst_time_slack = 0.0, 0.0
 
     def __init__(self, meaning):
-        self.meaning, self.scales = meaning, f.Scales(meaning)
+        self.meaning, self.scales, self.nearest = meaning, f.Scales(meaning), {}
 
     def finish(self, curves, last, slack):
         self.curves, self.last = curves, last
@@ -263,7 +264,7 @@ class Run:
         return Q(100 * used.value / self.stroke, None, 100 * used.slack / self.stroke)
 
     def facts(self):
-        out = {"end_time": Q(self.end["time"], "time", self.end["slack"]), "last_time": Q(self.last, "time", 1e-12 * self.last),
+        out = limits.sentence_facts(self.end) | {"end_time": Q(self.end["time"], "time", self.end["slack"]), "last_time": Q(self.last, "time", 1e-12 * self.last),
                "rows": Q(self.row_count, None, 0), "first": Q(0, "time", 0), "last": Q(self.last, "time", 1e-12 * self.last),
                "condition": Q(self.condition, None, self.condition_slack)}
         for row, leg in [(str(k + 1), leg) for k, leg in enumerate(self.legs)] + [("all", f.over_all(self.legs))]:
@@ -285,29 +286,14 @@ class Run:
     def json(self):
         return {"verb": self.verb, "title": self.meaning.tree.get("title", ""),
                 "end": {"status": self.end["status"], "time": Q(self.end["time"], "time", self.end["slack"]),
-                        "leg": self.end["leg"], "message": SENTENCE},
+                        "leg": self.end["leg"], "message": SENTENCE, "legs": self.end["legs"],
+                        "limit": limits.sentence_facts(self.end).get("end_limit")},
                 "legs": [self.leg_json(leg) for leg in self.legs],
                 "condition": Q(self.condition, None, self.condition_slack),
-                "deviation": {"position": None, "angle": None}, "drift": None}
+                "deviation": {"position": None, "angle": None}, "drift": None, "limits": limits.json(self)}
 
-
-def margins(meaning, lengths, rates, forces):
-    """How far each limit is exceeded, relative: (kind, leg) to a number that is positive beyond."""
-    limits, out = meaning.limits, {}
-    low, high = limits.get("length", (0, math.inf))
-    for k in range(6):
-        if low > 0:
-            out["short", k] = 1 - lengths[k] / low
-        if math.isfinite(high):
-            out["long", k] = lengths[k] / high - 1
-        if "max_speed" in limits:
-            out["speed", k] = abs(rates[k]) / limits["max_speed"] - 1
-        if "max_force" in limits:
-            out["force", k] = abs(forces[k]) / limits["max_force"] - 1
-    return out
-
-
-QUANTITY = {"short": "length", "long": "length", "speed": "speed", "force": "force"}
+    def limit_lines(self, units):
+        return limits.lines(self, units)
 
 
 class Forces(Run):
@@ -317,6 +303,8 @@ class Forces(Run):
         super().__init__(meaning)
         self.axes, self.row_count = axes, meaning.rows
         self.plant = meaning.plant
+        # the worst of a limit is that of eight looks from row to row
+        self.worst_slack, self.worst_time_slack = 3e-3, meaning.output_step / 8
         self.motion = f.Curves(meaning, self.sample)
         self.finish(self.summary_curves(), meaning.time(meaning.rows - 1), self.slack)
         self.find_crossings()
@@ -331,35 +319,10 @@ class Forces(Run):
     def condition_at(self, t):
         return self.plant.program_pose(t).condition()
 
-    WORDS = {"short": "too short", "long": "too long", "speed": "too fast", "force": "overloaded"}
-
     def end_lines(self, units):
         if not self.crossings:
             return [Line("end the whole duration, t = {end_time time}", units.name)]
-        count = len(self.crossings)
-        known = ["end t = {last_time time}, limits left on the way (first at t = {end_time time})",
-                 f"limits left {count} time{'' if count == 1 else 's'} along the program:"]
-        known = [Line(x, units.name) for x in known]
-        for kind, words in self.WORDS.items():
-            worst = f", at worst {{{kind} {QUANTITY[kind]}}} at t = {{worst_time}}"
-            known.append(Line(f"leg {{leg}} {words} t = {{enter}} to {{leave}}" + worst, units.name, True))
-            known.append(Line(f"leg {{leg}} {words} t = {{enter}} to the end" + worst, units.name, True))
-        return known
-
-    def compare_rest(self, case, rest, units):
-        records = rest.pop("records", [])
-        if len(records) != len(self.crossings):
-            case.fail(f"forces text: {len(records)} limits left, expected {len(self.crossings)}")
-            return
-        slack = 1e-7 * self.meaning.duration
-        for record, crossing in zip(records, self.crossings):
-            kind = next(k for k in CAUSE if k in record)
-            case.same("forces text limit", (kind, record["leg"].value, "leave" in record),
-                      (crossing["kind"], crossing["leg"], crossing["leave"] is not None))
-            for name in ("enter", "leave", "worst_time", kind):
-                if name in record and name in crossing:
-                    case.near(f"forces text limit {name}", record[name].value,
-                              *units.of(Q(crossing[name], QUANTITY[kind] if name == kind else "time", slack)), record[name].half)
+        return [Line("end t = {last_time time}; limits are exceeded, first at t = {end_time time}", units.name)]
 
     def rows(self):
         for k in range(self.meaning.rows):
@@ -369,23 +332,22 @@ class Forces(Run):
 
     def find_crossings(self):
         """All intervals beyond a limit, and the end that follows: the first of them."""
-        limits, self.crossings = self.meaning.limits, []
-        low, high = limits.get("length", (0, math.inf))
-        beyond = {"short": lambda v: 1 - v / low if low else -1, "long": lambda v: v / high - 1,
-                  "speed": lambda v: abs(v) / limits.get("max_speed", math.inf) - 1,
-                  "force": lambda v: abs(v) / limits.get("max_force", math.inf) - 1}
-        kinds = [k for k, key in (("short", "length"), ("long", "length"), ("speed", "max_speed"), ("force", "max_force")) if key in limits]
-        for kind in kinds:
+        self.crossings = []
+        for kind, limit in limits.given(self.meaning).items():
             for leg in range(6):
-                for enter, leave in self.motion.intervals((QUANTITY[kind], leg), beyond[kind], self.last):
-                    self.crossings.append({"kind": kind, "leg": leg + 1, "enter": enter, "leave": leave})
+                name = limits.KINDS[kind][1], leg
+                for enter, leave in self.motion.intervals(name, lambda v: limits.share(kind, limit, v) - 1):
+                    until = self.last if leave is None else leave
+                    worst, time = self.motion.worst(name, enter, until, lambda v: limits.share(kind, limit, v))
+                    self.crossings.append({"kind": kind, "leg": leg + 1, "enter": enter, "leave": leave, "worst": worst, "worst_time": time})
         self.crossings.sort(key=lambda c: (c["enter"], c["leg"]))
         slack = 1e-7 * self.meaning.duration
+        self.end = {"status": "done", "time": self.meaning.duration, "leg": None, "legs": [], "slack": 1e-12 * self.meaning.duration}
         if self.crossings:
-            first = min(self.crossings, key=lambda c: (c["enter"], list(CAUSE).index(c["kind"]), c["leg"]))
-            self.end = {"status": CAUSE[first["kind"]], "time": first["enter"], "leg": first["leg"], "slack": slack}
-        else:
-            self.end = {"status": "done", "time": self.meaning.duration, "leg": None, "slack": 1e-12 * self.meaning.duration}
+            first = min(self.crossings, key=lambda c: (c["enter"], list(limits.KINDS).index(c["kind"])))
+            pose = self.plant.program_pose(first["enter"])
+            beyond = limits.margins(self.meaning, pose.length, pose.rate, self.plant.program_forces(pose))
+            self.end = limits.ending(first["kind"], limits.given(self.meaning)[first["kind"]], first["enter"], slack, beyond)
 
 
 class Simulate(Run):
@@ -397,9 +359,10 @@ class Simulate(Run):
         plant = meaning.plant
         plant.set_scale(self.scales.length, self.scales.time)
         state, t, samples, self.position, self.angle = meaning.start(), 0.0, [], 0.0, 0.0
-        self.end = {"status": "done", "time": meaning.duration, "leg": None, "slack": 1e-12 * meaning.duration}
+        self.end = {"status": "done", "time": meaning.duration, "leg": None, "legs": [], "slack": 1e-12 * meaning.duration}
+        self.crossings = []
         # a fixed step over a corner of the program costs it its order
-        self.slack = 1e-5 if meaning.step and meaning.stops else 3e-8
+        self.slack = 2e-4 if meaning.step and meaning.stops else 3e-8
         for k in range(meaning.rows + 1):
             until = meaning.time(k) if k < meaning.rows else meaning.duration
             if until > t:
@@ -425,27 +388,27 @@ class Simulate(Run):
     def broken(self, t, state):
         pose = self.meaning.plant.pose_of(state)
         u = self.meaning.plant.legs(t, pose)[0]
-        beyond = margins(self.meaning, pose.length, pose.rate, u)
-        return {key: value for key, value in beyond.items() if value > 1e-12}
+        self.beyond = limits.margins(self.meaning, pose.length, pose.rate, u)
+        return {key: value for key, value in self.beyond.items() if value > 1e-12}
 
     def end_at(self, before, t, broken, tolerance):
         """When the first limit is passed within the step from `before`."""
-        if before is None:
-            kind, leg = min(broken, key=lambda key: (list(CAUSE).index(key[0]), key[1]))
-        else:
-            low, high = before[0], t
+        if before is not None:
+            low, high, beyond = before[0], t, self.beyond
             for _ in range(44):
                 middle = (low + high) / 2
                 here = self.broken(middle, self.advance(before[0], middle, before[1], tolerance))
                 if here:
-                    high, broken = middle, here
+                    high, broken, beyond = middle, here, self.beyond
                 else:
                     low = middle
                 if high - low < 1e-10 * self.meaning.duration:
                     break
-            t = high
-            kind, leg = max(broken, key=broken.get)
-        self.end = {"status": CAUSE[kind], "time": t, "leg": leg + 1, "slack": 30 * self.slack * self.meaning.duration}
+            t, self.beyond = high, beyond
+        kind = min(broken, key=lambda key: list(limits.KINDS).index(key[0]))[0]
+        if before is not None:
+            kind = max(broken, key=broken.get)[0]
+        self.end = limits.ending(kind, limits.given(self.meaning)[kind], t, 30 * self.slack * self.meaning.duration, self.beyond)
 
     def add_row(self, t, state, samples):
         plant = self.meaning.plant
@@ -463,10 +426,7 @@ class Simulate(Run):
     def end_lines(self, units):
         if self.end["status"] == "done":
             return [Line("end the whole duration, t = {end_time time}", units.name)]
-        return [Line("end at t = {end_time time}: " + self.end["status"], units.name)]
-
-    def compare_rest(self, case, rest, units):
-        pass
+        return [Line("end " + limits.sentence(self.end, units), units.name)]
 
     def condition_at(self, t):
         return self.table[min(len(self.table) - 1, round(t / self.meaning.output_step))]["condition"][0]
