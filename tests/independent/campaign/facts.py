@@ -134,77 +134,99 @@ def quantities(meaning, pose, u):
 
 
 class Curves:
-    """Each quantity on Chebyshev's points of pieces without corners: extremes and integrals of the motion itself."""
+    """Each quantity between its samples by the polynomial through the eight nearest: extremes and integrals of the motion itself.
 
-    NODES, FINE = 14, 8
+    A piece is a stretch of time without corners: its times and, at each, the quantities; neighbouring pieces share an end."""
 
-    def __init__(self, meaning, sample):
-        """sample(t) gives quantities at t."""
-        last = meaning.time(meaning.rows - 1)
-        n, ends = self.NODES, [0.0] + [t for t in meaning.stops if t < last] + [last]
-        self.x = [-math.cos(math.pi * k / (n - 1)) for k in range(n)]
-        self.pieces, self.extreme = [], {}
-        for a, b in zip(ends, ends[1:]):
-            parts = math.ceil((b - a) / meaning.duration * 9 + 1e-9)
-            for k in range(parts):
-                low, high = a + (b - a) * k / parts, a + (b - a) * (k + 1) / parts
-                samples = [sample((low + high) / 2 + (high - low) / 2 * x) for x in self.x]
-                self.pieces.append((low, high, {name: [s[name] for s in samples] for name in samples[0]}))
-        self.fine = [-1 + 2 * k / (self.FINE * n) for k in range(self.FINE * n + 1)]
-        self.weights = [self.barycentric(x) for x in self.fine]
+    NEAREST, FINE = 8, 6
+    GAUSS = [(x, w) for a, w in ((0.3399810435848563, 0.6521451548625461), (0.8611363115940526, 0.3478548451374538))
+             for x, w in ((0.5 - a / 2, w / 2), (0.5 + a / 2, w / 2))]
 
-    def barycentric(self, at):
-        """Weights of the interpolating polynomial through the nodes, at one place."""
-        raw = []
-        for k, x in enumerate(self.x):
-            if abs(at - x) < 1e-15:
-                return [float(i == k) for i in range(self.NODES)]
-            raw.append((-1) ** k * (0.5 if k in (0, self.NODES - 1) else 1.0) / (at - x))
-        total = sum(raw)
-        return [w / total for w in raw]
+    def __init__(self, pieces):
+        self.pieces, self.found = [], {}
+        for times, samples in pieces:
+            cells, fine = [], [times[0]]
+            for i in range(len(times) - 1):
+                first = max(0, min(i - self.NEAREST // 2 + 1, len(times) - self.NEAREST))
+                nodes, low, width = times[first:first + self.NEAREST], times[i], times[i + 1] - times[i]
+                inner = [low + width * j / self.FINE for j in range(1, self.FINE)]
+                fine += inner + [times[i + 1]]
+                gauss = [(width * w, self.weights(nodes, low + width * x)) for x, w in self.GAUSS]
+                area = [sum(w * weights[k] for w, weights in gauss) for k in range(len(nodes))]
+                cells.append((first, [self.weights(nodes, t) for t in inner], area))
+            self.pieces.append((fine, cells, samples))
 
-    def fine_values(self, values):
-        return [sum(w * v for w, v in zip(weights, values)) for weights in self.weights]
+    @staticmethod
+    def weights(nodes, at):
+        """Lagrange's polynomials of the nodes at one place."""
+        out = []
+        for i, x in enumerate(nodes):
+            product = 1.0
+            for j, y in enumerate(nodes):
+                if j != i:
+                    product *= (at - y) / (x - y)
+            out.append(product)
+        return out
+
+    def at(self, name, t):
+        """A quantity at one time."""
+        times, values = next((x for x in self.curve(name) if x[0][0] <= t <= x[0][-1]), self.curve(name)[-1])
+        first = max(0, min(sum(x <= t for x in times) - 2, len(times) - 4))
+        return sum(w * v for w, v in zip(self.weights(times[first:first + 4], t), values[first:first + 4]))
+
+    def beyond_rows(self, step, rows):
+        """How far a leg's length goes between two rows beyond both of them, at most."""
+        most = 0.0
+        for leg in range(6):
+            ends = [self.at(("length", leg), k * step) for k in range(rows)]
+            low, high = [min(x) for x in zip(ends, ends[1:])], [max(x) for x in zip(ends, ends[1:])]
+            for times, values in self.curve(("length", leg)):
+                for t, v in zip(times, values):
+                    k = int(t / step)
+                    if k < rows - 1:
+                        most = max(most, low[k] - v, v - high[k])
+        return most
+
+    def curve(self, name):
+        """Of each piece: fine times and the values there."""
+        if name not in self.found:
+            self.found[name] = []
+            for fine, cells, samples in self.pieces:
+                nodes = [s[name] for s in samples]
+                values = [nodes[0]]
+                for i, (first, inner, _) in enumerate(cells):
+                    near = nodes[first:first + self.NEAREST]
+                    values += [sum(w * v for w, v in zip(weights, near)) for weights in inner] + [nodes[i + 1]]
+                self.found[name].append((fine, values))
+        return self.found[name]
 
     def extremes(self, name):
         """Least and greatest value with their times."""
-        if name not in self.extreme:
-            best = {-1: (math.inf, 0.0), 1: (math.inf, 0.0)}
-            for low, high, curves in self.pieces:
-                values = self.fine_values(curves[name])
-                for sign in best:
-                    found = peak_of([-sign * v for v in values], low, (high - low) / (len(values) - 1))
-                    best[sign] = min(best[sign], found)
-            self.extreme[name] = (best[-1], (-best[1][0], best[1][1]))
-        return self.extreme[name]
+        low = min(peak_of(times, values, 1) for times, values in self.curve(name))
+        high = min(peak_of(times, values, -1) for times, values in self.curve(name))
+        return low, (-high[0], high[1])
 
     def integral(self, name):
-        """By the integral of the interpolating polynomial: Clenshaw and Curtis."""
-        n, total = self.NODES - 1, 0.0
-        for low, high, curves in self.pieces:
-            y, piece = curves[name], 0.0
-            for k in range(0, n + 1, 2):
-                c = sum(v * math.cos(k * math.pi * (1 - j / n)) * (0.5 if j in (0, n) else 1) for j, v in enumerate(y)) * 2 / n
-                piece += c * 2 / (1 - k * k) * (0.5 if k in (0, n) else 1)
-            total += piece * (high - low) / 2
+        total = 0.0
+        for _, cells, samples in self.pieces:
+            nodes = [s[name] for s in samples]
+            for first, _, area in cells:
+                total += sum(w * v for w, v in zip(area, nodes[first:first + self.NEAREST]))
         return total
 
     def worst(self, name, enter, leave, share):
-        """The value of the largest share between two times, and when."""
+        """The value of the largest share between two times, and when; of equal ones the first."""
         best = -1.0, 0.0, enter
-        for low, high, curves in self.pieces:
-            if high < enter or low > leave:
+        for times, values in self.curve(name):
+            inside = [k for k, t in enumerate(times) if enter <= t <= leave]
+            if not inside:
                 continue
-            values = self.fine_values(curves[name])
-            step = (high - low) / (len(values) - 1)
-            inside = [k for k in range(len(values)) if enter <= low + step * k <= leave]
+            first, last = max(inside[0] - 1, 0), min(inside[-1] + 2, len(times))
             for k in inside:
-                if share(values[k]) > best[0] + 1e-12 * abs(best[0]):  # of equal ones the first
-                    best = share(values[k]), values[k], low + step * k
-            if inside and best[2] >= low and best[2] <= high:
-                first, last = max(inside[0] - 1, 0), min(inside[-1] + 2, len(values))
-                sign = 1 if share(1.01 * best[1]) < share(best[1]) else -1 if best[1] > 0 else 1
-                value, time = peak_of([sign * v for v in values[first:last]], low + step * first, step)
+                if share(values[k]) > best[0] * (1 + 1e-12):
+                    best = share(values[k]), values[k], times[k]
+            for sign in (1, -1):
+                value, time = peak_of(times[first:last], values[first:last], sign)
                 if share(sign * value) > best[0] * (1 + 1e-12) and enter <= time <= leave:
                     best = share(sign * value), sign * value, time
         return best[1], best[2]
@@ -212,57 +234,44 @@ class Curves:
     def intervals(self, name, beyond):
         """Where beyond(value) > 0: [enter, leave] of each interval, leave None where it lasts to the end."""
         out, inside = [], None
-        for low, high, curves in self.pieces:
-            values = [beyond(v) for v in self.fine_values(curves[name])]
-            step = (high - low) / (len(values) - 1)
-            for k in range(len(values)):
+        for times, curve in self.curve(name):
+            values = [beyond(v) for v in curve]
+            for k, t in enumerate(times):
                 if inside is None and values[k] > 0:
-                    at = low + step * k if k == 0 else root(values, k - 1, low, step)
-                    inside = [at, None]
+                    inside = [t if k == 0 else root(times, values, k - 1), None]
                 elif inside is not None and values[k] <= 0:
-                    inside[1] = root(values, k - 1, low, step) if k else low
+                    inside[1] = root(times, values, k - 1) if k else t
                     out.append(inside)
                     inside = None
-        if inside is not None:
-            out.append(inside)
-        return out
+        return out + ([inside] if inside is not None else [])
 
 
-def root(values, k, low, step):
-    """A root between k and k + 1 by the cubic through the values about it."""
+def root(times, values, k):
+    """A root between the samples k and k + 1 by the cubic through the values about it."""
     first = min(max(k - 1, 0), len(values) - 4)
-    a, b = float(k), float(k + 1)
-
-    def f(x):
-        total = 0.0
-        for i in range(first, first + 4):
-            term = values[i]
-            for j in range(first, first + 4):
-                if j != i:
-                    term *= (x - j) / (i - j)
-            total += term
-        return total
-
-    rising = values[k + 1] > values[k]
+    nodes, near = times[first:first + 4], values[first:first + 4]
+    low, high, rising = times[k], times[k + 1], values[k + 1] > values[k]
     for _ in range(60):
-        middle = (a + b) / 2
-        if (f(middle) > 0) == rising:
-            b = middle
+        middle = (low + high) / 2
+        if (sum(w * v for w, v in zip(Curves.weights(nodes, middle), near)) > 0) == rising:
+            high = middle
         else:
-            a = middle
-    return low + step * (a + b) / 2
+            low = middle
+    return (low + high) / 2
 
 
-def peak_of(values, low, step):
-    """(least value, its time) of a smooth curve by the parabola about its least sample."""
-    k = min(range(len(values)), key=values.__getitem__)
+def peak_of(times, values, sign):
+    """(least of sign times the values, its time) of a smooth curve by the parabola about its least sample."""
+    k = min(range(len(values)), key=lambda i: sign * values[i])
+    least = sign * values[k]
     if 0 < k < len(values) - 1:
-        a, b, c = values[k - 1:k + 2]
-        bend = a - 2 * b + c
-        if bend > 0:
-            shift = (a - c) / (2 * bend)
-            return b - (a - c) ** 2 / (8 * bend), low + step * (k + shift)
-    return values[k], low + step * k
+        left, right = times[k] - times[k - 1], times[k + 1] - times[k]
+        before, after = (least - sign * values[k - 1]) / left, (sign * values[k + 1] - least) / right
+        bend = (after - before) / (left + right)
+        slope = before + bend * left
+        if bend > 0 and -left < -slope / (2 * bend) < right:
+            return least - slope * slope / (4 * bend), times[k] - slope / (2 * bend)
+    return least, times[k]
 
 
 class Rows:

@@ -10,6 +10,8 @@ from facts import Q, Skip
 from printed import Line, Table
 
 COMPONENTS = studies.COMPONENTS
+OF_MOTION = __import__("os").environ.get("OF_MOTION") == "1"
+PEAKS = 5e-6
 
 
 DRIFT = Skip("round-off of the constraints: only that it is small is checked")
@@ -252,9 +254,9 @@ class Run:
     def __init__(self, meaning):
         self.meaning, self.scales, self.nearest = meaning, f.Scales(meaning), {}
 
-    def finish(self, curves, last, slack):
-        self.curves, self.last = curves, last
-        self.legs = f.leg_facts(curves, last, self.scales, slack)
+    def finish(self, curves, span, slack):
+        self.curves = curves
+        self.legs = f.leg_facts(curves, span, self.scales, slack)
         self.condition, self.condition_time = curves.extremes(("condition", 0))[1]
         self.condition_slack = 20 * slack * self.condition + 1e-15 * self.condition ** 3
         low, high = self.meaning.limits.get("length", (0, 0))
@@ -305,12 +307,21 @@ class Forces(Run):
         self.plant = meaning.plant
         # the worst of a limit is that of eight looks from row to row
         self.worst_slack, self.worst_time_slack = 3e-3, meaning.output_step / 8
-        self.motion = f.Curves(meaning, self.sample)
-        self.finish(self.summary_curves(), meaning.time(meaning.rows - 1), self.slack)
+        self.last = meaning.time(meaning.rows - 1)
+        self.motion = f.Curves(self.pieces())
+        self.finish(self.motion if OF_MOTION else self.summary_curves(), self.last, PEAKS if OF_MOTION else self.slack)
         self.find_crossings()
 
     def summary_curves(self):
         return f.Rows(self.meaning, [self.sample(self.meaning.time(k)) for k in range(self.meaning.rows)])
+
+    def pieces(self):
+        """Samples between the corners of the program."""
+        ends = [0.0] + [t for t in self.meaning.stops if t < self.last] + [self.last]
+        for low, high in zip(ends, ends[1:]):
+            count = max(8, math.ceil(110 * (high - low) / self.last))
+            times = [low + (high - low) * k / count for k in range(count + 1)]
+            yield times, [self.sample(t) for t in times]
 
     def sample(self, t):
         pose = self.plant.program_pose(t)
@@ -318,6 +329,13 @@ class Forces(Run):
 
     def condition_at(self, t):
         return self.plant.program_pose(t).condition()
+
+    def left_out(self):
+        """Forces along a program know no disturbance: which ones they leave out."""
+        names = [name for name in ("leg_force", "vertical_force", "force", "moment", "noise") if name in self.meaning.tree.get("disturbance", {})]
+        if not names:
+            return []
+        return ["left out disturbance: " + ", ".join(names), "(these are the program's forces alone; gough simulate includes disturbances)"]
 
     def end_lines(self, units):
         if not self.crossings:
@@ -353,37 +371,79 @@ class Forces(Run):
 class Simulate(Run):
     verb, simulated = "simulate", True
 
-    def __init__(self, meaning, axes=None, tolerance=1e-11):
+    def __init__(self, meaning, axes=None, of_motion=False, tolerance=1e-11):
+        """of_motion: peaks and integrals are those of the motion; else, as in a sweep, those of the rows."""
         super().__init__(meaning)
-        self.axes, self.table = axes, []
+        self.axes, self.table, self.of_motion = axes, [], of_motion
         plant = meaning.plant
         plant.set_scale(self.scales.length, self.scales.time)
-        state, t, samples, self.position, self.angle = meaning.start(), 0.0, [], 0.0, 0.0
+        state, t = meaning.start(), 0.0
         self.end = {"status": "done", "time": meaning.duration, "leg": None, "legs": [], "slack": 1e-12 * meaning.duration}
-        self.crossings = []
+        self.crossings, self.pieces = [], [([], [])]
         # a fixed step over a corner of the program costs it its order
         self.slack = 2e-4 if meaning.step and meaning.stops else 3e-8
-        for k in range(meaning.rows + 1):
+        self.add_row(t, state)
+        broken = self.broken(t, state)
+        if broken:
+            self.end_at(None, t, broken, tolerance)
+        for k in range(1, 0 if broken else meaning.rows + 1):
             until = meaning.time(k) if k < meaning.rows else meaning.duration
-            if until > t:
-                before, state = (t, state), self.advance(t, until, state, tolerance)
-                t = until
-            if k == 0:
-                self.add_row(t, state, samples)
+            if not until > t:
+                continue
+            before, kept = (t, state), [(times[:], samples[:]) for times, samples in self.pieces]
+            t, state = until, self.sampled(t, until, state, tolerance)
             broken = self.broken(t, state)
             if broken:
-                self.end_at(before if k else None, t, broken, tolerance)
+                self.end_at(before, t, broken, tolerance)
+                self.pieces = kept
+                self.sampled(before[0], self.end["time"], before[1], tolerance)
                 break
-            if 0 < k < meaning.rows:
-                self.add_row(t, state, samples)
-        self.row_count, self.final = len(samples), state
-        self.finish(f.Rows(meaning, samples), meaning.time(len(samples) - 1), self.slack)
+            if k < meaning.rows:
+                self.add_row(t, state)
+        self.row_count = len(self.table)
+        self.summarise()
+
+    def summarise(self):
+        self.last = self.meaning.time(self.row_count - 1)
+        if self.of_motion and self.end["time"] > 0:
+            curves = f.Curves([(times, samples) for times, samples in self.pieces if len(times) > 1])
+        else:
+            curves = f.Rows(self.meaning, [s for s in self.samples if s["row"]])
+        self.finish(curves, self.pieces[-1][0][-1] if self.of_motion else self.last, max(self.slack, PEAKS) if self.of_motion else self.slack)
+        self.position, self.angle = curves.extremes("position")[1][0], curves.extremes("angle")[1][0]
+
+    @property
+    def samples(self):
+        return [s for _, samples in self.pieces for s in samples]
 
     def advance(self, t, until, state, tolerance):
         for stop in [s for s in self.meaning.stops if t < s < until] + [until]:
             state = self.meaning.plant.step(t, stop - t, state, tolerance)
             t = stop
         return state
+
+    def sampled(self, t, until, state, tolerance):
+        """The same, with a sample at each quarter of the way; a corner ends a piece."""
+        for stop in [s for s in self.meaning.stops if t < s < until] + [until]:
+            start = t
+            for quarter in range(1, 5):
+                at = stop if quarter == 4 else start + (stop - start) * quarter / 4
+                state = self.meaning.plant.step(t, at - t, state, tolerance)
+                t = at
+                self.add_sample(t, state)
+            if stop in self.meaning.stops:
+                times, samples = self.pieces[-1]
+                self.pieces.append(([t], [samples[-1]]))
+        return state
+
+    def add_sample(self, t, state):
+        pose = self.meaning.plant.pose_of(state)
+        u = self.meaning.plant.legs(t, pose)[0]
+        wanted = self.meaning.plant.of_time(t)[0]
+        sample = f.quantities(self.meaning, pose, u)
+        sample |= {"position": m.norm(m.sub(pose.p, wanted.p)), "angle": m.turn_between(pose.R, wanted.R), "row": False}
+        self.pieces[-1][0].append(t)
+        self.pieces[-1][1].append(sample)
 
     def broken(self, t, state):
         pose = self.meaning.plant.pose_of(state)
@@ -410,15 +470,14 @@ class Simulate(Run):
             kind = max(broken, key=broken.get)[0]
         self.end = limits.ending(kind, limits.given(self.meaning)[kind], t, 30 * self.slack * self.meaning.duration, self.beyond)
 
-    def add_row(self, t, state, samples):
+    def add_row(self, t, state):
         plant = self.meaning.plant
         pose, u = plant.full_pose(t, state)
-        wanted = plant.program_pose(t)
         turn = self.meaning.disturbance_at(t)[3] if self.meaning.disturbed else (0, 0, 0)
-        self.table.append(f.row_of(self.meaning, t, pose, u, wanted, self.axes, turn))
-        samples.append(f.quantities(self.meaning, pose, u))
-        self.position = max(self.position, m.norm(m.sub(pose.p, wanted.p)))
-        self.angle = max(self.angle, m.turn_between(pose.R, wanted.R))
+        self.table.append(f.row_of(self.meaning, t, pose, u, plant.of_time(t)[0], self.axes, turn))
+        if t == 0:
+            self.add_sample(t, state)
+        self.pieces[-1][1][-1]["row"] = True
 
     def rows(self):
         return iter(self.table)
@@ -429,6 +488,8 @@ class Simulate(Run):
         return [Line("end " + limits.sentence(self.end, units), units.name)]
 
     def condition_at(self, t):
+        if self.of_motion and self.end["time"] > 0:
+            return self.curves.at(("condition", 0), t)
         return self.table[min(len(self.table) - 1, round(t / self.meaning.output_step))]["condition"][0]
 
     def deviation(self):
