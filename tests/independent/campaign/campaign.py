@@ -162,13 +162,14 @@ class Case:
         done = self.run(run.verb, name, *options, *table, allowed=status)
         lines, wanted = run.limit_lines(units)
         known = verbs.summary_lines(self.meaning, units, run.simulated, title) + run.end_lines(units) + lines
-        known.append(printed.Line("table table.csv", units.name))
+        known += [printed.Line("table table.csv", units.name)] + verbs.rows_lines(units)
         rest = self.text(run.verb, done.stdout, known, run.facts() | wanted, units)
         self.sentence(run, data["end"]["message"], done.stderr, units)
         if rest:
             self.condition_time(run, rest.pop("condition_time")[0], units)
             if run.simulated:
                 self.near("simulate text drift", rest.pop("drift")[0].value, 0.0, 1e-6)
+            run.compare_rows(self, rest.pop("records", []), units)
             for name in list(rest):
                 if name in run.nearest:
                     self.same(f"{run.verb} text {name}", int(rest.pop(name)[0].value) in run.nearest[name], True)
@@ -328,6 +329,21 @@ def one(gough, seed, number, keep):
         return case.compared, case.failures, case.skipped, dict(case.worst)
 
 
+def edition(gough):
+    """Sets what verbs.py expects: commands before version 0.2 tell neither the use of limits nor peaks between rows."""
+    probe = {"platform": {"base": {"radius": 1, "half_angle": 10}, "top": {"radius": 0.6, "half_angle": 10}, "height": 1},
+             "load": {"mass": 1, "inertia": [0.1, 0.1, 0.1]}, "motion": {"heave": "0.2*sin(16*pi*t)"},
+             "simulation": {"duration": 2, "output_step": 1}}
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "probe.yaml")
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(studies.written(probe))
+        data = json.loads(subprocess.run([gough, "forces", path, "--json"], capture_output=True, text=True, check=True).stdout)
+    low, high = data["legs"][0]["length"]
+    verbs.LIMITS_TOLD = studies.LIMITS = "limits" in data
+    verbs.OF_MOTION = high - low > 0.1
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--gough", required=True)
@@ -341,6 +357,7 @@ def main():
     options = parser.parse_args()
     os.environ["LC_ALL"] = "C"
     gough = os.path.abspath(options.gough)
+    edition(gough)
     numbers = range(options.first, options.first + options.studies)
     compared, failures, skipped, worst = collections.Counter(), [], {}, collections.defaultdict(float)
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:

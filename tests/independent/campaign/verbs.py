@@ -10,7 +10,8 @@ from facts import Q, Skip
 from printed import Line, Table
 
 COMPONENTS = studies.COMPONENTS
-OF_MOTION = __import__("os").environ.get("OF_MOTION") == "1"
+# What the command under test tells, found by campaign.py: how much of each limit is used; peaks of the motion between rows.
+LIMITS_TOLD = OF_MOTION = True
 PEAKS = 5e-6
 
 
@@ -245,6 +246,12 @@ def summary_lines(meaning, units, simulated, title):
     return known + [Line(x, u) for x in text]
 
 
+def rows_lines(units):
+    """What is said where rows are too far apart; whether it must be is for compare_rows()."""
+    return [Line("rows too far apart to draw the motion: between two rows leg {leg} moves up to", units.name, True),
+            Line("{between .4 length} beyond both; simulation.output_step {drawing .3 time} or less draws it", units.name, True)]
+
+
 class Run:
     """Numbers that forces and simulate have in common. Needs: curves (Rows or Curves), rows (times), legs, end_*."""
 
@@ -261,6 +268,18 @@ class Run:
         self.condition_slack = 20 * slack * self.condition + 1e-15 * self.condition ** 3
         low, high = self.meaning.limits.get("length", (0, 0))
         self.stroke = high - low if low > 0 else None
+
+    def compare_rows(self, case, records, units):
+        """Whether rows too far apart are said to be, and how far a leg goes beyond two of them."""
+        said = next((r for r in records if "between" in r), None)
+        if not isinstance(self.curves, f.Curves):
+            return
+        most = self.curves.beyond_rows(self.meaning.output_step, self.row_count) if self.row_count > 1 else 0.0
+        stroke = max(leg["used"].value for leg in self.legs)
+        if said or most > 0.052 * stroke:
+            case.same(f"{self.verb} text rows too far apart", bool(said), most > 0.048 * stroke)
+        if said:
+            case.near(f"{self.verb} text between rows", said["between"].value, *units.of(Q(most, "length", 0.01 * most)), said["between"].half)
 
     def share(self, used):
         return Q(100 * used.value / self.stroke, None, 100 * used.slack / self.stroke)
@@ -286,6 +305,12 @@ class Run:
                 "stroke_used": Q(share.value / 100, None, share.slack / 100) if share else None}
 
     def json(self):
+        out = self.whole_json()
+        if not LIMITS_TOLD:
+            del out["limits"], out["end"]["legs"], out["end"]["limit"]
+        return out
+
+    def whole_json(self):
         return {"verb": self.verb, "title": self.meaning.tree.get("title", ""),
                 "end": {"status": self.end["status"], "time": Q(self.end["time"], "time", self.end["slack"]),
                         "leg": self.end["leg"], "message": SENTENCE, "legs": self.end["legs"],
@@ -338,9 +363,10 @@ class Forces(Run):
         return ["left out disturbance: " + ", ".join(names), "(these are the program's forces alone; gough simulate includes disturbances)"]
 
     def end_lines(self, units):
+        left_out = [Line(x, units.name) for x in self.left_out()] if OF_MOTION else []
         if not self.crossings:
-            return [Line("end the whole duration, t = {end_time time}", units.name)]
-        return [Line("end t = {last_time time}; limits are exceeded, first at t = {end_time time}", units.name)]
+            return left_out + [Line("end the whole duration, t = {end_time time}", units.name)]
+        return left_out + [Line("end t = {last_time time}; limits are exceeded, first at t = {end_time time}", units.name)]
 
     def rows(self):
         for k in range(self.meaning.rows):
