@@ -53,6 +53,12 @@ class Case:
             raise StopIteration
         return done
 
+    def data(self, verb, *arguments, allowed=(0,)):
+        """What a verb prints as JSON, without the number of its format."""
+        data = json.loads(self.run(verb, *arguments, allowed=allowed).stdout)
+        self.same(f"{verb} json format", data.pop("format", None), 1)
+        return data
+
     # ---- comparing ----
 
     def near(self, where, got, value, slack, half=0.0):
@@ -123,7 +129,7 @@ class Case:
         check = verbs.Check(self.meaning)
         units = facts.Units(self.meaning, False)
         name = os.path.basename(self.path)
-        data = json.loads(self.run("check", name, "--json").stdout)
+        data = self.data("check", name, "--json")
         check.order_of(data["principal_moments"])
         self.tree_of("check", data, check.json(), units)
         axes = data["principal_axes"]
@@ -157,7 +163,7 @@ class Case:
         options = ["--dimensionless"] if scaled else []
         status = (0,) if run.end["status"] == "done" else (1,)
         table = ["-o", "table.csv"] + (["--reactions"] if reactions else [])
-        data = json.loads(self.run(run.verb, name, "--json", *options, allowed=status).stdout)
+        data = self.data(run.verb, name, "--json", *options, allowed=status)
         self.tree_of(run.verb, data, run.json(), units)
         done = self.run(run.verb, name, *options, *table, allowed=status)
         lines, wanted = run.limit_lines(units)
@@ -194,12 +200,12 @@ class Case:
         size = units.size["time"]
         slope = 0.0
         for shift in (-number.half * size, number.half * size):
-            at = min(max(number.value * size + shift, 0.0), run.last)
-            slope = max(slope, abs(run.condition_at(at) - run.condition_at(min(max(number.value * size, 0), run.last))))
-        self.near(f"{run.verb} text condition_time", run.condition_at(min(number.value * size, run.last)), run.condition,
-                  run.condition_slack + slope + (2e-4 if verbs.OF_MOTION else 1e-7) * run.condition)
-        if not number.value * size <= run.last * (1 + 1e-5):
-            self.fail(f"{run.verb}: the condition is worst at t = {number}, after the last row")
+            at = min(max(number.value * size + shift, 0.0), run.until)
+            slope = max(slope, abs(run.condition_at(at) - run.condition_at(min(max(number.value * size, 0), run.until))))
+        self.near(f"{run.verb} text condition_time", run.condition_at(min(number.value * size, run.until)), run.condition,
+                  run.condition_slack + slope + 2e-4 * run.condition)
+        if not number.value * size <= run.until * (1 + 1e-5):
+            self.fail(f"{run.verb}: the condition is worst at t = {number}, after the end")
 
     def table(self, run, text, units, reactions):
         verb, lines = run.verb, list(csv.reader(io.StringIO(text)))
@@ -232,7 +238,7 @@ class Case:
         units = facts.Units(self.meaning, scaled)
         name = os.path.basename(self.path)
         options = ["--dimensionless"] if scaled else []
-        self.tree_of("sweep", json.loads(self.run("sweep", name, "--json", *options).stdout), sweep.json(), units)
+        self.tree_of("sweep", self.data("sweep", name, "--json", *options), sweep.json(), units)
         done = self.run("sweep", name, *options, "-o", "sweep.csv")
         known = sweep.lines(units) + [printed.Line("wrote sweep.csv", units.name)]
         rest = self.text("sweep", done.stdout, known, sweep.facts(), units)
@@ -259,7 +265,7 @@ class Case:
         name, units = os.path.basename(self.path), facts.Units(self.meaning, False)
         for number in {1 + self.number % len(sweep.runs), len(sweep.runs)}:
             wanted = sweep.set_of(number)
-            data = json.loads(self.run("sweep", name, "--run", str(number), "--json").stdout)
+            data = self.data("sweep", name, "--run", str(number), "--json")
             self.tree_of("sweep", data, {"run": number, "set": wanted}, units)
             words = self.run("sweep", name, "--run", str(number)).stdout.split()
             pairs = dict(word.split("=") for word in words[1::2])
@@ -277,7 +283,7 @@ class Case:
         for scaled in scales:
             self.verb(run, title, scaled, reactions=scaled)
         if self.number % 2 == 0:
-            run = verbs.Simulate(self.meaning, axes, verbs.OF_MOTION)
+            run = verbs.Simulate(self.meaning, axes, of_motion=True)
             for scaled in scales:
                 self.verb(run, title, scaled, reactions=not scaled)
         if "sweep" in self.tree:
@@ -329,21 +335,6 @@ def one(gough, seed, number, keep):
         return case.compared, case.failures, case.skipped, dict(case.worst)
 
 
-def edition(gough):
-    """Sets what verbs.py expects: commands before version 0.2 tell neither the use of limits nor peaks between rows."""
-    probe = {"platform": {"base": {"radius": 1, "half_angle": 10}, "top": {"radius": 0.6, "half_angle": 10}, "height": 1},
-             "load": {"mass": 1, "inertia": [0.1, 0.1, 0.1]}, "motion": {"heave": "0.2*sin(16*pi*t)"},
-             "simulation": {"duration": 2, "output_step": 1}}
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "probe.yaml")
-        with open(path, "w", encoding="utf-8") as stream:
-            stream.write(studies.written(probe))
-        data = json.loads(subprocess.run([gough, "forces", path, "--json"], capture_output=True, text=True, check=True).stdout)
-    low, high = data["legs"][0]["length"]
-    verbs.LIMITS_TOLD = studies.LIMITS = "limits" in data
-    verbs.OF_MOTION = high - low > 0.1
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--gough", required=True)
@@ -357,7 +348,6 @@ def main():
     options = parser.parse_args()
     os.environ["LC_ALL"] = "C"
     gough = os.path.abspath(options.gough)
-    edition(gough)
     numbers = range(options.first, options.first + options.studies)
     compared, failures, skipped, worst = collections.Counter(), [], {}, collections.defaultdict(float)
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:

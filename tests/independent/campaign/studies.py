@@ -12,7 +12,6 @@ import statistics
 import formulas
 import mechanics as m
 
-LIMITS = True  # whether studies have limits of the legs
 COMPONENTS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 DEGREE = math.pi / 180
 
@@ -416,7 +415,7 @@ class Maker:
     def add_limits(self, tree, meaning):
         """Limits of the legs, some well beyond what the program needs and some within it."""
         r = self.random
-        if r.random() < 0.45 or not LIMITS:
+        if r.random() < 0.45:
             return
         poses = [meaning.plant.program_pose(k / 60 * meaning.duration) for k in range(61)]
         lengths = [x for p in poses for x in p.length]
