@@ -1,6 +1,6 @@
-/* Preloaded into the command: counts its allocations and lets one fail. FAIL_SITES=FILE writes a line "N" for the first allocation
- * of each call site (the last return addresses, FAIL_DEPTH of them, hashed), FAIL_AT=N lets the N-th return NULL, once. Children that the command
- * forks count on; programs that it executes are left alone. */
+/* Preloaded into the command: counts its allocations and lets one fail. FAIL_SITES=FILE writes a line "N" for the first
+ * allocation of each call site (the last return addresses, FAIL_DEPTH of them, hashed); FAIL_AT=N lets the N-th return NULL,
+ * once. Children that the command forks count on; programs that it executes are left alone. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <execinfo.h>
