@@ -1,6 +1,7 @@
-/* Runs a command once for each allocation to fail: fail_each PRELOAD sites|all OUTPUT… -- COMMAND ARGUMENT…, in the working folder.
- * Each run must do as the undisturbed one does (exit status, standard output, outputs), or exit with 3, a sentence on standard
- * error, no output changed by half and nothing on standard output. Temporary names left behind are faults too. */
+/* Runs a command once for each allocation to fail, in the working folder:
+ *   fail_each PRELOAD sites|all OUTPUT… -- COMMAND ARGUMENT…
+ * Each run must do as the undisturbed one does (exit status, standard output, outputs), or exit with 3, a sentence on
+ * standard error, no half output and nothing on standard output. Temporary names left behind are faults too. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <fcntl.h>
