@@ -143,10 +143,26 @@ static gough_status look_at_home(tune *t, gough_error *error) {
     return GOUGH_OK;
 }
 
+/* steps of a run that damping asks for: its fastest decay, D times the square of the fastest mode at G = 1, times a step is at
+ * most about 6 */
+static double damped_steps(const tune *t) {
+    double damping = 0;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) damping = fmax(damping, t->model->control.damping[v]);
+    return t->simulation.duration * damping * t->frequency * t->frequency / 6;
+}
+
 static gough_status find_range(tune *t, gough_error *error) {
     const gough_tuning *tuning = t->tuning;
     const double longest = most_steps * turn_of_step / (t->simulation.duration * t->frequency);
 
+    if (!t->ratio && damped_steps(t) > most_steps)
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "the loop is so strongly damped that one run takes about %.1g steps, and the "
+            "search makes runs of at most %.0g; lower control.damping or "
+            "simulation.duration",
+            damped_steps(t), most_steps);
     t->bounded = isfinite(t->options->greatest);
     t->least = t->options->least;
     t->greatest = t->options->greatest;

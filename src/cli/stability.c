@@ -203,7 +203,7 @@ static gough_status find_matrix(const command_line *line, const gough_study *stu
         status = gough_linearise(study->model, line->at, NULL, matrix->row, error);
     } else {
         rest = malloc(sizeof *rest);
-        if (!rest) return gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+        if (!rest) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
         to_radians(line->pose, component);
         status = gough_stability_at_rest(study->model, component, rest, error);
         if (!status) memcpy(matrix->row, rest->matrix, sizeof matrix->row);
@@ -249,7 +249,7 @@ static gough_status answer(const command_line *line, stability_report *report) {
 static gough_status answer_alone(const command_line *line, const gough_study *study) {
     stability_report *report = calloc(1, sizeof *report);
     if (!report) {
-        complain(line->verb, "memory is out");
+        complain(line->verb, "out of memory");
         return GOUGH_ERROR_FILE;
     }
     report->verb = line->verb;

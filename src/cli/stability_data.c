@@ -87,7 +87,7 @@ static gough_status write_csv(const map_report *report, const sheet_of_cells *sh
     char *text = NULL;
     size_t length = 0;
     FILE *stream = open_memstream(&text, &length);
-    if (!stream) return gough_fail(error, GOUGH_ERROR_FILE, "%s: memory is out", path);
+    if (!stream) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     for (size_t c = 0; c < sheet->columns; c++)
         fprintf(stream, "%s%c", sheet->name[c], c + 1 < sheet->columns ? ',' : '\n');
     for (size_t r = 0; r < sheet->rows; r++) {
@@ -105,7 +105,7 @@ static gough_status write_csv(const map_report *report, const sheet_of_cells *sh
     }
     gough_status status = GOUGH_OK;
     if (fclose(stream) != 0)
-        status = gough_fail(error, GOUGH_ERROR_FILE, "%s: memory is out", path);
+        status = gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     else
         status = gough_write_file(path, text, length, error);
     free(text);
@@ -126,7 +126,7 @@ static gough_status write_hdf5(const map_report *report, const sheet_of_cells *s
     }
     const gough_status status =
         good ? gough_table_write(table, report->study->text, path, error)
-             : gough_fail(error, GOUGH_ERROR_FILE, "%s: memory is out", path);
+             : gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     gough_table_free(table);
     return status;
 }
@@ -175,7 +175,7 @@ gough_status map_write(const map_report *report, const char *path, gough_error *
     if (status || strcmp(path, "-") == 0) return status;
     char *beside = map_tongues_path(path);
     status = beside ? write_sheet(report, &list, beside, error)
-                    : gough_fail(error, GOUGH_ERROR_FILE, "%s: memory is out", path);
+                    : gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     free(beside);
     return status;
 }

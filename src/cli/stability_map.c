@@ -168,7 +168,7 @@ static gough_status find(const command_line *line, map_report *report, gough_err
         calloc(report->rows * report->options.intervals, sizeof *report->map.interval);
     if (!memory || !report->map.point || !report->map.row || !report->map.interval)
         status = gough_fail(error, GOUGH_ERROR_FILE,
-                            "memory is out: %zu points; fewer values of an axis need less", points);
+                            "out of memory: %zu points; fewer values of an axis need less", points);
     progress bar = progress_begin(line->verb, 1.0, line->quiet);
     report->options.progress = look;
     report->options.context = &bar;

@@ -106,7 +106,7 @@ static gough_status write_outputs(const command_line *line, const tune_report *r
     gough_status status = GOUGH_OK;
     gough_table *table = line->output_count ? tune_table(report) : NULL;
     if (line->output_count && !table)
-        status = gough_fail(&error, GOUGH_ERROR_FILE, "memory is out");
+        status = gough_fail(&error, GOUGH_ERROR_FILE, "out of memory");
     const gough_table *const tables[] = {table};
     for (size_t i = 0; i < line->output_count && !status; i++) {
         const char *path = line->outputs[i];
@@ -196,11 +196,11 @@ static gough_status search(const command_line *line, tune_report *report, gough_
     options.context = &w;
     gough_status status = gough_tune_size(study->model, &options, &bytes, error);
     void *memory = status ? NULL : aligned_alloc(64, (bytes + 63) / 64 * 64);
-    if (!status && !memory) status = gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+    if (!status && !memory) status = gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
     for (; w.done < report->choices && !status; w.done++) {
         tune_choice *choice = &report->choice[w.done];
         choice->point = calloc(GOUGH_TUNING_POINTS, sizeof *choice->point);
-        if (!choice->point) status = gough_fail(error, GOUGH_ERROR_FILE, "memory is out");
+        if (!choice->point) status = gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
         choice->tuning.fails = NAN;
         w.meets = 0;
         w.fails = NAN;
@@ -268,7 +268,7 @@ static gough_status tell(const command_line *line, tune_report *report) {
 
 static gough_status tune_study(const command_line *line, const gough_study *study) {
     tune_report *report = calloc(1, sizeof *report);
-    gough_error error = {.message = "memory is out"};
+    gough_error error = {.message = "out of memory"};
     gough_status status = report ? GOUGH_OK : GOUGH_ERROR_FILE;
     if (!status) {
         report->verb = line->verb;

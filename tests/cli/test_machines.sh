@@ -217,4 +217,16 @@ simulation: {duration: 1.5, output_step: 0.02}
 END
 tune "a pulse" pulse.yaml --deviation 1e-2 --feedforward program --stiffness 0:1e5
 reaches "$G" 1e-2 pulse.yaml --set simulation.step=0.0005 || fail "$what: G = $G is not enough"
+# so strongly damped that one run would take millions of steps: an end with a sentence, not none
+what="tune, too strongly damped"
+run tune own.yaml --set control.damping=1e8 --deviation 1e-3
+expect_code 2 "$what"
+says "the loop is so strongly damped that one run takes about"
+# Ctrl-C: the best so far
+what="tune, interrupted"
+for seconds in 1 3 10 30 100; do # the longer ones for a busy machine, on which the command has hardly begun
+    timeout -s INT $seconds "$GOUGH" tune own.yaml --deviation 1e-9 --feedforward none >out 2>err
+    [[ -s err ]] && break
+done
+says "stopped before the end, nothing was written. Best so far: without feed-forward"
 finish
