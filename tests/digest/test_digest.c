@@ -4,7 +4,7 @@
  *     DIGESTS=write build/tests/test_digest_digest     writes digests.txt anew
  *
  * Digits depend on the C library's functions and on LAPACK too, whose own digests stand in the file. Where a machine's
- * differ, cases that use them are not compared, and the output says so; the others always are. glibc chooses its functions
+ * differ, cases that use them are not compared, the output says so, and the test counts as skipped; the others always are. glibc chooses its functions
  * by the processor; the program restarts itself with a setting that makes it take those for every x86-64 processor. */
 #define _POSIX_C_SOURCE 200809L
 #include <float.h>
@@ -267,7 +267,8 @@ static void run_random(const input *in, uint64_t *h) {
 static void run_libm(const input *in, uint64_t *h) {
     (void)in;
     for (int i = 1; i <= 20000; i++) {
-        const double x = i / 2719.0;
+        volatile double given = i / 2719.0; /* or the compiler computes some of them itself */
+        const double x = given;
         const double y[] = {sin(x),      cos(x),  tan(x),       asin(x / 8),     acos(x / 8),
                             atan(x),     exp(-x), log(x),       pow(x, 0.125),   tanh(x),
                             erfc(x / 2), cbrt(x), atan2(x, 3.), pow(1 / x, 1.7), exp(x)};
@@ -519,5 +520,6 @@ int main(int argc, char *argv[]) {
            CASES, wrong, skipped, narrow);
     if (wrong)
         printf("If the change of digits is meant, see the head of tests/digest/test_digest.c.\n");
-    return wrong ? EXIT_FAILURE : EXIT_SUCCESS;
+    if (wrong) return EXIT_FAILURE;
+    return skipped ? 77 : EXIT_SUCCESS;
 }
