@@ -108,7 +108,10 @@ typedef struct gough_simulation {
     double duration;    /**< from t = 0 */
     double output_step; /**< rows at k · output_step, k = 0 … ⌊duration/output_step + 1e-9⌋ */
     gough_method method; /**< the stepper */
-    double step;         /**< fixed step, a divisor of output_step; 0 with dop853: adaptive */
+    double
+        step; /**< fixed step, a divisor of output_step; 0 with dop853: adaptive. A step in which the program or a disturbance
+                     has a corner, or changes too fast to be met by it, is made in parts */
+    double max_step; /**< longest step, fixed or adaptive; 0: any */
     double
         tolerance; /**< adaptive dop853: RMS of error/(tol·(s + |y|)), s = R_b and 1, per √(R_b/g) for rates */
     gough_constraints constraints; /**< ignored by rattle methods, which keep them themselves */
@@ -125,7 +128,7 @@ GOUGH_API gough_simulation gough_simulation_default(void);
 /** Checks the options against the model.
  *  @return GOUGH_OK or GOUGH_ERROR_INPUT: duration, output_step or step not positive and finite, step not dividing
  *  output_step within 1e-9, more than 1e8 rows, tolerance outside what the precision can give (double 1e-15 … 1e-1,
- *  quadruple 1e-30 … 1e-1), a step missing that the method needs, Baumgarte with a rattle method, a duration beyond
+ *  quadruple 1e-30 … 1e-1), a step missing that the method needs, or over max_step, Baumgarte with a rattle method, a duration beyond
  *  recorded motion. */
 GOUGH_API gough_status gough_simulation_check(const gough_model *model,
                                               const gough_simulation *simulation,
@@ -182,7 +185,7 @@ GOUGH_API size_t gough_model_flat_size(const gough_model *model);
 
 /** Writes a model and its options as an array of doubles, for another process, another machine or a page.
  *
- *  The array begins with the number of its format, 1, and the number of its doubles. It contains what the model was made from;
+ *  The array begins with the number of its format, 2, and the number of its doubles. It contains what the model was made from;
  *  gough_model_unflatten() derives the rest again, with the same bits. Safe to call concurrently on one model.
  *  @param model       validated
  *  @param simulation  how to run it

@@ -8,6 +8,7 @@
 #include "dynamics/machine.h"
 #include "dynamics/state.h"
 #include "integrate/dop853.h"
+#include "model/appointments.h"
 
 enum { N = GOUGH_LINEAR, PAIR = 2 * N, PAIRS = N / 2, MOST_STEPS = 20000 };
 
@@ -35,6 +36,7 @@ typedef struct {
     int row;                            /* the next stage */
     const char *wrong;                  /* what is not finite */
     dop853 work;
+    appointments when; /* steps over nothing in the program */
 } passage;
 
 /* ---- units ---- */
@@ -279,7 +281,8 @@ static gough_status pass(passage *p, double end, double *h, gough_error *error) 
 
     to_identity(p->phi);
     while (p->t < end) {
-        const double left = end - p->t, count = ceil(left / *h * (1 - 1e-9));
+        const double left = end - p->t, most = appointments_step(&p->when, p->t, left, 1);
+        const double count = ceil(left / fmin(*h, most) * (1 - 1e-9));
         const double step = left / count, worst = try_step(p, step, phi, y);
         const double factor = dop853_factor(worst);
         if (worst <= 1 && p->wrong == NULL) {
@@ -307,6 +310,8 @@ static gough_status go_round(passage *p, gough_error *error) {
     m->steps = 0;
     m->trace = 0;
     p->side = side_of_program(m);
+    appointments_begin(&p->when, m->loop.motion, NULL, m->start, m->period,
+                       m->period / MONODROMY_PARTS);
     if (check_pose(p, error) != GOUGH_OK) return GOUGH_ERROR_NUMERICAL;
     for (int part = 0; part < MONODROMY_PARTS; part++) {
         const double end = m->start + m->period * (part + 1) / MONODROMY_PARTS;

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "batch/width.h"
+#include "model/appointments.h"
 #include "simulate/ahead.h"
 #include "simulate/simulate.h"
 
@@ -205,6 +206,14 @@ static int any_vertical(const gough_batch_run *runs, size_t count) {
     return 0;
 }
 
+/* whether all runs divide their fixed steps alike, so that they may stand in lanes */
+static int appointments_all_same(const gough_batch_run *runs, size_t count) {
+    for (size_t i = 1; i < count; i++) {
+        if (!appointments_same(runs[0].disturbance, runs[i].disturbance)) return 0;
+    }
+    return 1;
+}
+
 static void plan(work *w, const gough_simulation *s, int lanes, int threads) {
     const int fixed = s->step > 0 && s->precision == GOUGH_DOUBLE;
     size_t share = (w->count + 2 * (size_t)threads - 1) / (2 * (size_t)threads);
@@ -275,6 +284,10 @@ gough_status gough_batch(const gough_motion *motion, const gough_simulation *sim
         all_same(runs, count, offsetof(gough_batch_run, machine), sizeof(gough_machine)) &&
         (w.disturbance_shared || !any_vertical(runs, count));
     plan(&w, simulation, lanes, threads);
+    if (!appointments_all_same(runs, count)) { /* steps of their own: each run alone */
+        w.width = NULL;
+        w.chunk = 1;
+    }
     for (size_t i = 0; i < count; i++) outcomes[i].rows = 0;
     status = run_threads(&w, threads, memory, error);
     pthread_mutex_destroy(&w.lock);

@@ -114,7 +114,7 @@ int batch_locate(const batch_job *job, size_t which, const batch_step *step) {
     d.side = (limits_side){step->side[0], step->side[1]};
     d.t0 = step->t0;
     d.t = step->t;
-    d.h = job->simulation->step;
+    d.h = step->h;
     d.row = d.rows = 0;
     d.drift = 0;
     for (int i = 0; i < STATE; i++) {

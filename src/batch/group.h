@@ -7,6 +7,7 @@
 #include "batch/width.h"
 #include "integrate/dop853.h"
 #include "integrate/rk4.h"
+#include "model/appointments.h"
 #include "simulate/limits.h"
 #include "simulate/quadrature.h"
 
@@ -15,6 +16,7 @@ static const double group_ease = 8;
 
 typedef struct {
     run r;
+    appointments when; /* the same in all lanes */
     size_t first;
     int count;
     int going[NUMBER_WIDTH]; /* lanes still under way */
@@ -240,6 +242,8 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
     g->r.replay = group_replay;
     g->r.tape = tape;
     g->r.now.push = g->r.now.turn = (vector){number_of(0), number_of(0), number_of(0)};
+    appointments_begin(&g->when, job->motion, lane[0].disturbance, 0, job->simulation->duration,
+                       job->simulation->output_step);
     g->rows = 0;
     g->watchful = 1;
     g->going_mask = g->determinant = g->drift = g->energy = number_of(0);
@@ -329,10 +333,11 @@ static inline number group_trouble(group *g, const stage *s, const instant *m, n
 }
 
 /* looks at the lanes in trouble one by one, as gough_simulate() would */
-static inline void group_inspect(group *g, const batch_job *job, number trouble, real t0, real t,
-                                 number residual, const number *raw) {
+static inline void group_inspect(group *g, const batch_job *job, number trouble, real t0, real h,
+                                 real t, number residual, const number *raw) {
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         batch_step step = {.t0 = t0,
+                           .h = h,
                            .t = t,
                            .residual = number_lane(residual, i),
                            .side = {number_lane(g->side_pose, i), number_lane(g->side_program, i)}};
@@ -353,44 +358,59 @@ static inline int group_going(const group *g) {
     return sum;
 }
 
+/* one step, or part of one, from t0, as long as h, to t in all lanes; *m is its end */
+static inline void group_move(group *g, const batch_job *job, double t0, double h, double t,
+                              instant *m) {
+    const int projecting = job->simulation->constraints == GOUGH_PROJECTION;
+    number raw[STATE];
+    const number residual = group_step(g, t0, h, raw);
+    coordinates x = coordinates_load(raw), v = coordinates_load(raw + COORDINATES);
+
+    g->drift =
+        number_larger(g->drift, projecting ? coordinates_project(&x, &v) : triad_violation(&x.q));
+    g->now = 1 - g->now;
+    coordinates_store(&x, g->at[g->now].y);
+    coordinates_store(&v, g->at[g->now].y + COORDINATES);
+    run_instant(&g->r, t, g->at[g->now].y, m);
+    coordinates_store(&m->rate, g->at[g->now].rate);
+    coordinates_store(&m->acceleration, g->at[g->now].rate + COORDINATES);
+
+    const number trouble = group_trouble(g, run_stage(&g->r, t), m, residual);
+    double sum = 0;
+    for (int i = 0; i < NUMBER_WIDTH; i++) sum += number_lane(trouble, i);
+    if (sum > 0) group_inspect(g, job, trouble, t0, h, t, residual, raw);
+}
+
+/* a row, and whether determinants must be watched at each step up to the next */
+static inline void group_row_due(group *g, double t, const instant *m) {
+    const number before = g->determinant;
+
+    group_row(g, run_stage(&g->r, t), m);
+    g->determinant = limits_pose(&g->r, m).determinant;
+    const number slack = number_magnitude(g->determinant) -
+                         number_of(group_ease) * number_magnitude(g->determinant - before);
+    g->watchful = 0;
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        g->watchful |= g->going[i] && !(number_lane(slack, i) > 0);
+    }
+}
+
 static inline int group_advance(void *memory, const batch_job *job, long long from, long long to) {
     group *g = memory;
     const double h = job->simulation->step;
-    const int projecting = job->simulation->constraints == GOUGH_PROJECTION;
-    number raw[STATE];
     instant m;
 
     for (long long k = from; k < to && group_going(g) > 0; k++) {
-        const double t0 = (double)k * h, t = (double)(k + 1) * h;
-        const number residual = group_step(g, t0, h, raw);
-        coordinates x = coordinates_load(raw), v = coordinates_load(raw + COORDINATES);
+        const double end = (double)(k + 1) * h;
+        double t0 = (double)k * h, t = appointments_part(&g->when, t0, end, h);
 
-        g->drift = number_larger(g->drift,
-                                 projecting ? coordinates_project(&x, &v) : triad_violation(&x.q));
-        g->now = 1 - g->now;
-        coordinates_store(&x, g->at[g->now].y);
-        coordinates_store(&v, g->at[g->now].y + COORDINATES);
-        run_instant(&g->r, t, g->at[g->now].y, &m);
-        coordinates_store(&m.rate, g->at[g->now].rate);
-        coordinates_store(&m.acceleration, g->at[g->now].rate + COORDINATES);
-
-        const stage *s = run_stage(&g->r, t);
-        const number trouble = group_trouble(g, s, &m, residual);
-        double sum = 0;
-        for (int i = 0; i < NUMBER_WIDTH; i++) sum += number_lane(trouble, i);
-        if (sum > 0) group_inspect(g, job, trouble, t0, t, residual, raw);
-
-        if ((k + 1) % job->per_row == 0 && group_going(g) > 0) {
-            const number before = g->determinant;
-            group_row(g, s, &m);
-            g->determinant = limits_pose(&g->r, &m).determinant;
-            const number slack = number_magnitude(g->determinant) -
-                                 number_of(group_ease) * number_magnitude(g->determinant - before);
-            g->watchful = 0;
-            for (int i = 0; i < NUMBER_WIDTH; i++) {
-                g->watchful |= g->going[i] && !(number_lane(slack, i) > 0);
-            }
+        group_move(g, job, t0, t < end ? t - t0 : h, t, &m);
+        while (t < end && group_going(g) > 0) { /* as drive_part() divides a step */
+            t0 = t;
+            t = appointments_part(&g->when, t0, end, h);
+            group_move(g, job, t0, t - t0, t, &m);
         }
+        if ((k + 1) % job->per_row == 0 && group_going(g) > 0) group_row_due(g, end, &m);
     }
     return group_going(g);
 }

@@ -37,7 +37,7 @@ int batch_start(const batch_job *job, size_t run, double state[24], double side[
 
 /* a step that may have broken something, as gough_simulate() would see it; side: signs of the determinants at the beginning */
 typedef struct {
-    double t0, t, residual;
+    double t0, h, t, residual; /* h: how long it is, t - t0 but for rounding */
     double y0[24], rate0[24], raw[24], side[2];
 } batch_step;
 

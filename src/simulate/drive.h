@@ -5,6 +5,7 @@
 
 #include "integrate/dop853.h"
 #include "integrate/rk4.h"
+#include "model/appointments.h"
 #include "simulate/ends.h"
 #include "simulate/lookahead.h"
 #include "simulate/row.h"
@@ -27,11 +28,12 @@ typedef struct {
     real t;
 
     /* the step that is being looked at: from (t0, y0) to (t0 + h, y1), their rates, and the dense output if any */
-    real t0, h;
+    real t0, h, t1; /* t1: its end, where it is known before */
     number y0[STATE], rate0[STATE], raw[STATE], rate[STATE];
     dop853 *dense;
     int prepared;
-    lookahead *ahead; /* stages made ready, or NULL */
+    lookahead *ahead;  /* stages made ready, or NULL */
+    appointments when; /* times that no step may pass */
 
     /* the end of the step, and how far from trouble its beginning was */
     instant now;
@@ -412,12 +414,13 @@ static inline void drive_look_ahead(drive *d) {
 }
 
 /* the same for fixed steps from step k on: rk4 comes to few times in a step, so several steps go together */
-static inline void drive_look_far(drive *d, long long k) {
+static inline void drive_look_far(drive *d, long long k, int part) {
     enum { TOGETHER = 5 };
-    const real h = d->h;
+    const real h = d->r.options->step;
 
     if (d->r.options->method == GOUGH_DOP853) drive_look_ahead(d);
     if (d->ahead == NULL || d->r.options->method != GOUGH_RK4 || k % TOGETHER != 0) return;
+    if (part > 0) return;
     lookahead_clear(d->ahead);
     for (long long i = k; i < k + TOGETHER; i++) {
         const real t = (real)i * h;
@@ -428,13 +431,26 @@ static inline void drive_look_far(drive *d, long long k) {
     lookahead_ready(d->ahead);
 }
 
+/* an adaptive step that meets what is `left` up to the next corner, and steps over nothing: two nearly equal steps rather than a
+ * tiny one */
+static inline real drive_limited(drive *d, real wish, real left) {
+    const double longest = d->r.options->max_step;
+    real step = wish;
+
+    if (longest > 0 && (real)longest < step) step = (real)longest;
+    const double most = appointments_step(&d->when, (double)d->t, (double)step, 1);
+    if (most < (double)step) step = (real)most;
+    if (step > left * (real)0.999999) return left;
+    return step > left / 2 ? left / 2 : step;
+}
+
 /* adaptive dop853 */
 static inline gough_status drive_adaptive(drive *d) {
     const gough_machine *machine = d->r.lane[0].machine;
     const real tolerance = d->r.options->tolerance, duration = d->r.options->duration;
     const real length = machine->base_radius, gravity = machine->gravity_magnitude;
     const real unit = gravity > 0 ? real_root(length / gravity) : 1;
-    real size[STATE], step;
+    real size[STATE], wish;
     dop853 work;
     int rejected = 0;
 
@@ -444,20 +460,14 @@ static inline gough_status drive_adaptive(drive *d) {
     }
     d->dense = &work;
     run_rates(&d->r, 0, d->y, d->rate);
-    step = drive_first_step(d, size, tolerance, duration);
+    wish = drive_first_step(d, size, tolerance, duration);
     while (d->t < duration) {
-        const real left = duration - d->t;
-        real error, factor;
+        const real corner = (real)appointments_corner(&d->when, (double)d->t);
+        const real stop = corner < duration ? corner : duration, left = stop - d->t;
+        real error, factor, step;
 
-        /* the last step meets the end; two nearly equal steps rather than a tiny one */
-        if (step > left * (real)0.999999) {
-            step = left;
-        } else if (step > left / 2) {
-            step = left / 2;
-        }
-        if (step < 16 * REAL_EPSILON * (d->t > unit ? d->t : unit)) {
-            return drive_stuck(d, unit);
-        }
+        if (wish < 16 * REAL_EPSILON * (d->t > unit ? d->t : unit)) return drive_stuck(d, unit);
+        step = drive_limited(d, wish, left);
         for (int i = 0; i < STATE; i++) {
             d->y0[i] = d->y[i];
             d->rate0[i] = work.slope[0][i] = d->rate[i];
@@ -470,15 +480,17 @@ static inline gough_status drive_adaptive(drive *d) {
         error = dop853_error(&work, STATE, step, d->y0, d->raw, size, tolerance);
         factor = dop853_factor(error);
         if (!(error <= 1)) {
-            step = step * (factor < 1 ? factor : 1);
+            wish = step * (factor < 1 ? factor : 1);
             rejected = 1;
             continue;
         }
         d->r.fault.what = NULL;
-        d->t = step < left ? d->t0 + step : duration;
+        d->t = step < left ? d->t0 + step : stop;
         const gough_status status = drive_accept(d, 1);
         if (status != GOUGH_OK) return status;
-        step = step * (rejected && factor > 1 ? 1 : factor);
+        /* a step cut short says nothing against a longer one */
+        const real next = step * (rejected && factor > 1 ? 1 : factor);
+        if (!(step < wish) || factor < 1 || next > wish) wish = next;
         rejected = 0;
     }
     return GOUGH_OK;
@@ -502,16 +514,27 @@ static inline void drive_rattle_read(const rattle_state *s, number *y) {
     coordinates_store(&rate, y + COORDINATES);
 }
 
+/* The next part of fixed step k: from d->t0, as long as d->h, to d->t1. A step is made in one part where no corner lies in it and
+ * nothing is stepped over. 0 where the step is complete. */
+static inline int drive_part(drive *d, long long k, int part) {
+    const real h = d->r.options->step, end = (real)(k + 1) * h;
+
+    if (part > 0 && !(d->t < end)) return 0;
+    d->t0 = part == 0 ? (real)k * h : d->t;
+    const double to = appointments_part(&d->when, (double)d->t0, (double)end, (double)h);
+    d->t1 = to < (double)end ? (real)to : end;
+    d->h = part == 0 && !(to < (double)end) ? h : d->t1 - d->t0;
+    return 1;
+}
+
 static inline gough_status drive_fixed(drive *d) {
     const gough_simulation *o = d->r.options;
     const int rattling = o->method >= GOUGH_RATTLE2;
-    const real h = o->step;
     const long long steps = (long long)floor(o->duration / o->step + 1e-9);
     const rattle method = {&d->r.h.load, run_wrench, &d->r, d->r.damped};
     rattle_state state;
     dop853 work;
 
-    d->h = h;
     if (rattling) {
         const coordinates rate = coordinates_load(d->y + COORDINATES);
         state.x = coordinates_load(d->y);
@@ -521,21 +544,22 @@ static inline gough_status drive_fixed(drive *d) {
     }
     run_rates(&d->r, 0, d->y, d->rate);
     for (long long k = 0; k < steps; k++) {
-        d->t0 = (real)k * h;
-        for (int i = 0; i < STATE; i++) d->y0[i] = d->y[i], d->rate0[i] = d->rate[i];
-        if (rattling) {
-            const real residual =
-                rattle_compose(&method, (int)o->method - (int)GOUGH_RATTLE2, d->t0, h, &state);
-            drive_rattle_read(&state, d->raw);
-            const gough_status converged = drive_converged(d, residual);
-            if (converged != GOUGH_OK) return converged;
-        } else {
-            drive_look_far(d, k);
-            drive_explicit_step(d, &work);
+        for (int part = 0; drive_part(d, k, part); part++) {
+            for (int i = 0; i < STATE; i++) d->y0[i] = d->y[i], d->rate0[i] = d->rate[i];
+            if (rattling) {
+                const real residual = rattle_compose(&method, (int)o->method - (int)GOUGH_RATTLE2,
+                                                     d->t0, d->h, &state);
+                drive_rattle_read(&state, d->raw);
+                const gough_status converged = drive_converged(d, residual);
+                if (converged != GOUGH_OK) return converged;
+            } else {
+                drive_look_far(d, k, part);
+                drive_explicit_step(d, &work);
+            }
+            d->t = d->t1;
+            const gough_status status = drive_accept(d, 0);
+            if (status != GOUGH_OK) return status;
         }
-        d->t = (real)(k + 1) * h;
-        const gough_status status = drive_accept(d, 0);
-        if (status != GOUGH_OK) return status;
     }
     return GOUGH_OK;
 }
@@ -555,6 +579,8 @@ static inline void drive_open(drive *d, const simulate_parts *parts,
     d->dense = NULL;
     d->prepared = 0;
     d->ahead = NULL;
+    appointments_begin(&d->when, parts->motion, parts->disturbance, 0, options->duration,
+                       options->output_step);
 }
 
 static inline gough_status drive_run(const simulate_parts *parts, const gough_simulation *options,

@@ -12,7 +12,7 @@
 #include "model/program.h"
 
 enum {
-    FORMAT = 1,
+    FORMAT = 2,
     HEAD = 4, /* format, doubles in all, moves, rows of recorded motion */
     /* least that a move and a row take: their counts cannot exceed the array's */
     MOVE = 2 + 2 * GOUGH_COMPONENTS,
@@ -281,6 +281,7 @@ static void exchange_simulation(pass *p, gough_simulation *s) {
     exchange_numbers(p, &s->output_step, 1);
     const int method = exchange_choice(p, (int)s->method, GOUGH_METHODS);
     exchange_numbers(p, &s->step, 1);
+    exchange_numbers(p, &s->max_step, 1);
     exchange_numbers(p, &s->tolerance, 1);
     const int constraints = exchange_choice(p, (int)s->constraints, GOUGH_BAUMGARTE + 1);
     exchange_numbers(p, s->baumgarte, 2);

@@ -46,6 +46,12 @@ static gough_status check_times(const gough_simulation *s, gough_error *error) {
                           "simulation.output_step must be a finite number > 0, not %.9g",
                           s->output_step);
     }
+    if (!(s->max_step >= 0) || !isfinite(s->max_step)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.max_step must be a finite number > 0, or 0 for no limit, not "
+                          "%.9g",
+                          s->max_step);
+    }
     if (s->duration / s->output_step > most_rows) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "simulation.output_step %.9g makes more than 1e8 rows in %.9g; take a "
@@ -57,6 +63,12 @@ static gough_status check_times(const gough_simulation *s, gough_error *error) {
 
 static gough_status check_step(const gough_simulation *s, gough_error *error) {
     const double ratio = s->output_step / s->step;
+
+    if (s->max_step > 0 && s->step > s->max_step * (1 + division_slack)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "simulation.step %.9g is longer than simulation.max_step %.9g", s->step,
+                          s->max_step);
+    }
 
     if (!positive(s->step)) {
         return gough_fail(error, GOUGH_ERROR_INPUT,

@@ -297,6 +297,7 @@ static void read_simulation(study_build *build, study_node *node) {
     } number[] = {{"duration", &run->duration},
                   {"output_step", &run->output_step},
                   {"step", &run->step},
+                  {"max_step", &run->max_step},
                   {"tolerance", &run->tolerance}};
     for (size_t i = 0; i < sizeof number / sizeof number[0]; i++) {
         const study_node *value = study_node_child(node, number[i].name);
@@ -308,8 +309,8 @@ static void read_simulation(study_build *build, study_node *node) {
 }
 
 static void check_simulation(study_build *build, study_node *node) {
-    static const char *const words[] = {"duration",  "output_step", "step",  "tolerance",
-                                        "baumgarte", "constraints", "method"};
+    static const char *const words[] = {"duration",  "output_step", "max_step",    "step",
+                                        "tolerance", "baumgarte",   "constraints", "method"};
     gough_simulation run = build->study->simulation;
     gough_error error = {.message = ""};
     /* finer than double can give: for a run with --precision quad, and refused by any other */

@@ -38,9 +38,12 @@ static struct {
 
     gough_simulation options; /* how it is stepped */
     drive d;
+    appointments program,
+        disturbances; /* under the sliders: of the program in its own time, and of the rest */
     dop853 work;
     gough_end end;
-    double origin; /* time from which steps are counted: t = origin + steps·h */
+    double origin; /* time from which steps are counted: t = origin + steps·step */
+    double step;
     long long steps;
     double goal; /* time to which live_advance() has been asked */
     int seen;    /* the row was looked at since the last step */
@@ -188,20 +191,50 @@ static void step_back(real until) {
     conclude();
 }
 
+/* when the program's own time comes to `inner`, between two times */
+static real clock_reaches(real inner, real low, real high) {
+    for (int i = 0; i < DRIVE_HALVINGS; i++) {
+        const real middle = (low + high) / 2;
+        if (clock_at(middle).v < inner) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return high;
+}
+
+/* where the part of a step ends that begins at t, as drive_part() has it */
+static real part_end(real t, real end, real h) {
+    if (as_given()) return appointments_part(&live.d.when, t, end, h);
+    const real stop = appointments_part(&live.disturbances, t, end, h);
+    const real from = clock_at(t).v, to = clock_at(stop).v;
+    if (!(to > from)) return stop;
+    const real inner = appointments_part(&live.program, from, to, to - from);
+    return inner < to ? clock_reaches(inner, t, stop) : stop;
+}
+
 /* one step as drive_fixed() takes it; whether the motion goes on */
 static int step_on(void) {
     drive *d = &live.d;
+    const real h = live.step, end = live.origin + (real)(live.steps + 1) * h;
+    int going = 1;
     real until;
 
-    d->t0 = live.origin + (real)live.steps * d->h;
-    memcpy(d->y0, d->y, sizeof d->y);
-    memcpy(d->rate0, d->rate, sizeof d->rate);
-    drive_explicit_step(d, &live.work);
-    d->t = live.origin + (real)(live.steps + 1) * d->h;
+    d->t0 = live.origin + (real)live.steps * h;
+    for (int part = 0; going && (part == 0 || d->t < end); part++) {
+        if (part > 0) d->t0 = d->t;
+        d->t1 = part_end(d->t0, end, h);
+        d->h = part == 0 && !(d->t1 < end) ? h : d->t1 - d->t0;
+        memcpy(d->y0, d->y, sizeof d->y);
+        memcpy(d->rate0, d->rate, sizeof d->rate);
+        drive_explicit_step(d, &live.work);
+        d->t = d->t1;
+        going = drive_settle(d, 0, &until) == GOUGH_OK;
+    }
     live.steps++;
-    if (drive_settle(d, 0, &until) == GOUGH_OK) return 1;
-    step_back(until);
-    return 0;
+    if (!going) step_back(until);
+    return going;
 }
 
 int live_advance(double duration, double step) {
@@ -212,10 +245,10 @@ int live_advance(double duration, double step) {
         return GOUGH_END_INVALID;
     }
     if (live.end.cause != GOUGH_END_DONE) return (int)live.end.cause;
-    if (step < d->h || step > d->h) {
+    if (step < live.step || step > live.step) {
         live.origin = d->t;
         live.steps = 0;
-        d->h = step;
+        live.step = step;
     }
     live.goal += duration;
     if (live.seen) d->drift = 0;
@@ -256,6 +289,10 @@ static void start(void) {
     }
     drive_start(&live.d);
     *motion = given;
+    appointments_begin(&live.program, motion, NULL, 0, live.options.duration,
+                       live.options.output_step);
+    appointments_begin(&live.disturbances, NULL, &live.model.disturbance, 0, live.options.duration,
+                       live.options.output_step);
     set_up_run();
 }
 
@@ -269,7 +306,7 @@ void live_restart(void) {
     live.end = (gough_end){.cause = GOUGH_END_DONE};
     live.message[0] = '\0';
     start();
-    live.d.h = 0;
+    live.step = 0;
     if (drive_begin(&live.d) != GOUGH_OK) {
         live.d.r.fault.what = NULL;
         conclude();
