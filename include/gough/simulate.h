@@ -128,8 +128,8 @@ GOUGH_API gough_simulation gough_simulation_default(void);
 /** Checks the options against the model.
  *  @return GOUGH_OK or GOUGH_ERROR_INPUT: duration, output_step or step not positive and finite, step not dividing
  *  output_step within 1e-9, more than 1e8 rows, tolerance outside what the precision can give (double 1e-15 … 1e-1,
- *  quadruple 1e-30 … 1e-1), a step missing that the method needs, or over max_step, Baumgarte with a rattle method, a duration beyond
- *  recorded motion. */
+ *  quadruple 1e-30 … 1e-1), a step missing that the method needs, or over max_step, Baumgarte with a rattle method,
+ *  a duration beyond recorded motion. */
 GOUGH_API gough_status gough_simulation_check(const gough_model *model,
                                               const gough_simulation *simulation,
                                               gough_error *error);

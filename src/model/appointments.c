@@ -16,8 +16,9 @@ static const double small_part = 1e-6;
 /* the shortest piece is this part of an output step: a fifth of the narrowest pulse that must be met */
 static const double least_part = 1.0 / 512;
 
-/* A fixed step has no estimate of its error. One that is a quarter of each piece at most, and of the time between two corners, is
- * taken as it is; one that is longer is made in sixteen parts a piece, with which methods of order 4 keep three digits of a pulse. */
+/* A fixed step has no estimate of its error. One that is a quarter of each piece at most, and of the time between two
+ * corners, is taken as it is; one that is longer is made in sixteen parts a piece, with which methods of order 4 keep three
+ * digits of a pulse. */
 static const double met_share = 1.0 / 4, part_share = 1.0 / 16;
 
 /* corners nearer than this to an end of a fixed step, as a part of the step, are at that end */

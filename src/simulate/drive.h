@@ -41,6 +41,9 @@ typedef struct {
     real pose, program;
 } drive;
 
+/* adaptive steps that a run may take: some minutes of work */
+static const long long drive_most_steps = 20000000;
+
 /* determinants that change by less than an eighth of themselves in a step do not pass zero within it */
 static const double drive_ease = 8;
 
@@ -374,6 +377,16 @@ static inline gough_status drive_stuck(drive *d, real unit) {
                       "motion does there, may help:");
 }
 
+/* So many steps that a run will not end. Where deviations decay fast, steps must be short for stability, whatever the
+ * accuracy asked for. */
+static inline gough_status drive_stiff(drive *d) {
+    return drive_stop(
+        d, GOUGH_END_NO_CONVERGENCE, d->t,
+        "after 2e7 steps the run has not reached its duration; very large damping or "
+        "stiffness forces very short steps: choose less of it, a shorter duration, or "
+        "a fixed step. The run stopped");
+}
+
 /* (step-2): a first step from the size of the rates and of their change over a small explicit step */
 static inline real drive_first_step(drive *d, const real *size, real tolerance, real longest) {
     real y = 0, rate = 0, change = 0, h, other;
@@ -453,6 +466,7 @@ static inline gough_status drive_adaptive(drive *d) {
     real size[STATE], wish;
     dop853 work;
     int rejected = 0;
+    long long steps = 0;
 
     for (int i = 0; i < COORDINATES; i++) {
         size[i] = i < 3 ? length : 1;
@@ -467,6 +481,7 @@ static inline gough_status drive_adaptive(drive *d) {
         real error, factor, step;
 
         if (wish < 16 * REAL_EPSILON * (d->t > unit ? d->t : unit)) return drive_stuck(d, unit);
+        if (steps++ == drive_most_steps) return drive_stiff(d);
         step = drive_limited(d, wish, left);
         for (int i = 0; i < STATE; i++) {
             d->y0[i] = d->y[i];

@@ -1,11 +1,13 @@
-/* Stored digests: the digits of every stepper, number type and width of lanes, of maps, tuning and sweeps, on studies chosen to
- * touch everything, are those of digests.txt. A change of digits is meant, and is then a line under Numerics in CHANGELOG.md:
+/* Stored digests: the digits of every stepper, number type and width of lanes, of maps, tuning and sweeps, on studies chosen
+ * to touch everything, are those of digests.txt. A change of digits is meant, and is then a line under Numerics in
+ * CHANGELOG.md:
  *
- *     DIGESTS=write build/tests/test_digest_digest     writes digests.txt anew
+ *     DIGESTS=write SOURCE=. build/tests/test_digest_digest     writes digests.txt anew
  *
- * Digits depend on the C library's functions and on LAPACK too, whose own digests stand in the file. Where a machine's
- * differ, cases that use them are not compared, the output says so, and the test counts as skipped; the others always are. glibc chooses its functions
- * by the processor; the program restarts itself with a setting that makes it take those for every x86-64 processor. */
+ * Digits depend on the C library's functions and on LAPACK too, whose own digests are in the file. Where a machine's differ,
+ * cases that use them are not compared, the output says so, and the test counts as skipped; the others always are. glibc
+ * chooses its functions by the processor; the program restarts itself with a setting that makes it take those for every
+ * x86-64 processor. */
 #define _POSIX_C_SOURCE 200809L
 #include <float.h>
 #include <inttypes.h>
