@@ -236,25 +236,31 @@ static void values(const appointments *a, double t, double value[APPOINTMENT_FUN
     }
 }
 
+/* the first row of a record after a time, or the last row */
+static size_t row_after(const gough_samples *s, double t) {
+    size_t low = 0, high = s->count - 1;
+
+    while (high - low > 1) { /* time[low] <= t */
+        const size_t middle = low + (high - low) / 2;
+        if (s->time[middle] > t) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    return high;
+}
+
 /* whether |f''| of a recorded component is over `bound` anywhere in a time: it is linear between rows */
 static int record_bends(const gough_samples *s, int component, double from, double to,
                         double bound) {
-    size_t low = 0, high = s->count - 1;
     jet at[GOUGH_COMPONENTS];
 
     samples_jets(s, from, at);
     if (fabs(at[component].dd) > bound) return 1;
     samples_jets(s, to, at);
     if (fabs(at[component].dd) > bound) return 1;
-    while (high - low > 1) { /* time[low] <= from */
-        const size_t middle = low + (high - low) / 2;
-        if (s->time[middle] > from) {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    for (size_t i = high; i < s->count && s->time[i] < to; i++) {
+    for (size_t i = row_after(s, from); i < s->count && s->time[i] < to; i++) {
         if (fabs(s->curvature[i * GOUGH_COMPONENTS + (size_t)component]) > bound) return 1;
     }
     return 0;
@@ -367,6 +373,11 @@ double appointments_part(appointments *a, double t, double end, double h) {
     if (corner < end - near_part * h) stop = corner;
     if (longest_part(a, t, h, met_share) < h * (1 - near_part)) {
         part = longest_part(a, t, h, part_share);
+        if (a->recorded) { /* parts end at rows, where the third derivative jumps */
+            const gough_samples *s = &a->motion->samples;
+            const double row = s->time[row_after(s, a->pace * (t + near_part * h))] / a->pace;
+            if (row > t + near_part * h) part = fmin(part, row - t);
+        }
         if (part < (stop - t) * (1 - near_part)) {
             return t + (2 * part < stop - t ? part : (stop - t) / 2);
         }
