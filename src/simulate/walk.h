@@ -253,7 +253,7 @@ static inline int walk_dip(const look *one, const look *two, const look *three, 
 static inline gough_status walk_feed(walk *a, const look *l, int corner) {
     gough_status status = GOUGH_OK;
     look *one = &a->held[0], *two = &a->held[1], inserted;
-    real t;
+    real t = l->t;
 
     if (a->holding < 2) {
         if (a->holding == 0) status = walk_process(a, l->t, l, 0);
