@@ -10,7 +10,7 @@
 static const struct argp_option option[] = {
     {"output", OPTION_OUTPUT, "FILE", 0, "write the example to FILE instead of standard output", 0},
     {"json", OPTION_JSON, NULL, 0, "the list of examples as JSON", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
     {0}};
 
 static const verb_usage usage = {

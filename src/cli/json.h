@@ -14,7 +14,7 @@ json_t *json_words(const char *text);
 /* The summary of forces and simulate. */
 json_t *run_report_json(const run_report *report);
 
-/* Prints on standard output and lets go of the object. Returns 0, or -1 when memory is out or the output fails. */
+/* Prints on standard output and lets go of the object. Returns 0, or -1 when out of memory or the output fails. */
 int json_print(json_t *object);
 
 #endif

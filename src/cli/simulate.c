@@ -13,7 +13,7 @@ static const struct argp_option option[] = {
     {"reactions", OPTION_REACTIONS, NULL, 0, "add the constraint reactions to the table", 0},
     {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
      "table and summary in units of R_b, M and sqrt(R_b/g)", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
     {0}};
 
 gough_status simulate_verb(int count, char **argument) {

@@ -43,7 +43,7 @@ gough_end run_report_end(const run_report *report);
 double limit_factor(gough_cause cause, const gough_units *units);
 void run_report_print(FILE *stream, const run_report *report);
 
-/* One JSON object on standard output. Returns 0, or -1 when memory is out or the output cannot be written. */
+/* One JSON object on standard output. Returns 0, or -1 when out of memory or the output cannot be written. */
 int run_report_print_json(const run_report *report);
 
 /* ---- table.c: columns of numbers, one row a leg ---- */

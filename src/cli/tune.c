@@ -39,7 +39,7 @@ static const struct argp_option option[] = {
     {"title", OPTION_TITLE, "TEXT", 0, "heading of the picture (default: the study's title)", 0},
     {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0, "results in units of R_b, M and sqrt(R_b/g)",
      0},
-    {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
     {0}};
 
 static const verb_usage usage = {

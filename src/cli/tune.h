@@ -31,7 +31,7 @@ void tune_print(FILE *stream, const tune_report *report);
 /* One JSON object on standard output. Returns 0, or -1 where it cannot be written. */
 int tune_print_json(const tune_report *report);
 
-/* The curves as one table: a row for each point, with the G named among them; NULL if memory is out. */
+/* The curves as one table: a row for each point, with the G named among them; NULL if out of memory. */
 gough_table *tune_table(const tune_report *report);
 
 #endif

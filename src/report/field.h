@@ -31,7 +31,7 @@ typedef struct field {
     size_t *first; /* of each row, the number of its first pair; and their count */
 } field;
 
-/* False when memory is out. Free it in every case. */
+/* False when out of memory. Free it in every case. */
 bool field_make(field *f, const gough_map_options *options, const gough_map *map);
 void field_free(field *f);
 

@@ -62,7 +62,7 @@ typedef struct sheet {
 gough_status sheet_fill(sheet *sheet, const gough_figure *figure, const gough_table *const *tables,
                         const char *const *labels, size_t table_count, gough_error *error);
 
-/* A sheet's own array of @p count numbers; NULL when memory is out or there are too many. */
+/* A sheet's own array of @p count numbers; NULL when out of memory or there are too many. */
 double *sheet_array(sheet *sheet, size_t count);
 void sheet_free_arrays(sheet *sheet);
 
