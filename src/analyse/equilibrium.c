@@ -154,8 +154,8 @@ static gough_status check_pose(const gough_machine *machine, const gough_state *
     gough_conditioning(machine, state, &condition, determinant);
     if (condition <= greatest_condition) return GOUGH_OK;
     return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                      "%s (%s) is singular or nearly so (condition %.3g): no leg forces hold the "
-                      "load there; ask for another pose",
+                      "%s (%s) is singular or nearly so (condition %.3g): no leg forces can hold "
+                      "the load there; choose another pose",
                       what, pose, condition);
 }
 
@@ -167,18 +167,18 @@ static gough_status sag(const linear_loop *loop, const char *pose, double determ
 
     if (!(borne >= 1)) {
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "without feed-forward no equilibrium was found from the pose asked for "
-                          "(%s): the stiffness of its legs bears %.3g %% of the weight; raise "
-                          "control.stiffness, or feed the program's forces forward",
+                          "without feed-forward no equilibrium was found near the requested pose "
+                          "(%s): the stiffness of the legs carries only %.3g %% of the weight; "
+                          "increase control.stiffness, or set control.feedforward to program",
                           pose, 100 * borne);
     }
-    status = check_pose(loop->machine, state, "the equilibrium without feed-forward, sought from",
+    status = check_pose(loop->machine, state, "the equilibrium without feed-forward, starting from",
                         pose, &there, error);
     if (status != GOUGH_OK || there * determinant > 0) return status;
     return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                      "without feed-forward the load, from the pose asked for (%s), comes to rest "
-                      "only beyond a singular pose; raise control.stiffness, or feed the program's "
-                      "forces forward",
+                      "without feed-forward the load comes to rest only beyond a singular pose, "
+                      "starting from the requested pose (%s); increase control.stiffness, or set "
+                      "control.feedforward to program",
                       pose);
 }
 
@@ -196,7 +196,7 @@ gough_status equilibrium_find(const gough_model *model, const double *component,
 
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         if (isfinite(from[c])) continue;
-        return gough_fail(error, GOUGH_ERROR_INPUT, "%s of the pose asked for is not finite",
+        return gough_fail(error, GOUGH_ERROR_INPUT, "%s of the requested pose is not finite",
                           gough_component_name(c));
     }
     memset(rest, 0, sizeof *rest);
@@ -205,7 +205,7 @@ gough_status equilibrium_find(const gough_model *model, const double *component,
 
     pose = words_of(from, &words);
     gough_program(&model->machine, rest, 0, &state, &none);
-    status = check_pose(&model->machine, &state, "the pose asked for", pose, &determinant, error);
+    status = check_pose(&model->machine, &state, "the requested pose", pose, &determinant, error);
     if (status != GOUGH_OK || model->control.feedforward) return status;
 
     status = sag(&loop, pose, determinant, &state, error);

@@ -17,8 +17,8 @@ static gough_status check(const gough_period *period, double tolerance, gough_er
     if (period->resting)
         return gough_fail(
             error, GOUGH_ERROR_INPUT,
-            "the program rests from t = %.9g on: it has no period and no multipliers; "
-            "ask for the stability at rest in that pose (gough_stability_at_rest())",
+            "the program is at rest from t = %.9g, so it has no period and no multipliers; compute "
+            "the stability at rest in that pose (gough_stability_at_rest())",
             period->start);
     if (!(period->period > 0 && isfinite(period->period) && isfinite(period->start)))
         return gough_fail(error, GOUGH_ERROR_INPUT, "a period must be positive and finite, not %g",

@@ -21,8 +21,8 @@ static gough_status check_condition(const gough_machine *machine, double t,
     if (condition <= greatest_condition) return GOUGH_OK;
     return gough_fail(
         error, GOUGH_ERROR_NUMERICAL,
-        "at t = %.9g the program is in a singular pose or nearly so (condition %.3g): "
-        "no leg forces hold it there; choose a motion that keeps away from it",
+        "at t = %.9g the program is in a singular pose or nearly so (condition %.3g): no leg "
+        "forces can hold the load there; choose a motion that avoids it",
         t, fabs(condition));
 }
 
@@ -33,10 +33,10 @@ static gough_status check_legs(const gough_machine *machine, double t, const gou
     gough_leg_kinematics(machine, state, NULL, length, NULL, NULL);
     for (int v = 0; v < GOUGH_LEGS; v++) {
         if (length[v] > leg_no_length * machine->base_radius) continue;
-        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "at t = %.9g leg %d of the %s has no length: the motion has no "
-                          "derivative there",
-                          t, v + 1, whose);
+        return gough_fail(
+            error, GOUGH_ERROR_NUMERICAL,
+            "at t = %.9g leg %d of the %s has no length, so the motion has no derivative there", t,
+            v + 1, whose);
     }
     return GOUGH_OK;
 }

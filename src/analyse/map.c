@@ -51,20 +51,20 @@ static gough_status check_range(const gough_map_range *range, const char *what, 
                                 gough_error *error) {
     if (range->count < 1) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the %s of the map has no values: its count is 0", what);
+                          "the %s axis of the map has no values: its count is 0", what);
     }
     if (!isfinite(range->from) || !isfinite(range->to) || range->from < 0 ||
         ((positive || range->logarithmic) && !(range->from > 0))) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the %s of the map runs from %.9g to %.9g; it must be finite and %s",
+                          "the %s axis of the map goes from %.9g to %.9g; it must be finite and %s",
                           what, range->from, range->to,
                           positive || range->logarithmic ? "above 0" : "not below 0");
     }
     if (range->count > 1 && !(range->to > range->from)) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the %s of the map runs from %.9g to %.9g; its end must be above its "
-                          "beginning",
-                          what, range->from, range->to);
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "the %s axis of the map goes from %.9g to %.9g; its end must be greater than its start",
+            what, range->from, range->to);
     }
     return GOUGH_OK;
 }
@@ -118,7 +118,7 @@ static gough_status check(const gough_map_options *given, gough_map_options *o,
     if (o->stiffness.count == 1) o->stiffness.to = o->stiffness.from;
     if (width_of(o->lanes) == NULL || o->lanes > widest) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "%d lanes: this processor runs 1%s%s or %d side by side", o->lanes,
+                          "%d lanes: this processor can run 1%s%s or %d lanes", o->lanes,
                           widest > 2 ? ", 2" : "", widest > 4 ? ", 4" : "", widest);
     }
     status = check_range(&o->stiffness, "stiffness", false, error);
@@ -126,11 +126,13 @@ static gough_status check(const gough_map_options *given, gough_map_options *o,
         status = check_range(&o->second, second[o->axis], o->axis == GOUGH_MAP_FREQUENCY, error);
     if (status != GOUGH_OK) return status;
     if (!(o->stiffness.to > 0))
-        return gough_fail(error, GOUGH_ERROR_INPUT, "the stiffness of the map must reach above 0");
-    if ((double)o->stiffness.count * (double)gough_map_rows(o) > most_points) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "a map of %zu × %zu points is more than %.0f: choose fewer",
-                          o->stiffness.count, gough_map_rows(o), most_points);
+                          "the stiffness axis of the map must extend above 0");
+    if ((double)o->stiffness.count * (double)gough_map_rows(o) > most_points) {
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "a map of %zu × %zu points is too large: at most %.0f points are possible",
+            o->stiffness.count, gough_map_rows(o), most_points);
     }
     return GOUGH_OK;
 }
@@ -191,7 +193,7 @@ static gough_status run_threads(work *w, int threads, char *memory, gough_error 
     work_on(&hands[0]); /* the caller's own thread works too, alone if need be */
     for (int i = 1; i < started; i++) pthread_join(thread[i], NULL);
     if (!atomic_load(&w->stopped)) return GOUGH_OK;
-    return gough_fail(error, GOUGH_ERROR_NUMERICAL, "the map was stopped after %.0f %% of it",
+    return gough_fail(error, GOUGH_ERROR_NUMERICAL, "the map was stopped at %.0f %%",
                       100 * w->done / (double)w->rows);
 }
 
@@ -217,8 +219,8 @@ static gough_status choose_steps(map_job *job, map_worker *w, gough_error *error
             if (job->finer > finest) {
                 return gough_fail(
                     error, GOUGH_ERROR_NUMERICAL,
-                    "with %zu steps in a period the multipliers are still good to %.1g only: "
-                    "the program is too rough, or too little accuracy is left",
+                    "with %zu steps in a period the multipliers are accurate only to %.1g: the "
+                    "program is too rough, or round-off leaves too little accuracy",
                     map_row_steps(w, job->finer), change);
             }
             /* errors fall with the eighth power */

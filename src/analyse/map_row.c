@@ -499,7 +499,8 @@ void map_row_clear(const map_job *job, size_t index) {
 
     memset(row, 0, sizeof *row);
     row->value = o->axis == GOUGH_MAP_NONE ? 0 : gough_map_value(&o->second, index);
-    gough_fail(&row->error, GOUGH_ERROR_NUMERICAL, "the map was stopped before this row was done");
+    gough_fail(&row->error, GOUGH_ERROR_NUMERICAL,
+               "the map was stopped before this row was finished");
     for (size_t i = 0; i < o->stiffness.count; i++) {
         job->map->point[index * o->stiffness.count + i] =
             (gough_map_point){.growth = NAN, .rate = NAN};

@@ -217,11 +217,10 @@ static double condition_now(const passage *p, double *determinant) {
 }
 
 static gough_status say_singular(const passage *p, double condition, gough_error *error) {
-    return gough_fail(
-        error, GOUGH_ERROR_NUMERICAL,
-        "by t = %.9g the %s has come to a singular pose or nearly so (condition %.3g): "
-        "choose a motion that keeps away from it",
-        p->t, p->moving ? "platform" : "program", condition);
+    return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                      "by t = %.9g the %s has reached a singular or nearly singular pose "
+                      "(condition %.3g); choose a motion that avoids it",
+                      p->t, p->moving ? "platform" : "program", condition);
 }
 
 /* Stops at a pose that is singular or nearly so, and beyond one: a motion through it cannot be run. */
@@ -263,14 +262,14 @@ static gough_status stuck(const passage *p, gough_error *error) {
     if (!(condition_now(p, NULL) <= hindering_condition))
         return say_singular(p, condition_now(p, NULL), error);
     if (p->m->steps >= MOST_STEPS)
-        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "one period needs more than %d steps: it is so long, or the legs are so "
-                          "stiff, that the platform swings very often in it; a shorter period or "
-                          "less stiffness would do",
-                          MOST_STEPS);
+        return gough_fail(
+            error, GOUGH_ERROR_NUMERICAL,
+            "one period needs more than %d steps, because it is long or the legs are stiff, and "
+            "the platform oscillates very often in it; shorten the period or reduce the stiffness",
+            MOST_STEPS);
     return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                       "at t = %.9g no step meets the tolerance: the motion is not smooth there, or "
-                      "a leg has no length; a larger tolerance may do",
+                      "a leg has no length; a larger tolerance may help",
                       p->t);
 }
 

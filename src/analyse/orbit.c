@@ -157,7 +157,7 @@ gough_status orbit_find(monodromy *m, double y[LINEAR_STATE], gough_error *error
     for (int v = 0; v < GOUGH_LEGS; v++) stiffness += asked->stiffness[v];
     if (!(stiffness > 0))
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "without feed-forward and without stiffness no leg has a force: give "
+                          "without feed-forward and stiffness the legs have no force; give "
                           "control.stiffness, or set control.feedforward to program");
     gough_program(m->loop.machine, m->loop.motion, m->start, &state, &acceleration);
     monodromy_unfold(m->loop.machine, &state, y);
@@ -169,8 +169,7 @@ gough_status orbit_find(monodromy *m, double y[LINEAR_STATE], gough_error *error
     if (ease(m, asked, y)) return GOUGH_OK;
     return gough_fail(
         error, GOUGH_ERROR_NUMERICAL,
-        "without feed-forward no periodic motion was found near the program: the legs "
-        "are too weak to carry the load along it, or it shakes the platform at a "
-        "frequency of its own; raise control.stiffness, add control.damping, or set "
-        "control.feedforward to program");
+        "without feed-forward no periodic motion was found near the program: the legs are too weak "
+        "to carry the load along it, or it excites the platform at a natural frequency; increase "
+        "control.stiffness, add control.damping, or set control.feedforward to program");
 }

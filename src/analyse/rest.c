@@ -218,8 +218,8 @@ static gough_status thresholds(const gough_machine *machine, gough_rest *rest, g
 
     if (largest < 0) {
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "the pose is too near a singular one for thresholds of the stiffness: no "
-                          "stiffness of the legs holds the load there; ask for another pose");
+                          "the pose is too close to a singular one for thresholds of the "
+                          "stiffness: no leg stiffness holds the load there; choose another pose");
     }
     equal_apart(machine, kappa, largest, shape);
     for (int k = 0; k < FREEDOMS; k++) {

@@ -135,8 +135,8 @@ gough_status spectrum_of_factors(const double (*factor)[MONODROMY_SIZE], size_t 
     if (!finite(t) || LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'V', N, t, N, re, im, none, 1, v, N,
                                          work, WORK) != 0) {
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "the deviations grow beyond all numbers within one period: there are no "
-                          "multipliers to be given");
+                          "the deviations grow beyond the range of numbers within one period, so "
+                          "there are no multipliers");
     }
     for (int k = 0; k < N; k++) take(s, k, q, re, im, v);
     sort(s);

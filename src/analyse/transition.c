@@ -64,8 +64,8 @@ static gough_status check_side(const linear_loop *loop, const gough_period *peri
         if (i == 0) first = side;
         if (side * first > 0) continue;
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "by t = %.9g the program has come to a singular pose or passed it: "
-                          "choose a motion that keeps away from it",
+                          "by t = %.9g the program has reached or passed a singular pose; choose a "
+                          "motion that avoids it",
                           t);
     }
     return GOUGH_OK;
@@ -96,8 +96,8 @@ gough_status transition_divide(const linear_loop *loop, const gough_period *peri
     if (!(parts <= most_parts && parts * steps <= most_steps)) {
         return gough_fail(
             error, GOUGH_ERROR_INPUT,
-            "at a stiffness of %.9g the fastest mode turns by %.3g rad in a period, or "
-            "is damped by as much: choose a smaller range of stiffness or damping",
+            "at a stiffness of %.9g the fastest mode turns or decays by %.3g rad in a period, "
+            "which is too much; choose a smaller range of stiffness or damping",
             top, T * fmax(size[STIFF], size[DAMPED]));
     }
     if (steps * parts < LEAST_STEPS) steps = ceil(LEAST_STEPS / parts);

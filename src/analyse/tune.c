@@ -43,24 +43,23 @@ gough_tuning_options gough_tuning_options_default(void) {
 static gough_status check_options(const gough_tuning_options *o, gough_error *error) {
     if (!(o->deviation > 0) || !isfinite(o->deviation))
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the deviation asked for must be a finite number > 0, not %.9g",
+                          "the deviation allowed must be a finite number > 0, not %.9g",
                           o->deviation);
     if (!(o->angle_deviation > 0))
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the deviation of angle asked for must be > 0, not %.9g",
-                          o->angle_deviation);
+                          "the angle deviation allowed must be > 0, not %.9g", o->angle_deviation);
     if (!isnan(o->damping_ratio) && !(o->damping_ratio >= 0 && o->damping_ratio < 1))
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "a damping ratio is at least 0 and less than 1, not %.9g",
+                          "the damping ratio must be at least 0 and less than 1, not %.9g",
                           o->damping_ratio);
     if (!(o->margin >= 0 && o->margin <= 0.5))
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the margin is a part of G from 0 to 0.5, not %.9g", o->margin);
+                          "the margin must be from 0 to 0.5 (a part of G), not %.9g", o->margin);
     if (!(o->least >= 0) || !isfinite(o->least) || !(o->greatest >= o->least))
         return gough_fail(
             error, GOUGH_ERROR_INPUT,
-            "stiffness is searched between two numbers, 0 <= a < b, not %.9g and %.9g", o->least,
-            o->greatest);
+            "the search for the stiffness needs two numbers, 0 <= a < b, not %.9g and %.9g",
+            o->least, o->greatest);
     return GOUGH_OK;
 }
 

@@ -102,7 +102,7 @@ gough_status gough_damping_for_ratio(const gough_model *model, double ratio, dou
 
     if (!(ratio >= 0 && ratio < 1)) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "a damping ratio is at least 0 and less than 1, not %.9g", ratio);
+                          "the damping ratio must be at least 0 and less than 1, not %.9g", ratio);
     }
     for (int v = 0; v < GOUGH_LEGS; v++) stiffness = fmax(stiffness, model->control.stiffness[v]);
     unit = stiffness > 0

@@ -163,23 +163,23 @@ static gough_status check_runs(const gough_motion *motion, const gough_simulatio
         const double height = runs[i].machine->platform.height;
         if (runs[i].control->feedforward != runs[0].control->feedforward) {
             return gough_fail(error, GOUGH_ERROR_INPUT,
-                              "run %zu feeds forward otherwise than run 0; all runs of a batch do "
-                              "alike",
+                              "run %zu uses feed-forward differently from run 0; all runs of a "
+                              "batch must use the same",
                               i);
         }
         const double interval = runs[i].disturbance->noise.interval;
         const double first = runs[0].disturbance->noise.interval;
         if (interval < first || interval > first) {
             return gough_fail(error, GOUGH_ERROR_INPUT,
-                              "the noise of run %zu has another interval than that of run 0; all "
-                              "runs of a batch have one",
+                              "the noise of run %zu has a different interval from run 0; all runs "
+                              "of a batch must use the same",
                               i);
         }
         if (height < runs[0].machine->platform.height ||
             height > runs[0].machine->platform.height) {
             return gough_fail(error, GOUGH_ERROR_INPUT,
-                              "run %zu has another height of home than run 0; all runs of a batch "
-                              "have one",
+                              "run %zu has a different height at home from run 0; all runs of a "
+                              "batch must have the same",
                               i);
         }
     }
@@ -265,7 +265,7 @@ gough_status gough_batch(const gough_motion *motion, const gough_simulation *sim
     if (count == 0) return GOUGH_OK;
     if (width_of(lanes) == NULL || lanes > widest) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "%d lanes: this processor runs 1%s%s or %d side by side", lanes,
+                          "%d lanes: this processor can run 1%s%s or %d lanes", lanes,
                           widest > 2 ? ", 2" : "", widest > 4 ? ", 4" : "", widest);
     }
     status = check_runs(motion, simulation, runs, count, error);

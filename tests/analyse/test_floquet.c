@@ -443,12 +443,12 @@ START_TEST(says_what_is_wrong) {
     gough_model *model = paper_model(1, 0);
     const gough_period endless = {false, 0, INFINITY}, resting = {true, 3, 0};
 
-    refuses(model, &resting, 0, GOUGH_ERROR_INPUT, "rests from t = 3 on");
+    refuses(model, &resting, 0, GOUGH_ERROR_INPUT, "at rest from t = 3");
     refuses(model, &endless, 0, GOUGH_ERROR_INPUT, "positive and finite");
     refuses(model, NULL, 0.5, GOUGH_ERROR_INPUT, "between 1e-15 and 0.001");
     refuses(model, NULL, NAN, GOUGH_ERROR_INPUT, "tolerance");
     set_formula(&model->motion.formula[GOUGH_HEAVE], "0.1*ramp(t, 5)");
-    refuses(model, NULL, 0, GOUGH_ERROR_INPUT, "rests from t = 5 on");
+    refuses(model, NULL, 0, GOUGH_ERROR_INPUT, "at rest from t = 5");
     set_formula(&model->motion.formula[GOUGH_HEAVE], "0.1*t");
     refuses(model, NULL, 0, GOUGH_ERROR_INPUT, "neither comes to rest");
     set_formula(&model->motion.formula[GOUGH_HEAVE], "1.2*sin(t)"); /* through the base */

@@ -387,7 +387,7 @@ static void refuses(search *s, const char *why) {
 START_TEST(refuses_what_cannot_be) {
     search s = begin(3);
 
-    refuses(&s, "the deviation asked for must be");
+    refuses(&s, "the deviation allowed must be");
     s.options.deviation = 1e-3;
     s.options.greatest = 0;
     refuses(&s, "home is unstable without feedback: sway–tilt grows unless G is over 0.894107");
@@ -396,12 +396,12 @@ START_TEST(refuses_what_cannot_be) {
     s.options = gough_tuning_options_default();
     s.options.deviation = 1e-3;
     s.options.damping_ratio = 1;
-    refuses(&s, "a damping ratio is at least 0 and less than 1");
+    refuses(&s, "the damping ratio must be at least 0 and less than 1");
     s.options.damping_ratio = NAN;
     s.options.margin = 0.7;
-    refuses(&s, "the margin is a part of G");
+    refuses(&s, "the margin must be from 0 to 0.5");
     s.options.margin = NAN;
-    refuses(&s, "the margin is a part of G");
+    refuses(&s, "the margin must be from 0 to 0.5");
     s.options.margin = 0.05;
     set_formula(&s.model->motion.formula[GOUGH_HEAVE], "0.1*sin(t)");
     s.model->motion.period = 5;

@@ -68,9 +68,9 @@ END_TEST
 
 START_TEST(impossible_machines_are_errors_at_their_part) {
     expect_machine(ring, small_ring, "{mass: 1, inertia: [1, 1, 3]}", "5:17",
-                   "no body has this inertia");
+                   "no body can have this inertia");
     expect_machine(ring, small_ring, "{mass: 1, inertia: [1, 1, -1]}", "5:17",
-                   "no body has this inertia");
+                   "no body can have this inertia");
     expect_machine(ring, small_ring, "{mass: 1, inertia: [[1, 0.2, 0], [0.1, 1, 0], [0, 0, 1]]}",
                    "5:41", "`load.inertia` must be symmetric: the opposite element is `0.2`");
     /* similar hexagons: the same spacing in base and top, leg by leg */
@@ -192,7 +192,7 @@ START_TEST(a_part_that_is_wrong_hides_no_error_of_another) {
     reading made = read_bytes(text, sizeof text - 1, NULL);
     ck_assert_int_eq(made.status, GOUGH_ERROR_INPUT);
     ck_assert_int_eq(occurrences(made.messages, ": error: "), 4);
-    ck_assert_ptr_nonnull(strstr(made.messages, ":5:17: error: no body has this inertia"));
+    ck_assert_ptr_nonnull(strstr(made.messages, ":5:17: error: no body can have this inertia"));
     ck_assert_ptr_nonnull(strstr(made.messages, ":6:19: error: cannot open"));
     ck_assert_ptr_nonnull(strstr(made.messages, ":7:20: error: `control.damping` must be"));
     ck_assert_ptr_nonnull(strstr(made.messages, ":8:22: error: `rk4` needs a fixed step"));
