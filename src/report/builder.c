@@ -83,7 +83,7 @@ const char *builder_unit(const builder *b, const char *name) {
 panel *builder_panel(builder *b, const char *heading, const char *unit, bool logarithmic) {
     if (b->status != GOUGH_OK) return NULL;
     if (b->sheet->count == SHEET_PANELS) {
-        builder_fail(b, GOUGH_ERROR_INPUT, "too many panels for one figure; name fewer columns");
+        builder_fail(b, GOUGH_ERROR_INPUT, "too many panels for one figure; choose fewer columns");
         return NULL;
     }
     panel *p = &b->sheet->panel[b->sheet->count++];

@@ -46,7 +46,7 @@ static gough_status take_picture(const char *folder, sheet_format format, const 
     snprintf(from, sizeof from, "%s/figure", folder);
     FILE *file = fopen(from, "rb");
     if (file == NULL)
-        return gough_fail(error, GOUGH_ERROR_FILE, "%s: gnuplot left no figure", path);
+        return gough_fail(error, GOUGH_ERROR_FILE, "%s: gnuplot wrote no figure", path);
     gough_status status = GOUGH_ERROR_FILE;
     long length = -1;
     if (fseek(file, 0, SEEK_END) == 0) length = ftell(file);
@@ -55,7 +55,7 @@ static gough_status take_picture(const char *folder, sheet_format format, const 
     if (bytes != NULL && fread(bytes, 1, (size_t)length, file) == (size_t)length)
         status = finish_picture(bytes, (size_t)length, format, path, error);
     else
-        status = gough_fail(error, status, "%s: gnuplot left no figure", path);
+        status = gough_fail(error, status, "%s: gnuplot wrote no figure", path);
     free(bytes);
     fclose(file);
     return status;

@@ -57,13 +57,13 @@ gough_status sheet_run_gnuplot(const char *folder, gough_error *error) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0) {
         if (errno != EINTR)
-            return gough_fail(error, GOUGH_ERROR_FILE, "lost sight of gnuplot: %s",
+            return gough_fail(error, GOUGH_ERROR_FILE, "lost track of gnuplot: %s",
                               strerror(errno));
     }
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return GOUGH_OK;
     if (WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND)
         return gough_fail(error, GOUGH_ERROR_FILE,
-                          "figures are drawn by gnuplot, which is not installed; on Debian: apt "
+                          "gnuplot, which draws the figures, is not installed; on Debian: apt "
                           "install gnuplot-nox");
     char complaint[200];
     read_complaint(folder, complaint);

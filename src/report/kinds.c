@@ -471,7 +471,7 @@ static void fill_columns(builder *b) {
     if (!builder_compares(b)) name_lone_lines(b->sheet);
     if (b->status == GOUGH_OK && b->sheet->count == 0)
         builder_fail(b, GOUGH_ERROR_INPUT,
-                     "name the columns to draw, separated by commas (for example z,f1,f2)");
+                     "give the columns to draw, separated by commas (for example z,f1,f2)");
     if (b->sheet->count > 4) b->sheet->columns = 2;
 }
 
@@ -500,12 +500,12 @@ static const char *const kind_names[] = {
     "lengths — leg lengths",
     "rates — rates of the leg lengths",
     "power — power of the legs",
-    "deviation — deviation from the program; its size where logarithmic or compared",
+    "deviation — deviation from the program; its magnitude if logarithmic or compared",
     "drift — violation of the constraints before projection",
     "condition — condition of the leg Jacobian",
     "columns — any named columns",
     "gain — deviation against the stiffness G (columns G, position_deviation, ended)",
-    "tuning — what gough tune looked at: deviation and leg force against the stiffness",
+    "tuning — results of gough tune: deviation and leg force against the stiffness",
     "sweep — a sweep: a line over one swept key, a map over two, shares of the runs over more",
     NULL};
 
@@ -538,7 +538,7 @@ static int find_kind(builder *b, const char *name) {
     const int near = nearest_name(name, kind_names, KINDS);
     const char *meant = near >= 0 ? kind_names[near] : "overview";
     b->status =
-        gough_fail(b->error, GOUGH_ERROR_INPUT, "no kind of figure '%.60s'; %s %.*s", name,
+        gough_fail(b->error, GOUGH_ERROR_INPUT, "there is no kind of figure '%.60s'; %s %.*s", name,
                    near >= 0 ? "did you mean" : "the default is", (int)strcspn(meant, " "), meant);
     return -1;
 }

@@ -57,7 +57,7 @@ gough_status gough_page_write(const gough_page_template *page, const char *data,
     if (!whole || memcmp(place + head, nothing, null) != 0 ||
         find(rest, (size_t)(end - rest), element, head))
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the template of the page has no place, or more than one, for the data");
+                          "the template of the page must have exactly one place for the data");
 
     char *text = malloc(page->length + length * LONGEST_ESCAPE);
     if (!text) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory for the page");

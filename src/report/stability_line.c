@@ -148,7 +148,7 @@ bool stability_write_line(stability_pen *pen) {
         pen->top + PANEL_HEIGHT + LANES_GAP + LANE * stability_lanes(pen->field) + STABILITY_BELOW;
     stability_write_frame(
         pen, pen->field->resting
-                 ? "at rest · bars: where a mode grows"
+                 ? "at rest · bars: a mode grows"
                  : "bars: a mode grows, below its threshold (pale) or by resonance (full)");
     const bool good = write_growth(pen);
     plot_growth(pen);

@@ -259,8 +259,9 @@ static void fill_shares(builder *b) {
     char names[MOST_NAMES][64];
     bool wide = b->figure->logarithmic;
     if (names_of(b, names, false) > 1) {
-        builder_fail(b, GOUGH_ERROR_INPUT,
-                     "shares of the runs are drawn for one column; name one by --columns");
+        builder_fail(
+            b, GOUGH_ERROR_INPUT,
+            "shares of the runs can be drawn for one column only; choose one with --columns");
         return;
     }
     const char *name = names[0];
@@ -290,7 +291,7 @@ void builder_fill_sweep(builder *b) {
     size_t key[2] = {1, 1};
     for (size_t t = 0; t < b->table_count; t++)
         if (!sheet_is_sweep(b->tables[t])) {
-            builder_fail(b, GOUGH_ERROR_INPUT, "not all of these results are of sweeps");
+            builder_fail(b, GOUGH_ERROR_INPUT, "some of these results are not from sweeps");
             return;
         }
     const size_t found = varying(b, key);

@@ -118,7 +118,7 @@ void builder_fill_tuning(builder *b) {
     panel *force = builder_panel_of(b, "Largest leg force", "force", false);
     for (size_t t = 0; t < b->table_count; t++) {
         if (!sheet_is_tuning(b->tables[t])) {
-            builder_fail(b, GOUGH_ERROR_INPUT, "not all of these results are of gough tune");
+            builder_fail(b, GOUGH_ERROR_INPUT, "some of these results are not from gough tune");
             return;
         }
         if (t == 0) add_asked(b, deviation, t);

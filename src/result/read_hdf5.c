@@ -116,13 +116,13 @@ static gough_status read_column(reader *r, hid_t dataset, const char *name) {
     if (table->columns > 0 && rows != table->rows)
         return gough_fail(r->error, GOUGH_ERROR_INPUT,
                           "%s: column %.60s has %zu rows, but %.60s has %zu; all columns of a "
-                          "table are equally long",
+                          "table must have the same length",
                           r->path, name, rows, table->name[0], table->rows);
     if (rows > r->room)
-        return gough_fail(r->error, GOUGH_ERROR_INPUT,
-                          "%s: column %.60s says that it has %zu rows, more than a file of this "
-                          "size can have",
-                          r->path, name, rows);
+        return gough_fail(
+            r->error, GOUGH_ERROR_INPUT,
+            "%s: column %.60s claims to have %zu rows, more than a file of this size can hold",
+            r->path, name, rows);
     r->room -= rows;
 
     double *value = calloc(rows > 0 ? rows : 1, sizeof *value);
@@ -201,10 +201,9 @@ static gough_status read_whole(const char *path, gough_table *table, gough_error
     r.room = ((size_t)about.st_size * EXPANSION + EXPANSION_BASE) / sizeof(double);
     r.file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
     if (r.file < 0)
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "%s: begins like an HDF5 file but cannot be opened as one; it is damaged "
-                          "or incomplete",
-                          path);
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "%s: starts like an HDF5 file but cannot be opened; it is damaged or incomplete", path);
     const gough_status status = read_root(&r);
     H5Fclose(r.file);
     return status;

@@ -85,7 +85,7 @@ done
 refused "shard 2 of 4 is missing" merge -o m.csv s1.shard s3.shard s4.shard
 refused "are the same shard, 2 of 4" merge -o m.csv s1.shard s2.shard s3.shard s4.shard s2.shard
 "$GOUGH" sweep study.yaml -q --set sweep.seed=8 --shard 2/4 -o foreign.shard
-refused "are not of the same sweep" merge -o m.csv s1.shard foreign.shard s3.shard s4.shard
+refused "belong to different sweeps" merge -o m.csv s1.shard foreign.shard s3.shard s4.shard
 head -c 2000 s2.shard >torn.shard
 refused "torn.shard" merge -o m.csv s1.shard torn.shard s3.shard s4.shard
 refused "is not a finished shard" merge -o m.csv whole.csv

@@ -369,7 +369,7 @@ START_TEST(wrong_wishes_are_answered_with_what_would_be_right) {
     figure.kind = "force";
     expect_refused(&figure, run, "a.png", GOUGH_ERROR_INPUT, "did you mean forces");
     figure.kind = "columns";
-    expect_refused(&figure, run, "a.png", GOUGH_ERROR_INPUT, "name the columns");
+    expect_refused(&figure, run, "a.png", GOUGH_ERROR_INPUT, "give the columns");
     figure.columns = "z,conditon";
     expect_refused(&figure, run, "a.png", GOUGH_ERROR_INPUT, "did you mean condition?");
     figure.kind = "motion";
@@ -416,7 +416,7 @@ START_TEST(a_missing_or_failing_gnuplot_is_told) {
     fake_gnuplot(folder, "#!/bin/sh\necho 'this is what is wrong' >&2\nexit 1\n");
     expect_refused(&figure, run, "a.png", GOUGH_ERROR_FILE, "this is what is wrong");
     fake_gnuplot(folder, "#!/bin/sh\nexit 0\n");
-    expect_refused(&figure, run, "a.png", GOUGH_ERROR_FILE, "left no figure");
+    expect_refused(&figure, run, "a.png", GOUGH_ERROR_FILE, "wrote no figure");
     ck_assert(access("a.png", F_OK) != 0);
     setenv("PATH", search, 1);
     free(search);

@@ -167,7 +167,7 @@ START_TEST(more_keys_are_shares_of_the_runs) {
     ck_assert_ptr_nonnull(strstr(text, "Runs that reach their end"));
     free(text);
     figure.columns = "x,angle_deviation";
-    expect_refused(&figure, tables, 1, "name one by --columns");
+    expect_refused(&figure, tables, 1, "choose one with --columns");
     figure.columns = "nonsense";
     expect_refused(&figure, tables, 1, "no column nonsense");
     gough_table_free(table);
