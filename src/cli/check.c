@@ -22,10 +22,9 @@ static const verb_usage usage = {
     .verb = "check",
     .option = option,
     .arguments = "STUDY",
-    .text = "Validate a study and print its machine: leg lengths at home, condition and distance "
-            "to singularity, "
-            "principal moments of inertia, dimensionless groups, program and settings.\v"
-            "STUDY is a study file, or - for standard input.",
+    .text = "Validate a study and describe its machine: leg lengths at home, condition and "
+            "distance to singularity, principal moments of inertia, dimensionless groups, program "
+            "and settings.\vSTUDY is a study file, or - for standard input.",
     .least_files = 1,
     .most_files = 1};
 

@@ -9,7 +9,7 @@
 
 static const struct argp_option option[] = {
     {"output", OPTION_OUTPUT, "FILE", 0, "write the example to FILE instead of standard output", 0},
-    {"json", OPTION_JSON, NULL, 0, "the list of examples as JSON", 0},
+    {"json", OPTION_JSON, NULL, 0, "print the list of examples as JSON", 0},
     {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
     {0}};
 
@@ -17,9 +17,9 @@ static const verb_usage usage = {
     .verb = "example",
     .option = option,
     .arguments = "[NAME]",
-    .text = "Print a ready study file to start from; without NAME, list them.\v"
-            "NAME may have an ending: 'flight-simulator' is a study, 'ship-deck.awk' the script "
-            "that makes its data.",
+    .text =
+        "Print a study file to start from; without NAME, list the examples.\vNAME may have an "
+        "ending: 'flight-simulator' is a study, 'ship-deck.awk' is the script that makes its data.",
     .most_files = 1};
 
 /* The name to type: without the ending of a study file. */

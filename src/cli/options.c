@@ -218,7 +218,7 @@ static error_t read_option(int key, char *text, struct argp_state *state) {
         break;
     case ARGP_KEY_ARG:
         if (o->files == reading->usage->most_files)
-            usage_error(state, "too many arguments, the first of them '%s'", text);
+            usage_error(state, "too many arguments, starting with '%s'", text);
         o->file[o->files++] = text;
         break;
     case ARGP_KEY_END:

@@ -32,10 +32,9 @@ static char *list_kinds(int key, const char *text, void *input) {
     size_t length = 0;
     FILE *stream = open_memstream(&list, &length);
     if (!stream) return (char *)text;
-    fputs("RESULT is a table that forces, simulate or sweep wrote, .h5 or .csv, or any CSV with a "
-          "header "
-          "row and a column t. "
-          "Several results are compared in the same panels.\n\nKinds of figure:\n",
+    fputs("RESULT is a table written by forces, simulate, sweep or tune, .h5 or .csv, or any CSV "
+          "with a header row and a column t. Several results are compared in the same "
+          "panels.\n\nKinds of figure:\n",
           stream);
     for (const char *const *kind = gough_figure_kinds(); *kind; kind++)
         fprintf(stream, "  %s\n", *kind);
@@ -46,7 +45,7 @@ static char *list_kinds(int key, const char *text, void *input) {
 static const verb_usage usage = {.verb = "plot",
                                  .option = option,
                                  .arguments = "RESULT...",
-                                 .text = "Figures of results as PNG, SVG or PDF.\v-",
+                                 .text = "Draw results as PNG, SVG or PDF.\v-",
                                  .least_files = 1,
                                  .most_files = (size_t)-1,
                                  .help_filter = list_kinds};

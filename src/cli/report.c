@@ -22,11 +22,10 @@ static const verb_usage usage = {
     .verb = "report",
     .option = option,
     .arguments = "STUDY...",
-    .text = "Studies as one HTML page: the machine moving in 3D, curves, numbers, and a live "
-            "simulation in the page.\v"
-            "STUDY is a study file, or - for standard input; several are compared. The page is one "
-            "file that needs no network: it can be mailed and opened anywhere. Where a run ends "
-            "early the page says so, and the exit status is 1.",
+    .text = "Write studies as one HTML page: the machine moving in 3D, curves, numbers, and a live "
+            "simulation in the page.\vSTUDY is a study file, or - for standard input; several are "
+            "compared. The page is one file that needs no network, so it can be mailed and opened "
+            "anywhere. If a run ends early the page shows where and why, and the exit status is 1.",
     .least_files = 1,
     .most_files = 64};
 

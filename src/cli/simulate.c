@@ -12,7 +12,7 @@ static const struct argp_option option[] = {
     {"precision", OPTION_PRECISION, "double|quad", 0, "16 or 33 digits", 0},
     {"reactions", OPTION_REACTIONS, NULL, 0, "add the constraint reactions to the table", 0},
     {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
-     "table and summary in units of R_b, M and sqrt(R_b/g)", 0},
+     "print table and summary in units of R_b, M and sqrt(R_b/g)", 0},
     {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
     {0}};
 

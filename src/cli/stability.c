@@ -11,23 +11,24 @@ static const double DEGREES = 57.295779513082320877;
 
 static const struct argp_option option[] = {
     {"output", OPTION_OUTPUT, "FILE", 0,
-     "of a map: write its data to FILE (.csv, .h5; - is CSV on standard output) or its picture "
-     "(.png, .svg, .pdf); may be given several times",
+     "write the data of a map (.csv, .h5; - is CSV on standard output) or its picture (.png, .svg, "
+     ".pdf) to FILE; may be given several times",
      0},
     {"json", OPTION_JSON, NULL, 0, "print it as JSON", 0},
     {"set", OPTION_SET, "KEY=VALUE", 0,
      "override a key of the study, as in --set control.stiffness=2; may be repeated", 0},
     {"pose", OPTION_POSE, "C=X,...", 0,
-     "at rest in this pose, components from home: lengths, and degrees for angles, as in "
-     "heave=0.1,yaw=10; the program is left aside",
+     "stability at rest in this pose, given by its components from home (angles in degrees), as in "
+     "heave=0.1,yaw=10; the program is ignored",
      0},
     {"matrix", OPTION_MATRIX, NULL, 0,
-     "print the matrix of the linearised loop at rest as CSV, and nothing else; with --json, "
-     "among the rest",
+     "print only the matrix of the linearised loop at rest, as CSV; with --json, add it to the "
+     "object",
      0},
-    {"at", OPTION_AT, "T", 0, "with --matrix: about the program at the time T", 0},
+    {"at", OPTION_AT, "T", 0, "with --matrix: about the program at time T", 0},
     {"sweep-stiffness", OPTION_SWEEP_STIFFNESS, "A:B:N[:log]", 0,
-     "the stability map over the stiffness G, the same in all legs: N values from A to B", 0},
+     "compute the stability map over the stiffness G, the same in all legs: N values from A to B",
+     0},
     {"sweep-amplitude", OPTION_SWEEP_AMPLITUDE, "A:B:N[:log]", 0,
      "second axis of the map: a factor on the motion", 0},
     {"sweep-frequency", OPTION_SWEEP_FREQUENCY, "A:B:N[:log]", 0,
@@ -36,10 +37,12 @@ static const struct argp_option option[] = {
      "second axis: the damping D, the same in all legs", 0},
     {"threads", OPTION_THREADS, "N", 0, "threads for a map (default: one for each processor)", 0},
     {"lanes", OPTION_LANES, "N", 0,
-     "points of a map side by side in a processor: 1, 2, 4 or 8 (default: as many as it can)", 0},
-    {"title", OPTION_TITLE, "TEXT", 0, "heading of the picture (default: the study's title)", 0},
-    {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0, "results in units of R_b, M and sqrt(R_b/g)",
+     "points of a map computed side by side: 1, 2, 4 or 8 (default: as many as the processor "
+     "supports)",
      0},
+    {"title", OPTION_TITLE, "TEXT", 0, "heading of the picture (default: the study's title)", 0},
+    {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
+     "print results in units of R_b, M and sqrt(R_b/g)", 0},
     {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
     {0}};
 
@@ -48,12 +51,12 @@ static const verb_usage usage = {
     .option = option,
     .arguments = "STUDY",
     .text =
-        "Whether the control law holds the platform: eigenvalues and modes at rest, the least "
-        "stiffness G of each mode, Floquet multipliers along a periodic program.\v"
-        "The loop is linearised exactly, about home or --pose, and about the program over one of "
-        "its periods, which is found from its formulas or given as motion.period. With "
-        "--sweep-stiffness it draws a map: where nothing grows, and the resonance tongues in which "
-        "a stiffer loop fails again. An unstable loop is an answer: the exit status is 0.",
+        "Determine whether the control law holds the platform: eigenvalues and modes at rest, the "
+        "least stiffness G of each mode, Floquet multipliers along a periodic program.\vThe loop "
+        "is linearised exactly, about home or --pose, and about the program over one of its "
+        "periods, which is found from its formulas or given as motion.period. With "
+        "--sweep-stiffness it computes a map of where nothing grows, and of the resonance tongues "
+        "in which a stiffer loop fails again. An unstable loop is an answer: the exit status is 0.",
     .least_files = 1,
     .most_files = 1};
 
@@ -183,7 +186,8 @@ gough_status stability_find(stability_report *report, gough_error *error) {
     const bool fed = report->study->model->control.feedforward;
     if (status == GOUGH_ERROR_INPUT || (status == GOUGH_ERROR_NUMERICAL && fed)) {
         gough_error cause = *error;
-        gough_fail(error, status, "%s. Or ask about rest alone, by --pose surge=0", cause.message);
+        gough_fail(error, status, "%s. For the stability at rest alone, use --pose surge=0",
+                   cause.message);
     }
     if (status) return status;
     to_radians(report->pose, component);
@@ -264,17 +268,17 @@ static gough_status answer_alone(const command_line *line, const gough_study *st
 /* Options that say nothing together. */
 static const char *contradiction(const command_line *line) {
     const bool map = line->stiffness.key != 0;
-    if (isfinite(line->at) && !line->matrix)
-        return "--at says at which time --matrix is taken; give both";
+    if (isfinite(line->at) && !line->matrix) return "--at is the time of --matrix; give both";
     if (isfinite(line->at) && line->posed)
-        return "--at is about the program, --pose about rest; give one of them";
+        return "--at refers to the program and --pose to rest; give only one of them";
     if (line->second.key && !map)
-        return "a map is over the stiffness; give --sweep-stiffness too, as in "
+        return "a map needs the stiffness as its first axis; give --sweep-stiffness too, as in "
                "--sweep-stiffness 0:2:201";
     if (map && (line->matrix || line->posed))
-        return "a map is about the program; --pose and --matrix do not go with it";
+        return "a map is computed along the program; --pose and --matrix cannot be combined with "
+               "it";
     if (line->output_count && !map)
-        return "-o is where a map goes; give --sweep-stiffness, as in --sweep-stiffness 0:2:201";
+        return "-o is for maps; give --sweep-stiffness, as in --sweep-stiffness 0:2:201";
     return NULL;
 }
 

@@ -41,7 +41,7 @@ static gough_status check_outputs(const command_line *line) {
             const gough_status status = check_folder(line->verb, path);
             if (status) return status;
         } else if (line->json) {
-            complain(line->verb, "'-o -' and --json both want standard output; give -o a file");
+            complain(line->verb, "'-o -' and --json both write to standard output; give -o a file");
             return GOUGH_ERROR_INPUT;
         }
     }
@@ -155,10 +155,11 @@ static gough_status find(const command_line *line, map_report *report, gough_err
     const size_t points = report->rows * report->options.stiffness.count;
     size_t bytes = 0;
     if (points > MOST_POINTS)
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "a map of %zu points is too large; at most %d: tongues are found between "
-                          "the points too, so few values of the stiffness will do",
-                          points, MOST_POINTS);
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "a map of %zu points is too large; at most %d are possible. Tongues are found between "
+            "the points too, so a few values of the stiffness are enough",
+            points, MOST_POINTS);
     gough_status status = gough_map_size(model, &report->options, &bytes, error);
     if (status) return status;
     void *memory = aligned_alloc(64, (bytes + 127) / 64 * 64);
@@ -167,8 +168,9 @@ static gough_status find(const command_line *line, map_report *report, gough_err
     report->map.interval =
         calloc(report->rows * report->options.intervals, sizeof *report->map.interval);
     if (!memory || !report->map.point || !report->map.row || !report->map.interval)
-        status = gough_fail(error, GOUGH_ERROR_FILE,
-                            "out of memory: %zu points; fewer values of an axis need less", points);
+        status =
+            gough_fail(error, GOUGH_ERROR_FILE,
+                       "not enough memory for %zu points; use fewer values on an axis", points);
     progress bar = progress_begin(line->verb, 1.0, line->quiet);
     report->options.progress = look;
     report->options.context = &bar;

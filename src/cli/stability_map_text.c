@@ -11,7 +11,7 @@
 
 static void print_range(FILE *stream, const gough_map_range *range, const char *unit) {
     fprintf(stream, "%zu value%s from %.6g to %.6g%s%s", range->count, range->count == 1 ? "" : "s",
-            range->from, range->to, unit, range->logarithmic ? ", by equal ratios" : "");
+            range->from, range->to, unit, range->logarithmic ? ", in equal ratios" : "");
 }
 
 static const char *second_unit(const map_report *report) {
@@ -93,7 +93,7 @@ static void print_row_heading(FILE *stream, const map_report *report, const goug
         fprintf(stream, "%s values: %s\n", lower ? "there are no" : "There are no",
                 row->error.message);
     else if (row->period.resting)
-        fprintf(stream, "%s the program rests: ", lower ? "where" : "Where");
+        fprintf(stream, "%s the program is at rest: ", lower ? "where" : "Where");
     else
         fprintf(stream, "%s the program, of period %.9g%s: ", lower ? "along" : "Along",
                 row->period.period, unit->time);

@@ -22,7 +22,7 @@ static const struct argp_option sweep_option[] = {
     {"lanes", OPTION_LANES, "N", 0,
      "runs computed side by side by one thread: 1, 2, 4 or 8 (default: the most possible)", 0},
     {"shard", OPTION_SHARD, "I/N", 0,
-     "run the I-th of N parts, into a FILE that ends in .shard, for gough merge", 0},
+     "run the I-th of N parts into a FILE whose name ends in .shard, for gough merge", 0},
     {"run", OPTION_RUN, "N", 0,
      "print the settings of run N as options for gough simulate, and run nothing", 0},
     {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,

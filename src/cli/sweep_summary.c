@@ -45,7 +45,7 @@ static const char *cause_words(gough_cause cause) {
     case GOUGH_END_LEG_FORCE:
         return "ended: a leg's force too great";
     case GOUGH_END_LEG_NO_LENGTH:
-        return "ended: a leg of no length";
+        return "ended: a leg without length";
     case GOUGH_END_SINGULAR:
         return "ended: a singular pose";
     case GOUGH_END_NOT_FINITE:
@@ -84,7 +84,7 @@ void sweep_print(FILE *stream, const sweep_report *report) {
     const double length = report->units.length, power = power_unit(&report->units);
     print_title(stream, report->title);
     fprintf(stream, "%zu run%s", s->runs, s->runs == 1 ? "" : "s");
-    if (s->resumed) fprintf(stream, ", %zu of them done before", s->resumed);
+    if (s->resumed) fprintf(stream, ", %zu of them finished earlier", s->resumed);
     const double made = (double)(s->runs - s->resumed);
     if (report->sweep && report->time > 0 && made > 0)
         fprintf(stream, ", %.3g s, %.4g runs/s", report->time, made / report->time);

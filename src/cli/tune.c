@@ -37,8 +37,8 @@ static const struct argp_option option[] = {
      "override a key of the study, as in --set load.mass=2; may be repeated", 0},
     {"threads", OPTION_THREADS, "N", 0, "threads (default: one for each processor)", 0},
     {"title", OPTION_TITLE, "TEXT", 0, "heading of the picture (default: the study's title)", 0},
-    {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0, "results in units of R_b, M and sqrt(R_b/g)",
-     0},
+    {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
+     "print results in units of R_b, M and sqrt(R_b/g)", 0},
     {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
     {0}};
 
@@ -91,7 +91,7 @@ static gough_status check_outputs(const command_line *line) {
             return GOUGH_ERROR_INPUT;
         }
         if (standard && line->json) {
-            complain(line->verb, "'-o -' and --json both want standard output; give -o a file");
+            complain(line->verb, "'-o -' and --json both write to standard output; give -o a file");
             return GOUGH_ERROR_INPUT;
         }
         const gough_status status = standard ? GOUGH_OK : check_folder(line->verb, path);

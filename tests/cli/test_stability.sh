@@ -112,7 +112,7 @@ expect_code 1 "a singular pose"
 grep -q singular err || fail "a singular pose: $(cat err)"
 run stability heave.yaml --set motion.heave='0.2*sin(t)' --set motion.yaw='100*sin(t)'
 expect_code 1 "a program through a singular pose"
-grep -q 'by --pose surge=0' err || fail "rest alone may be asked for: $(cat err)"
+grep -q 'use --pose surge=0' err || fail "rest alone may be asked for: $(cat err)"
 run stability heave.yaml --set control.feedforward=none
 expect_code 1 "no rest without any force"
 
@@ -122,7 +122,7 @@ refused "lengths and degrees" stability heave.yaml --pose heave
 refused "must be a number" stability heave.yaml --pose heave=0.1x
 refused "given twice" stability heave.yaml --pose heave=0.1,heave=0.2
 refused "give both" stability heave.yaml --at 1
-refused "give one of them" stability heave.yaml --matrix --at 1 --pose yaw=1
+refused "give only one of them" stability heave.yaml --matrix --at 1 --pose yaw=1
 refused "from:to:count" stability heave.yaml --sweep-stiffness 0:2
 refused "whole number" stability heave.yaml --sweep-stiffness 0:2:2.5
 refused "whole number" stability heave.yaml --sweep-stiffness 0:2:1e9
@@ -133,9 +133,9 @@ refused "greater than 0" stability heave.yaml --sweep-stiffness 0:1:5 --sweep-fr
 refused "three decimal numbers" stability heave.yaml --sweep-stiffness nan:1:5
 refused "a map has at most two axes" stability heave.yaml --sweep-stiffness 0:1:5 --sweep-damping 0:1:3 --sweep-amplitude 0:1:3
 refused "give --sweep-stiffness too" stability heave.yaml --sweep-damping 0:1:3
-refused "-o is where a map goes" stability heave.yaml -o x.csv
-refused "do not go with it" stability heave.yaml --sweep-stiffness 0:1:5 --matrix
-refused "both want standard output" stability heave.yaml --sweep-stiffness 0:1:5 -o - --json
+refused "-o is for maps" stability heave.yaml -o x.csv
+refused "cannot be combined with it" stability heave.yaml --sweep-stiffness 0:1:5 --matrix
+refused "both write to standard output" stability heave.yaml --sweep-stiffness 0:1:5 -o - --json
 refused "is too large" stability heave.yaml --sweep-stiffness 0:1:9999 --sweep-amplitude 0:1:9999
 refused "(picture)" stability heave.yaml --sweep-stiffness 0:1:5 -o map.txt
 refused "period" stability heave.yaml --sweep-stiffness 0:1:5 --set motion.period=3

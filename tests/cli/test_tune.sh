@@ -142,7 +142,7 @@ refused "two numbers a:b with 0 <= a <= b" heave.yaml --deviation 1e-3 --stiffne
 refused "home is unstable without feedback: sway–tilt grows unless G is over 0.894107" heave.yaml --deviation 1e-3 --stiffness 0:0
 refused "the search ends at 0.5" heave.yaml --deviation 1e-3 --stiffness 0.1:0.5
 refused "STUDY is missing" --deviation 1e-3
-refused "both want standard output" heave.yaml --deviation 1e-3 --json -o -
+refused "both write to standard output" heave.yaml --deviation 1e-3 --json -o -
 refused "-o takes a name that ends in" heave.yaml --deviation 1e-3 -o curve.txt
 refused "period" heave.yaml --deviation 1e-3 --set motion.period=5
 run tune heave.yaml --deviation 1e-3 -o nowhere/curve.csv
