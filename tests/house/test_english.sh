@@ -107,5 +107,5 @@ while IFS= read -r file; do
         include/*) comments "$file" | banned "$file" || failed=1 ;;
         *) prose "$file" | banned "$file" || failed=1 ;;
     esac
-done < <(git ls-files README.md CONTRIBUTING.md include/gough docs/guide docs/man completions examples "$@")
+done < <(git ls-files README.md CONTRIBUTING.md include/gough docs/guide docs/theory docs/man completions examples "$@")
 exit $failed
