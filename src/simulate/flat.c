@@ -378,8 +378,9 @@ gough_status gough_model_unflatten(gough_model *model, gough_simulation *simulat
     e.curvature = memory;
     exchange_all(&p, model, simulation, &e);
     if (p.status == GOUGH_OK && p.at != count) {
-        p.status = gough_fail(error, GOUGH_ERROR_INPUT,
-                              "the flat model is damaged: it continues after its %zu numbers", p.at);
+        p.status =
+            gough_fail(error, GOUGH_ERROR_INPUT,
+                       "the flat model is damaged: it continues after its %zu numbers", p.at);
     }
     if (p.status == GOUGH_OK) p.status = gough_simulation_check(model, simulation, error);
     return p.status;
