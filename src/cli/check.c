@@ -99,16 +99,17 @@ static void print_load(const check *c) {
            c->unit->mass, com[0], com[1], com[2], c->unit->length);
     printf("  principal moments    %.6g, %.6g, %.6g%s\n", c->view.moments[0], c->view.moments[1],
            c->view.moments[2], c->unit->inertia);
-    printf("  along the axes      ");
+    static const char *const axis_names[] = {"axis of the first", "axis of the second",
+                                             "axis of the third"};
     for (int a = 0; a < 3; a++) {
-        printf("%s(", a ? ", " : " ");
+        printf("  %-20s ", axis_names[a]);
         for (int k = 0; k < 3; k++) {
             const double cosine = c->machine->principal_axes[k][a];
-            printf("%s%.4g", k ? ", " : "", fabs(cosine) < 5e-17 ? 0.0 : cosine);
+            printf("%s%.4g", k ? ", " : "(", fabs(cosine) < 5e-17 ? 0.0 : cosine);
         }
-        printf(")");
+        printf(")\n");
     }
-    printf("\n  gravity              %.6g, %.6g, %.6g%s\n", c->machine->gravity[0],
+    printf("  gravity              %.6g, %.6g, %.6g%s\n", c->machine->gravity[0],
            c->machine->gravity[1], c->machine->gravity[2], *c->unit->length ? " m/s^2" : "");
 }
 

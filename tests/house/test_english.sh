@@ -76,6 +76,17 @@ literals() { # the string literals of a C source, adjacent ones joined, each aft
             print "$start: $text\n";
         }' "$1"
 }
+strings() { # the strings of a JavaScript source, or the text of an HTML file, after their line numbers
+    perl -0777 -Mopen=:std,:utf8 -ne '
+        s{/\*.*?\*/|<!--.*?-->}{my $c = $&; $c =~ s/[^\n]//g; $c}gse;
+        s{(^|[^:])//[^\n]*}{$1}g;
+        my $n = 0;
+        for my $line (split /\n/) {
+            $n++;
+            if ($ARGV =~ /\.html$/) { print "$n: $line\n"; next }
+            print "$n: $&\n" while $line =~ /"(?:[^"\\]|\\.)*"|`(?:[^`\\]|\\.)*`/g;
+        }' "$1"
+}
 comments() { # the comments of a C header, each after its line number
     perl -0777 -Mopen=:std,:utf8 -ne '
         while (m{/\*.*?\*/}gs) {
@@ -104,8 +115,10 @@ failed=0
 while IFS= read -r file; do
     case $file in
         src/*.h | src/*.c | src/*.def) literals "$file" | banned "$file" || failed=1 ;;
+        web/src/*) strings "$file" | banned "$file" || failed=1 ;;
         include/*) comments "$file" | banned "$file" || failed=1 ;;
         *) prose "$file" | banned "$file" || failed=1 ;;
     esac
-done < <(git ls-files README.md CONTRIBUTING.md include/gough docs/guide docs/theory docs/man completions examples "$@")
+done < <(git ls-files README.md CONTRIBUTING.md include/gough docs/guide docs/theory docs/man completions examples \
+    'web/src/*.js' 'web/src/*.html' "$@")
 exit $failed

@@ -162,7 +162,8 @@ class Check:
                   "the legs feel {weakest word} least", "Load (the legs are massless here)",
                   "mass {mass mass}, centre of mass {cx}, {cy}, {cz length}",
                   "principal moments {moment_0}, {moment_1}, {moment_2 inertia}",
-                  "along the axes " + ", ".join("(" + ", ".join(f"{{axis_{a}{k} .4}}" for k in range(3)) + ")" for a in range(3)),
+                  *(f"axis of the {name} (" + ", ".join(f"{{axis_{a}{k} .4}}" for k in range(3)) + ")"
+                    for a, name in enumerate(("first", "second", "third"))),
                   "gravity {gx}, {gy}, {gz acceleration}", "Dimensionless groups", "R_b {R_b length}", "h/R_b {h}", "r/R_b {r}",
                   "J/(M R_b^2) {group_J0}, {group_J1}, {group_J2}"]
         if m.norm(machine.gravity) > 0:
