@@ -86,7 +86,7 @@ export class Curves {
       });
       const plan = button(
         "program",
-        "the program's lines beside the actual ones",
+        "the program's lines as well as the actual ones",
         () => {
           this.planned = !this.planned;
           plan.setAttribute("aria-pressed", String(this.planned));
@@ -111,7 +111,7 @@ export class Curves {
     }
     const all = button(
       "whole range",
-      "the whole range of time (double-click in a curve)",
+      "the full range of time (double-click in a curve)",
       () => this.range.reset(),
       { "data-testid": "whole-range", disabled: true },
     );
@@ -139,7 +139,7 @@ export class Curves {
           class: "mini",
           type: "button",
           "data-testid": `save-run-${study.index}`,
-          title: "the table of the run, all rows, all digits",
+          title: "the table of the run, with all rows and digits",
           onclick: save(study.run, "run"),
         },
         "run CSV",

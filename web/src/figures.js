@@ -54,7 +54,7 @@ function equalNote(study, column) {
   const equal = others.every((values) =>
     values.every((value, row) => Math.abs(value - first[row]) <= 2e-3 * scale),
   );
-  return equal ? "The six legs are equal to the eye: one line covers the others." : "";
+  return equal ? "The six legs look the same: one line covers the others." : "";
 }
 
 const joined = (...notes) => notes.filter(Boolean).join(" ");
@@ -123,8 +123,8 @@ function figure4(studies) {
     note: fed
       ? "Height over the mean, as in the paper's Figure 4, but with feedback: G holds it."
       : alone
-        ? "Height over the mean under the given forces, η*, beside the program η of equation (3.1)."
-        : "Height over the mean, η*, beside the program η of equation (3.1).",
+        ? "Height over the mean under the given forces, η*, and the program η of equation (3.1)."
+        : "Height over the mean, η*, and the program η of equation (3.1).",
     lines: [
       ...studies.map((study) => ({
         label: alone ? "η*" : study.label,

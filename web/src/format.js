@@ -122,9 +122,9 @@ export function causeWords(status) {
       leg_long: "a leg is longer than it can be",
       leg_speed: "a leg exceeds its greatest speed",
       leg_force: "a leg exceeds its greatest force",
-      leg_no_length: "both joints of a leg met",
+      leg_no_length: "both joints of a leg coincided",
       singular: "singular pose",
-      not_finite: "a number ceased to be finite",
+      not_finite: "a number was no longer finite",
       no_convergence: "the steps did not converge",
       stopped: "stopped",
     }[status] ?? status

@@ -93,7 +93,7 @@ export function bindKeys(page) {
       "p",
       { class: "note" },
       "Mouse: drag to turn, wheel to zoom, right button to shift. In a curve: point to see that moment, ",
-      "drag to zoom, double-click for all of it. Live: take the load and pull.",
+      "drag to zoom, double-click for the full range. Live: grab the load and pull.",
     ),
     element("form", { method: "dialog" }, element("button", { class: "mini" }, "close")),
   );

@@ -34,8 +34,8 @@ export class Live {
     );
     this.reason =
       study.live === null
-        ? "No live run for this study: its recorded motion is too long to travel with the page."
-        : "No live run here: this browser has no WebAssembly, or the page no core.";
+        ? "No live run for this study: its recorded motion is too long to be part of the page."
+        : "No live run here: this browser has no WebAssembly, or the page was built without the core.";
     this.running = false;
     this.moved = {};
     this.trail = [];
@@ -163,7 +163,7 @@ export class Live {
     const { stiffness, damping } = study.control;
     const unequal = (gains) =>
       gains.some((value) => value !== gains[0])
-        ? "The study's six differ; moved, all are the same."
+        ? "The study's six values differ; moving the slider makes them equal."
         : "";
     this.sliders = {
       stiffness: slider({
@@ -229,7 +229,7 @@ export class Live {
       {
         id: "speed",
         label: "Speed",
-        unit: si ? "× real time" : "units of time a second",
+        unit: si ? "× real time" : "units of time per second",
         ...SPEEDS,
         logarithmic: true,
         value: 1,
@@ -444,7 +444,7 @@ export class Live {
     ].join(", ");
     this.pace.textContent =
       this.ratio > 0
-        ? `${number(this.ratio, 2)}${this.study.units === "si" ? "× real time" : " units of time a second"}`
+        ? `${number(this.ratio, 2)}${this.study.units === "si" ? "× real time" : " units of time per second"}`
         : "–";
     this.strips.draw();
   }

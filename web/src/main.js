@@ -49,11 +49,11 @@ class Page {
         element(
           "div",
           { class: "no-webgl", "data-testid": "no-webgl", role: "status" },
-          element("strong", {}, "No picture of the machine: this browser gives no WebGL."),
+          element("strong", {}, "No picture of the machine: this browser does not provide WebGL."),
           element(
             "span",
             {},
-            "Curves, numbers and the live run work without it. In most browsers hardware acceleration must be switched on.",
+            "Curves, numbers and the live run work without it. Most browsers need hardware acceleration switched on.",
           ),
         ),
       );
@@ -349,7 +349,7 @@ class Page {
       byId(`mode-${name}`).tabIndex = name === this.mode ? 0 : -1;
     }
     byId("mode-live").disabled = !this.live.possible;
-    byId("mode-live").title = "the simulation runs here, under your hands";
+    byId("mode-live").title = "the simulation runs in this page";
     byId("no-live").textContent = this.live.possible || !this.alone ? "" : this.live.reason;
     byId("stage").classList.toggle("live", live);
     byId("stage").classList.toggle("many", this.chosen === ALL);

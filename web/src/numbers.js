@@ -240,7 +240,7 @@ stays for ever: the top drifts away.`,
           element(
             "figcaption",
             {},
-            "Floquet multipliers and the unit circle; what lies beyond it, by logarithm. ◆ grows, ● does not.",
+            "Floquet multipliers and the unit circle, with a logarithmic scale outside it. ◆ grows, ● does not.",
           ),
         ),
       multipliers.length > 0 &&
