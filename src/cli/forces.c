@@ -14,7 +14,7 @@ static const struct argp_option option[] = {
     {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
      "table and summary in units of R_b, M and sqrt(R_b/g)", 0},
     {"all", OPTION_ALL, NULL, 0, "list each time that a leg exceeds a limit", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "say nothing but what is wrong", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
     {0}};
 
 gough_status forces_verb(int count, char **argument) {
