@@ -349,8 +349,8 @@ static const struct {
     double inertia[3][3];
     const char *sentence;
 } BAD_INERTIA[] = {
-    {{{1, 0, 0}, {0, 1, 0}, {0, 0, 2.1}}, "exceeds the sum of the other two"},
-    {{{1, 0, 0}, {0, 3.1, 0}, {0, 0, 2}}, "exceeds the sum of the other two"},
+    {{{1, 0, 0}, {0, 1, 0}, {0, 0, 2.1}}, "the greatest exceeds the sum of the other two"},
+    {{{1, 0, 0}, {0, 3.1, 0}, {0, 0, 2}}, "the greatest exceeds the sum of the other two"},
     {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, "each must be positive"},
     {{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}},
      "each must be positive"}, /* a rod: nothing resists its spin */
