@@ -12,7 +12,7 @@ size_t gough_samples_scratch(size_t count) { return 2 * count; }
 
 static gough_status check(const gough_samples *s, gough_error *error) {
     if (s->count < 2)
-        return FAIL(error, "recorded motion needs at least 2 rows; this one has %zu", s->count);
+        return FAIL(error, "recorded motion needs 2 rows or more, this one has %zu", s->count);
     for (size_t i = 0; i < s->count; i++) {
         if (!isfinite(s->time[i])) return FAIL(error, "row %zu: the time is not finite", i + 1);
         for (size_t c = 0; c < GOUGH_COMPONENTS; c++)
@@ -20,8 +20,7 @@ static gough_status check(const gough_samples *s, gough_error *error) {
                 return FAIL(error, "row %zu: %s is not finite", i + 1,
                             gough_component_name((int)c));
         if (i > 0 && !(s->time[i] > s->time[i - 1]))
-            return FAIL(error,
-                        "row %zu: the time %.9g is not greater than %.9g in the previous row",
+            return FAIL(error, "row %zu: the time %.9g does not increase from %.9g before it",
                         i + 1, s->time[i], s->time[i - 1]);
     }
     return GOUGH_OK;
@@ -103,6 +102,7 @@ gough_status gough_samples_prepare(const gough_samples *samples, double *scratch
 
     for (size_t i = 0; i < count * GOUGH_COMPONENTS; i++)
         if (!isfinite(samples->curvature[i]))
-            return FAIL(error, "row %zu: the rows are too close in time", i / GOUGH_COMPONENTS + 1);
+            return FAIL(error, "row %zu: the rows are too close in time for their differences",
+                        i / GOUGH_COMPONENTS + 1);
     return GOUGH_OK;
 }

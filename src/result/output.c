@@ -90,7 +90,7 @@ static gough_status look_at_target(result_output *output, bool *in_place, mode_t
     *mode = 0;
     if (stat(output->path, &target) != 0) return GOUGH_OK;
     if (S_ISDIR(target.st_mode))
-        return gough_fail(error, GOUGH_ERROR_FILE, "%s: is a folder; give the name of a file in it",
+        return gough_fail(error, GOUGH_ERROR_FILE, "%s: is a folder; name a file in it",
                           output->path);
     if (access(output->path, W_OK) != 0) return fail_path(output->path, "write", error);
     *in_place = !S_ISREG(target.st_mode);

@@ -74,7 +74,7 @@ static bool is_decimal(piece cell, double *value) {
 /* A decimal number, or nan or inf as tables of gough have them. */
 static gough_status read_number(const reader *r, piece cell, double *value) {
     if (cell.begin == cell.end)
-        return fail_at(r, cell.begin, "a number is missing (write nan for no value)");
+        return fail_at(r, cell.begin, "a number is missing (write nan where there is none)");
     if (is_word(cell, "nan")) {
         *value = NAN;
         return GOUGH_OK;
@@ -212,7 +212,7 @@ gough_status result_read_csv(const char *path, const char *text, size_t length, 
     if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) r.at += 3;
     if (r.at == r.end)
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "%s:1:1: the file is empty; a table starts with a row of column names",
+                          "%s:1:1: the file is empty; a table begins with a row of column names",
                           path);
     const gough_status status = read_header(&r, table);
     return status == GOUGH_OK ? read_rows(&r, table) : status;

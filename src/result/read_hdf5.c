@@ -30,7 +30,7 @@ typedef struct reader {
 
 static char *empty_text(void) { return calloc(1, 1); }
 
-/* The text of a scalar string attribute, "" where there is none; NULL when out of memory. */
+/* The text of a scalar string attribute, "" where there is none; NULL when memory is out. */
 static char *read_text(hid_t object, const char *name) {
     if (H5Aexists(object, name) <= 0) return empty_text();
     const hid_t attribute = H5Aopen(object, name, H5P_DEFAULT);
@@ -116,13 +116,13 @@ static gough_status read_column(reader *r, hid_t dataset, const char *name) {
     if (table->columns > 0 && rows != table->rows)
         return gough_fail(r->error, GOUGH_ERROR_INPUT,
                           "%s: column %.60s has %zu rows, but %.60s has %zu; all columns of a "
-                          "table must have the same length",
+                          "table are equally long",
                           r->path, name, rows, table->name[0], table->rows);
     if (rows > r->room)
-        return gough_fail(
-            r->error, GOUGH_ERROR_INPUT,
-            "%s: column %.60s claims to have %zu rows, more than a file of this size can hold",
-            r->path, name, rows);
+        return gough_fail(r->error, GOUGH_ERROR_INPUT,
+                          "%s: column %.60s says that it has %zu rows, more than a file of this "
+                          "size can have",
+                          r->path, name, rows);
     r->room -= rows;
 
     double *value = calloc(rows > 0 ? rows : 1, sizeof *value);
@@ -201,9 +201,10 @@ static gough_status read_whole(const char *path, gough_table *table, gough_error
     r.room = ((size_t)about.st_size * EXPANSION + EXPANSION_BASE) / sizeof(double);
     r.file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
     if (r.file < 0)
-        return gough_fail(
-            error, GOUGH_ERROR_INPUT,
-            "%s: starts like an HDF5 file but cannot be opened; it is damaged or incomplete", path);
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%s: begins like an HDF5 file but cannot be opened as one; it is damaged "
+                          "or incomplete",
+                          path);
     const gough_status status = read_root(&r);
     H5Fclose(r.file);
     return status;

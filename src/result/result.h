@@ -87,7 +87,7 @@ gough_status result_read_csv(const char *path, const char *text, size_t length, 
                              gough_error *error);
 gough_status result_read_hdf5(const char *path, gough_table *table, gough_error *error);
 
-/* Makes room for the columns and rows of a table; false when out of memory. */
+/* Makes room for the columns and rows of a table; false when memory is out. */
 bool result_table_shape(gough_table *table, size_t columns, size_t rows);
 
 #endif

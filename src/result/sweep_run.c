@@ -339,8 +339,8 @@ static gough_status check_lanes(const gough_sweep_options *options, gough_error 
     const bool known = lanes == 0 || lanes == 1 || lanes == 2 || lanes == 4 || lanes == 8;
     if (known && lanes <= widest) return GOUGH_OK;
     return gough_fail(error, GOUGH_ERROR_INPUT,
-                      "%d lanes are not possible: this processor can run 1%s%s or %d lanes", lanes,
-                      widest > 2 ? ", 2" : "", widest > 4 ? ", 4" : "", widest);
+                      "%d lanes are not possible: this processor runs 1%s%s or %d side by side",
+                      lanes, widest > 2 ? ", 2" : "", widest > 4 ? ", 4" : "", widest);
 }
 
 gough_status gough_sweep_run(const gough_sweep *sweep, const gough_sweep_options *options,

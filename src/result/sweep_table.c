@@ -26,7 +26,7 @@ static const struct {
     {"energy", "net work of all legs", "J", 2, 1, -2, 0},
     {"drift", "largest constraint violation before projection", "1", 0, 0, 0, 0},
     /* in the table behind the end of the run */
-    {"power_least", "least power of any leg, below 0 when it brakes", "W", 2, 1, -3, 0},
+    {"power_least", "least power of any leg, below 0 where it brakes", "W", 2, 1, -3, 0},
     {"power_greatest", "greatest power of any leg", "W", 2, 1, -3, 0}};
 
 typedef struct table {

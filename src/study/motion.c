@@ -25,10 +25,9 @@ static bool find_kind(study_build *build, study_node *node, gough_motion_kind *k
                                        : moves ? GOUGH_MOTION_MOVES
                                                : GOUGH_MOTION_SAMPLES;
         if (first && this != *kind) {
-            study_node_say(
-                build->messages, child, study_node_place(child, true),
-                "`motion` has both `%s` and `%s`; give only one of formulas, moves and samples",
-                child->key->text, first->key->text);
+            study_node_say(build->messages, child, study_node_place(child, true),
+                           "`motion` has `%s` beside `%s`; give formulas, moves or samples",
+                           child->key->text, first->key->text);
             return false;
         }
         if (!first) first = child;
@@ -52,10 +51,11 @@ static void read_move(study_build *build, study_node *node, gough_move *move, do
     const char *path = study_node_path(build->messages->arena, node);
     if (!any)
         study_node_say(build->messages, node, study_node_place(node, false),
-                       "`%s` has no target; give one such as heave: 0.1", path);
+                       "`%s` goes nowhere; give it a target such as heave: 0.1", path);
     if (!(move->start >= before - 1e-12 * fabs(before)))
         study_node_say(build->messages, start, study_node_place(start, false),
-                       "`%s.start` is before the end of the previous move; moves must not overlap",
+                       "`%s.start` lies before the end of the move before it; moves follow one "
+                       "another in time",
                        path);
     else if (move->start < before)
         move->start = before;

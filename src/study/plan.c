@@ -60,7 +60,7 @@ static bool read_grid(study_messages *messages, study_node *node, gough_sweep_ke
     key->logarithmic = scale && strcmp(scale->text, "log") == 0;
     if (!key->logarithmic || (value[0] > 0 && value[1] > 0)) return true;
     study_node_say(messages, node, study_node_place(node, true),
-                   "`%s` has a logarithmic scale, so its ends must be greater than 0",
+                   "`%s` has a logarithmic scale: its ends must be greater than 0",
                    study_node_path(messages->arena, node));
     return false;
 }
@@ -73,7 +73,7 @@ static bool read_distribution(study_messages *messages, study_node *way, gough_s
     if (uniform ? key->least < key->greatest : key->greatest >= 0) return true;
     study_node_say(messages, way, study_node_place(way, false), "`%s` must be %s",
                    study_node_path(messages->arena, way),
-                   uniform ? "[low, high], with the lower first"
+                   uniform ? "[low, high], the lower first"
                            : "[mean, deviation], the deviation 0 or greater");
     return false;
 }

@@ -19,7 +19,7 @@ typedef struct study_memory {
 study_node *study_tree_read(study_messages *messages, const study_source *source,
                             const gough_setting *settings, size_t setting_count);
 
-/* The study of a tree; NULL where out of memory. */
+/* The study of a tree; NULL where memory is out. */
 gough_study *study_from_tree(study_messages *messages, study_node *root,
                              const study_source *source);
 

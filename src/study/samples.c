@@ -110,7 +110,7 @@ static int header_cell(table *csv, cell head) {
     const study_place place = {csv->source, head.begin};
     for (size_t i = 0; column >= 0 && i < csv->columns; i++) {
         if (csv->column[i] != column) continue;
-        say(csv, head.begin, "this column is given twice");
+        say(csv, head.begin, "this column is there twice");
         return -1;
     }
     if (column >= 0) return column;

@@ -108,11 +108,12 @@ static bool say_no_number(study_messages *messages, study_node *node, const char
     const char *type = study_rule_key(rule)->type;
     if (made->list[0])
         study_node_say(messages, node, study_node_place(node, true),
-                       "`%s` is %s; sweep one of its elements, numbered from 1, as in `%s.%s`",
+                       "`%s` is not one number but %s: vary its elements, numbered from 1, as in "
+                       "`%s.%s`",
                        path, type, rule->path, made->list[1] ? "1.1" : "1");
     else
         study_node_say(messages, node, study_node_place(node, true),
-                       "`%s` is not a number (%s) and cannot be swept", path, type);
+                       "`%s` is not a number (%s) and cannot vary", path, type);
     return false;
 }
 
@@ -170,8 +171,8 @@ static bool check_place(study_messages *messages, study_node *root, study_node *
     const study_node *found = walk_tree(root, &rest, &missing);
     if (!missing && found->kind != STUDY_SCALAR && depth > 0) {
         study_node_say(messages, node, study_node_place(node, true),
-                       "`%s` is a list in this study; sweep one of its elements, as in `%s.1`",
-                       path, path);
+                       "`%s` is a list in this study; vary an element of it, as in `%s.1`", path,
+                       path);
         return false;
     }
     if (!missing || (depth == 0 && !move)) return true;

@@ -238,8 +238,8 @@ static const struct {
 } BAD_SAMPLES[] = {
     {0, {0}, 0, "2 rows"},
     {1, {0}, 0, "2 rows"},
-    {3, {0, 1, 1}, 0, "row 3: the time 1 is not greater than"},
-    {3, {0, 1, 0.5}, 0, "row 3: the time 0.5 is not greater than"},
+    {3, {0, 1, 1}, 0, "row 3: the time 1 does not increase"},
+    {3, {0, 1, 0.5}, 0, "row 3: the time 0.5 does not increase"},
     {3, {0, NAN, 2}, 0, "row 2: the time is not finite"},
     {3, {0, 1, INFINITY}, 0, "row 3: the time is not finite"},
     {4, {0, 1, 2, 3}, NAN, "row 2: heave is not finite"},

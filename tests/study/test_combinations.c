@@ -68,9 +68,9 @@ END_TEST
 
 START_TEST(impossible_machines_are_errors_at_their_part) {
     expect_machine(ring, small_ring, "{mass: 1, inertia: [1, 1, 3]}", "5:17",
-                   "no body can have this inertia");
+                   "no body has this inertia");
     expect_machine(ring, small_ring, "{mass: 1, inertia: [1, 1, -1]}", "5:17",
-                   "no body can have this inertia");
+                   "no body has this inertia");
     expect_machine(ring, small_ring, "{mass: 1, inertia: [[1, 0.2, 0], [0.1, 1, 0], [0, 0, 1]]}",
                    "5:41", "`load.inertia` must be symmetric: the opposite element is `0.2`");
     /* similar hexagons: the same spacing in base and top, leg by leg */
@@ -117,11 +117,11 @@ END_TEST
 
 START_TEST(motion_is_given_in_one_way) {
     expect_one_more("motion: {heave: t, moves: [{start: 1, duration: 1, heave: 1}]}\n", "8:20",
-                    "`motion` has both `moves` and `heave`");
+                    "`motion` has `moves` beside `heave`");
     expect_one_more("motion: {samples: a.csv, heave: t}\n", "8:26",
-                    "`motion` has both `heave` and `samples`");
+                    "`motion` has `heave` beside `samples`");
     expect_one_more("motion: {moves: [{start: 1, duration: 1, heave: 1}], samples: a.csv}\n",
-                    "8:54", "`motion` has both `samples` and `moves`");
+                    "8:54", "`motion` has `samples` beside `moves`");
 }
 END_TEST
 
@@ -140,9 +140,9 @@ END_TEST
 START_TEST(moves_follow_one_another) {
     expect_one_more("motion:\n  moves:\n  - {start: 1, duration: 1, heave: 1}\n  - {start: 1.5, "
                     "duration: 1, heave: 1}\n",
-                    "11:13", "`motion.moves.2.start` is before the end of the previous move");
+                    "11:13", "`motion.moves.2.start` lies before the end of the move before it");
     expect_one_more("motion:\n  moves:\n  - {start: 1, duration: 1}\n", "10:5",
-                    "`motion.moves.1` has no target");
+                    "`motion.moves.1` goes nowhere");
 }
 END_TEST
 
@@ -192,7 +192,7 @@ START_TEST(a_part_that_is_wrong_hides_no_error_of_another) {
     reading made = read_bytes(text, sizeof text - 1, NULL);
     ck_assert_int_eq(made.status, GOUGH_ERROR_INPUT);
     ck_assert_int_eq(occurrences(made.messages, ": error: "), 4);
-    ck_assert_ptr_nonnull(strstr(made.messages, ":5:17: error: no body can have this inertia"));
+    ck_assert_ptr_nonnull(strstr(made.messages, ":5:17: error: no body has this inertia"));
     ck_assert_ptr_nonnull(strstr(made.messages, ":6:19: error: cannot open"));
     ck_assert_ptr_nonnull(strstr(made.messages, ":7:20: error: `control.damping` must be"));
     ck_assert_ptr_nonnull(strstr(made.messages, ":8:22: error: `rk4` needs a fixed step"));

@@ -51,14 +51,12 @@ START_TEST(refuses_text_after_nul_and_control_characters) {
     EXPECT_REFUSED("title: a\x7f b\n", "study.yaml:1:9: error: control character U+007F");
     EXPECT_REFUSED("title: a\xc2\x9b b\n", "study.yaml:1:9: error: control character U+009B");
     EXPECT_REFUSED("title: a\xEF\xBB\xBF b\n", "study.yaml:1:9: error: control character U+FEFF");
-    EXPECT_REFUSED("title: \"a\\0b\"\n",
-                   "study.yaml:1:9: error: this text contains a NUL character");
+    EXPECT_REFUSED("title: \"a\\0b\"\n", "study.yaml:1:9: error: a NUL character");
     expect_said("title: \"a\\eb\"\n",
                 "study.yaml:1:10: error: control character U+001B in `title`");
     expect_said("title: \"a\\x9Bb\"\n",
                 "study.yaml:1:10: error: control character U+009B in `title`");
-    EXPECT_REFUSED("units: \"s\\0i\"\n",
-                   "study.yaml:1:9: error: this text contains a NUL character");
+    EXPECT_REFUSED("units: \"s\\0i\"\n", "study.yaml:1:9: error: a NUL character");
 }
 END_TEST
 

@@ -133,7 +133,7 @@ START_TEST(refuses_wrong_headers) {
                "@:1:9: error: unknown column `zzz`; the columns are t, surge, sway, heave, roll, "
                "pitch and yaw\nt,heave,zzz\n        ^\n");
     EXPECT_CSV("t,heave,heave\n0,0,0\n",
-               "@:1:9: error: this column is given twice\nt,heave,heave\n        ^\n");
+               "@:1:9: error: this column is there twice\nt,heave,heave\n        ^\n");
     EXPECT_CSV("t,,heave\n0,0,0\n", "@:1:3: error: a column has no name\nt,,heave\n  ^\n");
     EXPECT_CSV("heave,yaw\n0,0\n",
                "@:1:1: error: the column t, the time, is missing\nheave,yaw\n^\n");
@@ -154,7 +154,7 @@ START_TEST(names_all_wrong_columns_at_once) {
                "time,heav,zzz,t,roll,roll,,yaw_deg\n     ^\n"
                "@:1:11: error: unknown column `zzz`; the columns are t, surge, sway, heave, roll, "
                "pitch and yaw\ntime,heav,zzz,t,roll,roll,,yaw_deg\n          ^\n"
-               "@:1:22: error: this column is given twice\n"
+               "@:1:22: error: this column is there twice\n"
                "time,heav,zzz,t,roll,roll,,yaw_deg\n                     ^\n"
                "@:1:27: error: a column has no name\n"
                "time,heav,zzz,t,roll,roll,,yaw_deg\n                          ^\n"
@@ -166,7 +166,7 @@ START_TEST(names_all_wrong_columns_at_once) {
                "@:1:35: error: unknown column `speed`; the columns are t, surge, sway, heave, "
                "roll, pitch and yaw\nt,surge,sway,heave,roll,pitch,yaw,speed,heave\n"
                "                                  ^\n"
-               "@:1:41: error: this column is given twice\n"
+               "@:1:41: error: this column is there twice\n"
                "t,surge,sway,heave,roll,pitch,yaw,speed,heave\n"
                "                                        ^\n");
 }
@@ -248,7 +248,7 @@ START_TEST(refuses_more_than_64_mib) {
     char *path = write_file("motion.csv", "t,heave\n", 8), text[1000];
     ck_assert_int_eq(truncate(path, 64 * 1024 * 1024 + 1), 0);
     snprintf(text, sizeof text, "%smotion:\n  samples: '%s'\n", good_study, path);
-    expect_said(text, "is too large: at most 65536 KiB are allowed");
+    expect_said(text, "is larger than the 65536 KiB that such a file may have");
     forget_file(path);
 }
 END_TEST

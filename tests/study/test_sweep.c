@@ -247,7 +247,7 @@ START_TEST(says_what_is_wrong_with_a_sweep) {
     refuse("sweep: {keys: {control.feedforward: [1]}}\n", "is not a number (choice)");
     refuse("sweep: {keys: {load: [1]}}\n", "is not a number (mapping)");
     refuse("sweep: {keys: {sweep.seed: [1]}}\n", "is not a key of a study");
-    refuse("sweep: {keys: {load.inertia: [1]}}\n", "sweep one of its elements, numbered from 1");
+    refuse("sweep: {keys: {load.inertia: [1]}}\n", "vary its elements, numbered from 1");
     refuse("sweep: {keys: {load.inertia.4: [1]}}\n", "is not a key of a study");
     refuse("sweep: {keys: {load.inertia.1.1: [1]}}\n", "no list `load.inertia` with such");
     refuse("sweep: {keys: {control.stiffness.2: [1]}}\n", "no list `control.stiffness` with");
@@ -267,8 +267,7 @@ START_TEST(says_what_is_wrong_with_a_sweep) {
     refuse("sweep: {keys: {load.mass: {from: 0, to: 2, steps: 3, scale: log}}}\n",
            "its ends must be greater than 0");
     refuse("sweep: {keys: {load.mass: {from: 1, uniform: [1, 2]}}}\n", "both `uniform` and `from`");
-    refuse("sweep: {runs: 3, keys: {load.mass: {uniform: [2, 1]}}}\n",
-           "[low, high], with the lower");
+    refuse("sweep: {runs: 3, keys: {load.mass: {uniform: [2, 1]}}}\n", "[low, high], the lower");
     refuse("sweep: {runs: 3, keys: {load.mass: {normal: [2, -1]}}}\n", "the deviation 0 or");
     refuse("sweep: {keys: {load.mass: {normal: [2, 1]}}}\n", "`sweep.runs` is missing");
     refuse("sweep: {runs: 3, keys: {load.mass: [1, 2]}}\n",
@@ -290,7 +289,7 @@ START_TEST(a_key_that_goes_not_with_the_file_is_an_error) {
     ck_assert_int_eq(
         gough_sweep_parse("study.yaml", study, strlen(study), NULL, 0, &sweep, &messages),
         GOUGH_ERROR_INPUT);
-    ck_assert_ptr_nonnull(strstr(messages, "`motion` has both `roll` and `moves`"));
+    ck_assert_ptr_nonnull(strstr(messages, "`motion` has `roll` beside `moves`"));
     gough_study_free_messages(messages);
     ck_assert_int_eq(
         gough_sweep_parse("study.yaml", good_study, strlen(good_study), NULL, 0, &sweep, &messages),
