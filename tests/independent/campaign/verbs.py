@@ -275,7 +275,7 @@ class Run:
             return
         most = self.curves.beyond_rows(self.meaning.output_step, self.row_count) if self.row_count > 1 else 0.0
         stroke = max(leg["used"].value for leg in self.legs)
-        if said or most > 0.052 * stroke:
+        if said or most > 0.052 * stroke > 1e-9 * self.scales.length:
             case.same(f"{self.verb} text rows too far apart", bool(said), most > 0.048 * stroke)
         if said:
             case.near(f"{self.verb} text between rows", said["between"].value, *units.of(Q(most, "length", 0.01 * most)), said["between"].half)
@@ -327,14 +327,15 @@ class Forces(Run):
         self.worst_slack, self.worst_time_slack = 3e-3, meaning.output_step / 4
         self.last = meaning.time(meaning.rows - 1)
         self.motion = f.Curves(self.pieces())
-        self.finish(self.motion, self.last, PEAKS)
+        self.finish(self.motion, meaning.duration, PEAKS)
         self.find_crossings()
 
     def pieces(self):
         """Samples between the corners of the program."""
-        ends = [0.0] + [t for t in self.meaning.stops if t < self.last] + [self.last]
+        until = self.meaning.duration
+        ends = [0.0] + [t for t in self.meaning.stops if t < until] + [until]
         for low, high in zip(ends, ends[1:]):
-            count = max(8, math.ceil(110 * (high - low) / self.last))
+            count = max(8, math.ceil(110 * (high - low) / until))
             times = [low + (high - low) * k / count for k in range(count + 1)]
             yield times, [self.sample(t) for t in times]
 
@@ -371,7 +372,7 @@ class Forces(Run):
             for leg in range(6):
                 name = limits.KINDS[kind][1], leg
                 for enter, leave in self.motion.intervals(name, lambda v: limits.share(kind, limit, v) - 1):
-                    until = self.last if leave is None else leave
+                    until = self.meaning.duration if leave is None else leave
                     worst, time = self.motion.worst(name, enter, until, lambda v: limits.share(kind, limit, v))
                     self.crossings.append({"kind": kind, "leg": leg + 1, "enter": enter, "leave": leave, "worst": worst, "worst_time": time})
         self.crossings.sort(key=lambda c: (c["enter"], c["leg"]))
