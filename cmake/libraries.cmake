@@ -7,6 +7,8 @@ file(GLOB GOUGH_HEADERS CONFIGURE_DEPENDS include/gough/*.h)
 file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
     src/kernel/*.c src/model/*.c src/dynamics/*.c src/integrate/*.c src/simulate/*.c src/batch/*.c)
 file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/analyse/*.c)
+# The core does not show its inner functions: what the analysis needs of them is compiled into it again.
+list(APPEND GOUGH_ANALYSE_SOURCES src/model/appointments.c)
 file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS src/study/*.c src/result/*.c src/report/*.c)
 
 # What steps is worth more of the compiler's time; the bits stay.

@@ -13,7 +13,7 @@ static gough_table *row_of_ones(const gough_units *units) {
     gough_row row = {.quad = NULL};
     for (int c = 0; c < GOUGH_COLUMNS; c++) row.value[c] = 1.0;
     ck_assert_int_eq(gough_result_add(result, &row), 0);
-    const gough_end end = {GOUGH_END_DONE, 20.0, 0, ""};
+    const gough_end end = {.cause = GOUGH_END_DONE, .time = 20.0};
     gough_result_set_end(result, &end);
 
     gough_error error = {GOUGH_OK, ""};
