@@ -1,4 +1,4 @@
-# Motion of a ship's deck in an irregular sea, as six columns for a motion platform.
+# Motion of a ship's deck in an irregular sea, as six columns.
 #
 #     awk -f ship-deck.awk > ship-deck.csv
 #

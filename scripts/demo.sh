@@ -208,7 +208,7 @@ heading "7  Stability without simulating"
 say "   The paper infers the necessity of feedback from runs. It follows from the equations: the loop linearised, at rest and over"
 say "   one period of the motion."
 "$gough" stability examples/paper-heave.yaml >"$scratch/loop.txt" 2>"$scratch/said" || fail "$(cat "$scratch/said")"
-sed -n 's/^  \(Without feedback.*\)/\n   \1/p; s/^  \(trace -2Mg.*\)/   \1/p' "$scratch/loop.txt"
+sed -n '/^  Without feedback/,/^  Checked/ { /^  Checked/d; s/^  \(Without\)/\n  \1/; s/^/ /p; }' "$scratch/loop.txt"
 say "
    Along the oscillation, without feedback, deviations grow in each period of 2 pi:"
 sed -n '/^About the program/,/^  Checked/s/^    \([a-z].*\)/    \1/p' "$scratch/loop.txt" |

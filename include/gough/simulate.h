@@ -250,7 +250,8 @@ typedef struct gough_summary {
     double square_[GOUGH_LEGS];  /**< private */
     double look_[4][4 + 6 * GOUGH_LEGS]; /**< private: the last looks */
     size_t looks_;                       /**< private: looks since a corner */
-    double origin_, span_;               /**< private: time of the first look, time since then */
+    double origin_;                      /**< private: time of the first look */
+    double span_;                        /**< private: time since then */
     double between_[GOUGH_LEGS][3];      /**< private: lengths since the last row */
     double acceleration_;                /**< private: largest of a leg */
 } gough_summary;

@@ -184,17 +184,16 @@ typedef struct {
 
 static int listen(void *context, const gough_row *row) {
     listener *l = context;
-    const double *value = row->value, before = l->summary.angle_deviation;
-    const double distance = hypot(hypot(value[GOUGH_EX], value[GOUGH_EY]), value[GOUGH_EZ]);
+    const double *value = row->value;
     bool worse = false;
 
-    gough_summary_add(&l->summary, &l->model->machine, row);
-    if (!(distance <= l->position)) {
-        l->position = distance;
+    /* the summary, which the run fills, has seen this row and what lies between it and the one before */
+    if (!(l->summary.position_deviation <= l->position)) {
+        l->position = l->summary.position_deviation;
         l->position_time = value[GOUGH_T];
         worse = !l->by_angle;
     }
-    if (!(l->summary.angle_deviation <= before) || l->summary.rows == 1) {
+    if (!(l->summary.angle_deviation <= l->angle)) {
         l->angle = l->summary.angle_deviation;
         l->angle_time = value[GOUGH_T];
         worse |= l->by_angle;
@@ -334,7 +333,7 @@ static void binding_leg(tune *t, const gough_summary *summary) {
 
 gough_status tune_detail(tune *t, gough_error *error) {
     gough_tuning *tuning = t->tuning;
-    const gough_simulation simulation = simulation_for(t, tuning->stiffness);
+    gough_simulation simulation = simulation_for(t, tuning->stiffness);
     listener l = {.model = t->model, .position = -1, .angle = -1};
     gough_end end;
     gough_status status;
@@ -344,13 +343,12 @@ gough_status tune_detail(tune *t, gough_error *error) {
         t->loop->control.damping[v] = t->ratio ? tuning->damping : t->model->control.damping[v];
     }
     l.by_angle = tuning->binding == GOUGH_TUNING_ANGLE;
-    gough_summary_begin(&l.summary);
+    simulation.summary = &l.summary;
     status = gough_simulate(t->loop, &simulation, listen, &l, &end, error);
     if (status != GOUGH_OK) return status;
-    gough_summary_end(&l.summary);
-    tuning->deviation = l.position;
+    tuning->deviation = l.summary.position_deviation;
     tuning->deviation_time = l.position_time;
-    tuning->angle_deviation = l.angle;
+    tuning->angle_deviation = l.summary.angle_deviation;
     tuning->angle_time = l.angle_time;
     binding_leg(t, &l.summary);
 

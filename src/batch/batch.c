@@ -259,6 +259,7 @@ gough_status gough_batch(const gough_motion *motion, const gough_simulation *sim
                          gough_error *error) {
     const int widest = gough_batch_lanes(), lanes = options->lanes ? options->lanes : widest;
     const int threads = threads_of(options);
+    gough_simulation own = *simulation;
     gough_status status;
     work w;
 
@@ -271,10 +272,9 @@ gough_status gough_batch(const gough_motion *motion, const gough_simulation *sim
     status = check_runs(motion, simulation, runs, count, error);
     if (status != GOUGH_OK) return status;
 
-    w = (work){.job = {motion, simulation, runs, outcomes, 0, 0},
-               .count = count,
-               .options = options,
-               .done = 0};
+    own.summary = NULL; /* of one run, which runs side by side must not share */
+    w = (work){
+        .job = {motion, &own, runs, outcomes, 0, 0}, .count = count, .options = options, .done = 0};
     atomic_init(&w.next, 0);
     atomic_init(&w.stopped, 0);
     pthread_mutex_init(&w.lock, NULL);

@@ -19,13 +19,14 @@ typedef struct {
     const gough_machine *machine;
     gough_summary summary;
     gough_outcome *outcome;
+    int summed; /* the run fills the summary itself, between rows too */
 } listener;
 
 static int listen(void *context, const gough_row *row) {
     listener *l = context;
     gough_outcome *out = l->outcome;
 
-    gough_summary_add(&l->summary, l->machine, row);
+    if (!l->summed) gough_summary_add(&l->summary, l->machine, row);
     out->rows += 1;
     for (int c = 0; c < 3; c++) {
         out->position[c] = row->value[GOUGH_X + c];
@@ -39,6 +40,7 @@ static int listen(void *context, const gough_row *row) {
 static void listen_begin(listener *l, const batch_job *job, size_t which) {
     l->machine = job->runs[which].machine;
     l->outcome = &job->outcomes[which];
+    l->summed = 0;
     *l->outcome = (gough_outcome){.cause = GOUGH_END_DONE};
     gough_summary_begin(&l->summary);
 }
@@ -75,11 +77,14 @@ static void listen_end(listener *l, const gough_end *end) {
 void batch_alone(const batch_job *job, size_t which) {
     const simulate_parts parts = parts_of(job, which);
     const struct simulate_table *table = simulate_table_of(job->simulation->precision);
+    gough_simulation simulation = *job->simulation;
     gough_end end = {.cause = GOUGH_END_DONE};
     listener l;
 
     listen_begin(&l, job, which);
-    (void)table->simulate(&parts, job->simulation, listen, &l, &end);
+    simulation.summary = &l.summary;
+    l.summed = 1;
+    (void)table->simulate(&parts, &simulation, listen, &l, &end);
     listen_end(&l, &end);
 }
 

@@ -72,7 +72,7 @@ static void print_interval(FILE *stream, const gough_interval *i, bool resting) 
     char name[GOUGH_MODE_NAME + 16];
     snprintf(name, sizeof name, i->modes > 1 ? "%s ×%d" : "%s", i->mode.name, i->modes);
     fprintf(stream, "  ");
-    stability_pad(stream, name, 20);
+    stability_pad(stream, name, 19);
     print_cell(stream, i->from);
     print_cell(stream, i->to);
     fprintf(stream, "%c", i->cut ? '+' : ' ');
@@ -111,7 +111,7 @@ static void print_row(FILE *stream, const map_report *report, size_t r) {
     }
     const table_heading from = heading_of("from G", unit->stiffness),
                         rate = heading_of("rate", *unit->time ? " 1/s" : "");
-    fprintf(stream, "ranges of G in which a mode grows\n  %-20s%12s%12s %12s%12s%12s\n", "mode",
+    fprintf(stream, "ranges of G in which a mode grows\n  %-19s%12s%12s %12s%12s%12s\n", "mode",
             from.text, "to", row->period.resting ? "" : "per period", rate.text, "at G");
     for (size_t i = 0; i < row->intervals; i++) {
         const gough_interval *one = &report->map.interval[r * report->options.intervals + i];

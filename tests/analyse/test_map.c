@@ -227,7 +227,7 @@ START_TEST(refuses_axes_without_values) {
     gough_model *model = map_heaving("0.2*sin(t)");
     gough_map_options o[8];
     static const char *const word[8] = {"stiffness", "stiffness", "stiffness", "frequency",
-                                        "damping",   "lanes",     "above 0",   "fewer"};
+                                        "damping",   "lanes",     "above 0",   "too large"};
 
     for (int i = 0; i < 8; i++) o[i] = map_over(0, 2, 3);
     o[0].stiffness.count = 0;
