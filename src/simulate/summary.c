@@ -39,6 +39,10 @@ void gough_summary_begin(gough_summary *summary) {
 /* larger of the two; a NaN stands for nothing yet on the left, and is passed over on the right */
 static double larger(double a, double b) { return b > a || isnan(a) ? b : a; }
 
+/* Looks nearer to each other than this part of their time are one: the end of a step and a row that is due there differ by
+ * round-off, and a parabola through both would have its vertex anywhere. */
+static const double same_time = 1e-11;
+
 static double angle_between(const double a[3], const double b[3]) {
     const double c[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
                          a[0] * b[1] - a[1] * b[0]};
@@ -300,7 +304,7 @@ void gough_summary_look(gough_summary *summary, const gough_machine *machine, co
     double *newest = summary->look_[WINDOW - 1], *at_base, *at_top;
 
     if (is_row) count_row(summary, value[GOUGH_T]);
-    if (summary->looks_ > 0 && !(value[GOUGH_T] > newest[0])) {
+    if (summary->looks_ > 0 && !(value[GOUGH_T] - newest[0] > same_time * fabs(value[GOUGH_T]))) {
         if (is_row) watch_rows(summary, true);
         return; /* seen already */
     }
