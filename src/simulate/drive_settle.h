@@ -14,6 +14,9 @@
 /* halvings of a bracket around an end: to round-off of the step */
 enum { DRIVE_HALVINGS = 64 };
 
+/* looks between the ends of an adaptive step, for peaks to four digits */
+enum { DRIVE_LOOKS = 8 };
+
 typedef struct {
     run r;
     const gough_initial *initial;
@@ -269,16 +272,16 @@ static inline gough_status drive_begin(drive *d) {
     return GOUGH_ERROR_NUMERICAL;
 }
 
-/* Looks at the quarters of the step before t, for the summary, where rows are too far apart to serve. Steps of a fixed length are
+/* Looks at the eighths of the step before t, for the summary, where rows are too far apart to serve. Steps of a fixed length are
  * short beside the motion, and are looked at at their ends. */
-static inline void drive_quarters(drive *d, int *quarter, real t) {
+static inline void drive_between(drive *d, int *part, real t) {
     if (d->r.options->summary == NULL || d->dense == NULL) return;
-    if (4 * (real)d->r.options->output_step < d->h) return;
-    for (; *quarter < 4 && d->t0 + (real)*quarter / 4 * d->h < t; (*quarter)++) {
+    if (DRIVE_LOOKS * (real)d->r.options->output_step < d->h) return;
+    for (; *part < DRIVE_LOOKS && d->t0 + (real)*part / DRIVE_LOOKS * d->h < t; (*part)++) {
         number y[STATE];
         drive_prepare(d);
-        drive_inside(d, (real)*quarter / 4, y);
-        drive_look(d, d->t0 + (real)*quarter / 4 * d->h, y);
+        drive_inside(d, (real)*part / DRIVE_LOOKS, y);
+        drive_look(d, d->t0 + (real)*part / DRIVE_LOOKS * d->h, y);
     }
 }
 
@@ -293,7 +296,7 @@ static inline gough_status drive_rows(drive *d, real until) {
         gough_status status;
 
         if (t > until + step * (real)1e-12) break;
-        drive_quarters(d, &quarter, t);
+        drive_between(d, &quarter, t);
         if (t < d->t) {
             drive_prepare(d);
             drive_inside(d, (t - d->t0) / d->h, y);
@@ -303,8 +306,15 @@ static inline gough_status drive_rows(drive *d, real until) {
         }
         if (status != GOUGH_OK) return status;
     }
-    drive_quarters(d, &quarter, until);
-    if (!(until < d->t)) drive_look(d, d->t, d->y);
+    drive_between(d, &quarter, until);
+    if (!(until < d->t)) {
+        drive_look(d, d->t, d->y);
+    } else if (until > d->t0) { /* the run ends within the step */
+        number y[STATE];
+        drive_prepare(d);
+        drive_inside(d, (until - d->t0) / d->h, y);
+        drive_look(d, until, y);
+    }
     return GOUGH_OK;
 }
 

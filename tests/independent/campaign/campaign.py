@@ -287,7 +287,7 @@ class Case:
             for scaled in scales:
                 self.verb(run, title, scaled, reactions=not scaled)
         if "sweep" in self.tree:
-            sweep = sweeps.Sweep(self.tree, verbs.Simulate)
+            sweep = sweeps.Sweep(self.tree, lambda meaning: verbs.Simulate(meaning, of_motion=meaning.step is None))
             for scaled in scales:
                 self.sweep(sweep, scaled)
             self.settings(sweep)

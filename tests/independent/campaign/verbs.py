@@ -389,7 +389,7 @@ class Simulate(Run):
     verb, simulated = "simulate", True
 
     def __init__(self, meaning, axes=None, of_motion=False, tolerance=1e-11):
-        """of_motion: peaks and integrals are those of the motion; else, as in a sweep, those of the rows."""
+        """of_motion: peaks and integrals are those of the motion; else, as in a sweep with a fixed step, those of the rows."""
         super().__init__(meaning)
         self.axes, self.table, self.of_motion = axes, [], of_motion
         plant = meaning.plant
@@ -404,7 +404,9 @@ class Simulate(Run):
         if broken:
             self.end_at(None, t, broken, tolerance)
         for k in range(1, 0 if broken else meaning.rows + 1):
-            until = meaning.time(k) if k < meaning.rows else meaning.duration
+            # whole steps only, where they have a length
+            last = meaning.step * math.floor(meaning.duration / meaning.step + 1e-9) if meaning.step else meaning.duration
+            until = meaning.time(k) if k < meaning.rows else last
             if not until > t:
                 continue
             before, kept = (t, state), [(times[:], samples[:]) for times, samples in self.pieces]
