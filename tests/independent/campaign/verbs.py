@@ -10,7 +10,8 @@ from facts import Q, Skip
 from printed import Line, Table
 
 COMPONENTS = studies.COMPONENTS
-PEAKS = 5e-6  # what peaks and integrals of the motion may be off, of the largest: those of the command come from parabolas between looks
+PEAKS_OF_RUNS = 1.5e-3  # of runs, whose steps here are long beside a peak of power: this program interpolates between them
+PEAKS = 2e-5  # what peaks and integrals of the motion may be off, of the largest: those of the command come from parabolas between looks
 
 
 DRIFT = Skip("round-off of the constraints: only that it is small is checked")
@@ -428,7 +429,7 @@ class Simulate(Run):
             curves = f.Curves([(times, samples) for times, samples in self.pieces if len(times) > 1])
         else:
             curves = f.Rows(self.meaning, [s for s in self.samples if s["row"]])
-        self.finish(curves, self.pieces[-1][0][-1] if self.of_motion else self.last, max(self.slack, PEAKS) if self.of_motion else self.slack)
+        self.finish(curves, self.pieces[-1][0][-1] if self.of_motion else self.last, max(self.slack, PEAKS_OF_RUNS) if self.of_motion else self.slack)
         self.position, self.angle = curves.extremes("position")[1][0], curves.extremes("angle")[1][0]
 
     @property
