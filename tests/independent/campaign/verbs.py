@@ -513,7 +513,9 @@ class Simulate(Run):
         return self.table[min(len(self.table) - 1, round(t / self.meaning.output_step))]["condition"][0]
 
     def deviation(self):
-        return Q(self.position, "length", self.slack * self.scales.length), Q(self.angle, "angle", self.slack)
+        # the command's comes from a parabola between looks
+        length, turn = max(self.slack * self.scales.length, 1e-6 * self.position), max(self.slack, 1e-6 * self.angle)
+        return Q(self.position, "length", length), Q(self.angle, "angle", turn)
 
     def facts(self):
         position, angle = self.deviation()
