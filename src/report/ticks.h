@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { MOST_TICKS = 128, TICK_TEXT = 48 };
+enum { MOST_TICKS = 128, TICK_TEXT = 64 };
 
 /* One tick. The text is for gnuplot's enhanced mode ("10^{−3}") and "" for a short mark without a number. */
 typedef struct tick {

@@ -137,8 +137,8 @@ START_TEST(numbers_of_linear_axes_are_their_places) {
     figure.columns = "a";
     for (size_t i = 0; i < sizeof start / sizeof start[0]; i++)
         for (size_t k = 0; k < sizeof span / sizeof span[0]; k++) {
-            gough_table *table = named_table(POINTS, 2, names);
             if (!(span[k] > 1e-8 * fabs(start[i]))) continue; /* rounding is no signal */
+            gough_table *table = named_table(POINTS, 2, names);
             for (size_t r = 0; r < POINTS; r++) {
                 table->value[0][r] = 35.7 + 0.1 * (double)r;
                 table->value[1][r] = start[i] + span[k] * (double)r / (POINTS - 1);
