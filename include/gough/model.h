@@ -228,6 +228,17 @@ typedef struct gough_motion {
 GOUGH_API void gough_motion_evaluate(const gough_motion *motion, double t,
                                      double component[GOUGH_COMPONENTS][3]);
 
+/** The least and the greatest value of each component from t = 0 to @p duration, in radians where it is an angle.
+ *
+ *  These are the extremes of the motion, not of its values at some times: to 1e-12 of the range for smooth programs. Pulses down
+ *  to a hundredth of @p output_step wide are met. Does not allocate. Safe to call concurrently.
+ *  @param duration,output_step  as in gough_simulation, both positive and finite
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if a component or one of its derivatives is not finite; the sentence names it and the
+ *          time */
+GOUGH_API gough_status gough_motion_range(const gough_motion *motion, double duration,
+                                          double output_step, double least[GOUGH_COMPONENTS],
+                                          double greatest[GOUGH_COMPONENTS], gough_error *error);
+
 /* ---- control, disturbance, initial state ---------------------------------------------------------------------- */
 
 /** F = F^p + G (l^p − l) + D (l̇^p − l̇), for each leg. Zero-filled except for feedforward: open loop. */

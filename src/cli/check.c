@@ -316,7 +316,8 @@ static gough_status check_study(const command_line *line, const gough_study *stu
     gough_error error = {0};
     gough_status status = gough_simulation_check(study->model, &study->simulation, &error);
     if (!status)
-        status = program_range(study->model, &study->simulation, c.least, c.greatest, &error);
+        status = gough_motion_range(&study->model->motion, study->simulation.duration,
+                                    study->simulation.output_step, c.least, c.greatest, &error);
     if (status) {
         complain_of(line->verb, study, error.message);
         return status;

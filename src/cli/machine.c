@@ -1,4 +1,4 @@
-/* The machine at home: principal moments, singular values of the scaled Jacobian (legs-5), range of the program. */
+/* The machine at home: principal moments, singular values of the scaled Jacobian (legs-5). */
 #include "cli/machine.h"
 
 #include <math.h>
@@ -84,27 +84,4 @@ machine_view machine_view_of(const gough_machine *machine) {
                          ? sqrt(machine->base_radius / machine->gravity_magnitude)
                          : NAN;
     return view;
-}
-
-gough_status program_range(const gough_model *model, const gough_simulation *simulation,
-                           double least[GOUGH_COMPONENTS], double greatest[GOUGH_COMPONENTS],
-                           gough_error *error) {
-    for (int c = 0; c < GOUGH_COMPONENTS; c++) least[c] = INFINITY, greatest[c] = -INFINITY;
-    const long rows = (long)floor(simulation->duration / simulation->output_step + 1e-9);
-    const long stride = rows / 100000 + 1; /* a range is quick to tell, however long the run */
-    for (long k = 0; k <= rows; k += stride) {
-        const double t = (double)k * simulation->output_step;
-        double component[GOUGH_COMPONENTS][3];
-        gough_motion_evaluate(&model->motion, t, component);
-        for (int c = 0; c < GOUGH_COMPONENTS; c++) {
-            for (int order = 0; order < 3; order++)
-                if (!isfinite(component[c][order]))
-                    return gough_fail(error, GOUGH_ERROR_INPUT,
-                                      "motion.%s (value or derivatives) is not finite at t = %.9g",
-                                      gough_component_name(c), t);
-            least[c] = fmin(least[c], component[c][0]);
-            greatest[c] = fmax(greatest[c], component[c][0]);
-        }
-    }
-    return GOUGH_OK;
 }

@@ -19,10 +19,4 @@ typedef struct machine_view {
 
 machine_view machine_view_of(const gough_machine *machine);
 
-/* Range of each component of the program over the rows of a run (every n-th of very many), lengths and radians.
- * Returns GOUGH_ERROR_INPUT with a sentence where a component is not finite. */
-gough_status program_range(const gough_model *model, const gough_simulation *simulation,
-                           double least[GOUGH_COMPONENTS], double greatest[GOUGH_COMPONENTS],
-                           gough_error *error);
-
 #endif

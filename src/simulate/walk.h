@@ -1,13 +1,15 @@
 /* Inverse dynamics along the program: rows at the output times, and looks between them as close as the motion asks for, so that
  * peaks, time integrals and crossings of limits are those of the motion. For scalar number types.
  *
- * Between two rows, and between two corners of the program (ends of moves, knots of recordings), a cell of the motion is looked at
- * at its quarters. It is halved while its fourth differences say that the looks do not follow lengths, rates, forces and powers,
- * or while the program at 128 times from row to row is not where the looks expect it: what the looks do not meet, these do.
+ * Between two rows, and between two corners of the program (ends of ramps and moves, rows of recordings), a cell of the motion is
+ * looked at at its quarters. It is halved while its fourth differences say that the looks do not follow lengths, rates, forces
+ * and powers, or while the program at 128 times from row to row is not where the looks expect it: what the looks do not meet,
+ * these do.
  * Looks are taken in, in order of time, one late: where a margin dips between looks, another is put at the bottom of the dip. */
 #ifndef GOUGH_SIMULATE_WALK_H
 #define GOUGH_SIMULATE_WALK_H
 
+#include "model/appointments.h"
 #include "simulate/ends.h"
 #include "simulate/row.h"
 
@@ -24,6 +26,8 @@ enum { WALK_DEPTH = 10, WALK_DEPTH_KINK = 24, WALK_CELLS_KINK = 1024 };
 static const double walk_difference = 1e-6;
 /* accelerations of the program may differ from what looks expect by this share of gravity and of the largest so far */
 static const double walk_surprise = 1e-5;
+/* pieces shorter than this part of the duration have no inside; corners so near each other are one (appointments.h) */
+static const double walk_least = 2e-13;
 /* what moves or speeds less than this, in base radii and durations, is at rest */
 static const double walk_rest = 1e-9;
 
@@ -43,6 +47,7 @@ typedef struct {
     void *context, *crossings_context;
     gough_end *end;
     limits_side side;
+    appointments when;                /* the program's corners */
     gough_crossing open[MARGIN_POSE]; /* limits that are exceeded now; leg 0: none */
     int crossed;                      /* some limit was exceeded: `first` is the earliest */
     gough_crossing first;
@@ -418,20 +423,15 @@ static inline gough_status walk_cell(walk *a, const look *from, const look *midd
 
 /* ---- from row to row, from corner to corner ---- */
 
-/* the first corner of the program after t: the end of a move or a knot of a recording; INFINITY: none */
-static inline real walk_corner(const walk *a, real t) {
+/* the first corner of the program after t, of those in appointments.h and the rows of a recording, where its third derivatives
+ * jump; INFINITY: none */
+static inline real walk_corner(walk *a, real t) {
     const gough_motion *motion = a->r.motion;
     const real pace = motion->scaled ? (real)motion->frequency : 1;
-    real next = (real)INFINITY;
+    const real next = (real)appointments_corner(&a->when, (double)t);
 
-    for (size_t i = 0; motion->kind == GOUGH_MOTION_MOVES && i < motion->moves; i++) {
-        const real start = (real)motion->move[i].start / pace;
-        const real end = start + (real)motion->move[i].duration / pace;
-        if (start > t && start < next) next = start;
-        if (end > t && end < next) next = end;
-    }
     if (motion->kind != GOUGH_MOTION_SAMPLES) return next;
-    size_t low = 0, high = motion->samples.count; /* knots before `low` are at or before t */
+    size_t low = 0, high = motion->samples.count; /* rows before `low` are at or before t */
     while (low < high) {
         const size_t middle = low + (high - low) / 2;
         if ((real)motion->samples.time[middle] / pace > t) {
@@ -445,7 +445,7 @@ static inline real walk_corner(const walk *a, real t) {
 
 /* the motion from a look that was fed to the time `until`, where a row may stand; `from` becomes the look there */
 static inline gough_status walk_stretch(walk *a, look *from, real until, int row) {
-    const real least = 64 * REAL_EPSILON * until; /* shorter pieces have no inside */
+    const real least = (real)walk_least * a->r.options->duration;
 
     a->cells = 0;
     while (from->t < until) {
@@ -500,6 +500,7 @@ static inline gough_status walk_run(const gough_model *model, const gough_simula
 
     run_begin(&a.r, &model->motion, options, &lane);
     run_program_only(&a.r);
+    appointments_begin(&a.when, &model->motion, NULL, 0, options->duration, options->output_step);
     a.sink = sink;
     a.context = context;
     a.crossings = crossings;

@@ -82,6 +82,55 @@ for place in 0.5 1.7351 2.00391 3.28817 4.9993 5.51 6.123457 7.87 8.0077 9.31; d
         (.power[1] / $power - 1 | fabs) < 1e-4)' "$scratch/out" >/dev/null || fail "a pulse at $place: $(jq -c '.legs[0]' "$scratch/out"), not $force_low $force_top $speed"
 done
 
+# a ramp up and down, each a hundredth of output_step long, and one of a 5000th, between two rows: their ends are corners, so no
+# look passes over them
+for case in 0.7:0.005 1.2345:0.005 2.4949:0.005 3.9:0.005 0.7003:0.0001 1.2345:0.0001 2.4949:0.0001 5.503:0.0001; do
+    place=${case%:*} length=${case#*:}
+    machine "0.00001*(ramp(t - $place, $length) - ramp(t - $place - $length, $length))" 6 0.5 >"$scratch/ramp.yaml"
+    heave="s = (t - $place) / $length; way = s > 1 ? -1 : 1; s = s > 1 ? 2 - s : s; z = 0.00001 * s * s * s * (10 - 15 * s + 6 * s * s)
+        v = way * 0.0003 * s * s * (1 - s) * (1 - s) / $length; a = 0.0006 * s * (1 - s) * (1 - 2 * s) / $length ^ 2"
+    read -r low top speed force_low force_top power_low power_top _ < <(closed "$place" "$(awk "BEGIN { print $place + 2 * $length }")" 40000)
+    run forces "$scratch/ramp.yaml" --json
+    jq -e --argjson top "$force_top" --argjson low "$force_low" --argjson speed "$speed" --argjson least "$power_low" --argjson power "$power_top" '
+        .legs | all((.force[1] / $top - 1 | fabs) < 1e-6 and (.force[0] / $low - 1 | fabs) < 1e-6 and (.speed / $speed - 1 | fabs) < 1e-6 and
+        (.power[1] / $power - 1 | fabs) < 1e-5 and (.power[0] / $least - 1 | fabs) < 1e-5)' "$scratch/out" >/dev/null ||
+        fail "a ramp of $length at $place: $(jq -c '.legs[0]' "$scratch/out"), not $force_low $force_top $speed $power_low $power_top"
+    run forces "$scratch/ramp.yaml"
+    grep -qF " $(awk -v s="$speed" 'BEGIN { printf "%.4g", s }')" "$scratch/out" || fail "a ramp of $length at $place: the table does not have the speed $speed: $(cat "$scratch/out")"
+done
+
+# check: the range of the program is that of the motion. [KEY] LEAST GREATEST of --json to 1e-9, and a line of the text
+range() { # range NAME STUDY COMPONENT LEAST GREATEST TEXT
+    run check "$2" --json
+    expect_code 0 "check, $1"
+    jq -e --argjson low "$4" --argjson top "$5" ".program.$3 | (.[0] - \$low | fabs) <= 1e-9 * (\$top - \$low) and (.[1] - \$top | fabs) <= 1e-9 * (\$top - \$low)" \
+        "$scratch/out" >/dev/null || fail "check, $1: $3 $(jq -c ".program.$3" "$scratch/out"), not $4 to $5"
+    run check "$2"
+    grep -qE "^  $3 +$6\$" "$scratch/out" || fail "check, $1: the text has '$(grep "^  $3" "$scratch/out")', not $6"
+}
+range "eight periods a row" "$scratch/fast.yaml" heave -0.2 0.2 '-0\.2 to 0\.2'
+machine "0.00001*(ramp(t - 1.2345, 0.005) - 2*ramp(t - 1.2395, 0.005) + ramp(t - 3.1, 0.001))" 10 0.5 >"$scratch/pulse.yaml"
+range "ramps up and down" "$scratch/pulse.yaml" heave -0.00001 0.00001 '-1e-05 to 1e-05'
+machine "0.00001*exp(-((t - 1.2345)/0.003)^2)" 10 0.5 >"$scratch/pulse.yaml"
+range "a pulse" "$scratch/pulse.yaml" heave 0 0.00001 '0 to 1e-05'
+machine "0.01*(2*t - 10)^4/10000 - 0.01*(2*t - 10)^2/200 + 0*t" 10 20 >"$scratch/quartic.yaml" # least at (2t - 10)² = 25
+range "a quartic in one row" "$scratch/quartic.yaml" heave -0.000625 0.005 '-0\.000625 to 0\.005'
+machine "0.01*sin(t)" 2 3 >"$scratch/rest.yaml"
+range "after the last row" "$scratch/rest.yaml" heave 0 0.01 '0 to 0\.01'
+run check "$scratch/rest.yaml" --set "motion.pitch=3*sin(40*t)" --json
+jq -e '.program.pitch | map(. + 3 < 1e-8 or (. - 3 | fabs) < 1e-8) | all' "$scratch/out" >/dev/null || fail "check, degrees: $(jq -c .program "$scratch/out")"
+# a spline through four samples, between which it goes beyond them: y = 16 t (1 - t) in a cubic
+printf 't,heave\n0,0\n0.3,0.00336\n0.6,0.00384\n1,0\n' >"$scratch/record.csv"
+machine 0 1 0.5 | sed "s|^motion:.*|motion: {samples: record.csv}|" >"$scratch/record.yaml"
+range "a recording" "$scratch/record.yaml" heave 0 0.004 '0 to 0\.004'
+run check "$scratch/record.yaml" --set motion.amplitude=-2 --json
+jq -e '.program.heave | (.[0] + 0.008 | fabs) < 1e-11 and (.[1] | fabs) < 1e-11' "$scratch/out" >/dev/null || fail "check, a recording, scaled: $(jq -c .program.heave "$scratch/out")"
+# a component that is not finite between rows is refused, as forces does
+machine "0.01*log(t - 0.25)*0 + 0.01*(t - 1.25)^3*0 + 0.001*sqrt(1.3 - t)" 2 2 >"$scratch/bad.yaml"
+run check "$scratch/bad.yaml"
+expect_code 2 "not finite"
+grep -q 'motion.heave (value or derivatives) is not finite at t = ' "$scratch/err" || fail "not finite: $(cat "$scratch/err")"
+
 # simulate, whose rows are as far apart, held by feedback: steps are looked at between them
 machine '0.1*sin(4*pi*t)*ramp(t, 1)' 6 1 >"$scratch/held.yaml"
 run simulate "$scratch/held.yaml" --json

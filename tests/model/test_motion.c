@@ -385,6 +385,66 @@ START_TEST(factors_hold_only_where_they_are_asked_for) {
 }
 END_TEST
 
+/* the range of heave = formula over a duration with rows `step` apart */
+static void range_is(const char *formula, double duration, double step, double least,
+                     double greatest) {
+    double low[GOUGH_COMPONENTS], high[GOUGH_COMPONENTS];
+    gough_error error;
+    gough_motion m = {0};
+    m.formula[GOUGH_HEAVE] = formula_of(formula);
+    ck_assert_int_eq(gough_motion_range(&m, duration, step, low, high, &error), GOUGH_OK);
+    /* a root is good to 1e-12 of its bracket; the rest is round-off */
+    ck_assert_double_eq_tol(low[GOUGH_HEAVE], least, 1e-12 * (greatest - least));
+    ck_assert_double_eq_tol(high[GOUGH_HEAVE], greatest, 1e-12 * (greatest - least));
+    ck_assert(fabs(low[GOUGH_ROLL]) <= 0 && fabs(high[GOUGH_ROLL]) <= 0);
+}
+
+START_TEST(ranges_are_extremes_of_the_motion_not_of_rows) {
+    range_is("sin(16*pi*t)", 10, 1, -1, 1);
+    range_is("t + 0.2*sin(5*t)", 2, 2, 0, 2 + 0.2 * sin(10.0));
+    range_is("sin(t)", 1, 3, 0, sin(1.0));
+    range_is("exp(-((t - 1.2345)/0.003)^2)", 10, 0.5, 0, 1);
+    range_is("ramp(t - 1.2345, 0.0001) - 2*ramp(t - 1.2346, 0.0001)", 10, 0.5, -1, 1);
+    /* a corner: the rate jumps */
+    range_is("-sqrt((t - 0.7)^2)", 1, 1, -0.7, 0);
+    /* two extremes close together, on a rise: t³/3 - e² t with e = 0.01, from -1 on */
+    range_is("(t - 1)^3/3 - 0.0001*(t - 1)", 1.02, 2, -1.0 / 3 + 0.0001, 2e-6 / 3);
+}
+END_TEST
+
+START_TEST(ranges_of_moves_and_scaled_programs) {
+    double low[GOUGH_COMPONENTS], high[GOUGH_COMPONENTS];
+    const gough_move move[2] = {{.start = 1.01,
+                                 .duration = 0.02,
+                                 .given = {[GOUGH_YAW] = true},
+                                 .target = {0, 0, 0, 0, 0, 2}},
+                                {.start = 1.03,
+                                 .duration = 0.02,
+                                 .given = {[GOUGH_YAW] = true},
+                                 .target = {0, 0, 0, 0, 0, -1}}};
+    const gough_motion m = {.kind = GOUGH_MOTION_MOVES,
+                            .move = move,
+                            .moves = 2,
+                            .scaled = true,
+                            .amplitude = -3,
+                            .frequency = 2};
+    ck_assert_int_eq(gough_motion_range(&m, 1, 1, low, high, NULL), GOUGH_OK);
+    ck_assert_double_eq_tol(low[GOUGH_YAW], -6, 1e-12);
+    ck_assert_double_eq_tol(high[GOUGH_YAW], 3, 1e-12);
+}
+END_TEST
+
+START_TEST(ranges_name_what_is_not_finite) {
+    double low[GOUGH_COMPONENTS], high[GOUGH_COMPONENTS];
+    gough_error error;
+    gough_motion m = {0};
+    m.formula[GOUGH_PITCH] = formula_of("sqrt(0.6 - t)");
+    ck_assert_int_eq(gough_motion_range(&m, 1, 1, low, high, &error), GOUGH_ERROR_INPUT);
+    ck_assert_ptr_nonnull(strstr(error.message, "motion.pitch"));
+    ck_assert_ptr_nonnull(strstr(error.message, "is not finite at t = "));
+}
+END_TEST
+
 START_TEST(components_have_names) {
     static const char *const NAMES[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
     for (int c = 0; c < GOUGH_COMPONENTS; c++) ck_assert_str_eq(gough_component_name(c), NAMES[c]);
@@ -415,6 +475,9 @@ int main(void) {
     tcase_add_test(tests, scaled_moves_are_moves_further_and_sooner);
     tcase_add_test(tests, scaled_samples_are_rows_larger_and_later);
     tcase_add_test(tests, factors_hold_only_where_they_are_asked_for);
+    tcase_add_test(tests, ranges_are_extremes_of_the_motion_not_of_rows);
+    tcase_add_test(tests, ranges_of_moves_and_scaled_programs);
+    tcase_add_test(tests, ranges_name_what_is_not_finite);
     tcase_add_test(tests, components_have_names);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
