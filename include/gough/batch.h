@@ -21,7 +21,8 @@ typedef struct gough_batch_run {
     uint64_t number; /**< number of the run, for its noise; replaces gough_noise.run */
 } gough_batch_run;
 
-/** Outcome of a run. Peaks and deviations are taken over the output times, as in gough_summary. Angles in radians. */
+/** Outcome of a run. Peaks, deviations and work are those of the motion, between output times too, as
+ *  gough_summary_look() takes them; with fixed steps the looks are at the ends of steps. Angles in radians. */
 typedef struct gough_outcome {
     gough_cause cause;          /**< GOUGH_END_DONE, or why this run ended early */
     int leg;                    /**< 1 … 6 if a leg is the cause, else 0 */

@@ -110,8 +110,8 @@ typedef struct gough_simulation {
     gough_method method; /**< the stepper */
     double
         step; /**< fixed step, a divisor of output_step; 0 with dop853: adaptive. A step in which the program or a disturbance
-                     has a corner, or changes too fast to be met by it, is made in parts. Whole steps
-                     are taken: the motion is computed up to the last one that ends by the duration */
+                     has a corner, or changes too fast to be met by it, is made in parts. A last
+                     step that would pass the duration ends there */
     double max_step; /**< longest step, fixed or adaptive; 0: any */
     double
         tolerance; /**< adaptive dop853: RMS of error/(tol·(s + |y|)), s = R_b and 1, per √(R_b/g) for rates */

@@ -10,6 +10,7 @@
 #include "batch/width.h"
 #include "model/appointments.h"
 #include "simulate/ahead.h"
+#include "simulate/fixed.h"
 #include "simulate/simulate.h"
 
 /* groups that a thread walks together; steps of a block; records of its tape: at most 18 stages a step */
@@ -221,7 +222,7 @@ static void plan(work *w, const gough_simulation *s, int lanes, int threads) {
     w->width = fixed ? width_of(lanes) : NULL;
     w->chunk = 1;
     if (!fixed) return;
-    w->job.steps = (long long)floor(s->duration / s->step + 1e-9);
+    w->job.steps = fixed_steps(s->duration, s->step);
     w->job.per_row = llround(s->output_step / s->step);
     /* whole groups, at most as many as a thread has room for, and work for every thread */
     share = (share + (size_t)lanes - 1) / (size_t)lanes * (size_t)lanes;
@@ -284,8 +285,8 @@ gough_status gough_batch(const gough_motion *motion, const gough_simulation *sim
         all_same(runs, count, offsetof(gough_batch_run, machine), sizeof(gough_machine)) &&
         (w.disturbance_shared || !any_vertical(runs, count));
     plan(&w, simulation, lanes, threads);
-    if (!appointments_all_same(runs, count)) { /* steps of their own: each run alone */
-        w.width = NULL;
+    if (w.width && !appointments_all_same(runs, count)) { /* steps of their own: each run alone */
+        w.width = width_of(1);
         w.chunk = 1;
     }
     for (size_t i = 0; i < count; i++) outcomes[i].rows = 0;

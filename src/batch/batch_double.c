@@ -109,10 +109,27 @@ int batch_start(const batch_job *job, size_t which, double state[24], double sid
     return 0;
 }
 
-int batch_locate(const batch_job *job, size_t which, const batch_step *step) {
+/* a look at the moment that ends a run, as drive_rows() takes one */
+static void look_at_end(drive *d, real until, batch_step *step) {
+    number y[STATE];
+    instant m;
+
+    step->until = until;
+    step->looked = until > d->t0;
+    if (!step->looked) return;
+    for (int i = 0; i < STATE; i++) y[i] = d->y[i];
+    if (until < d->t) drive_inside(d, (until - d->t0) / d->h, y);
+    const stage *s = run_whole_stage(&d->r, until);
+    run_instant(&d->r, until, y, &m);
+    looks_fill(s, &m, onto(&d->r.h.axes, d->r.h.center), step->look);
+    for (int c = 0; c < LOOKS_COLUMNS; c++) step->looked &= isfinite(step->look[c]) != 0;
+}
+
+int batch_locate(const batch_job *job, size_t which, batch_step *step) {
     const simulate_parts parts = parts_of(job, which);
     gough_outcome *out = &job->outcomes[which];
     gough_end end = {.cause = GOUGH_END_DONE};
+    real until;
     drive d;
 
     drive_open(&d, &parts, job->simulation, NULL, NULL, &end);
@@ -127,7 +144,8 @@ int batch_locate(const batch_job *job, size_t which, const batch_step *step) {
         d.rate0[i] = step->rate0[i];
         d.raw[i] = step->raw[i];
     }
-    if (drive_check(&d, step->residual) == GOUGH_OK) return 0;
+    if (drive_check(&d, step->residual, &until) == GOUGH_OK) return 0;
+    look_at_end(&d, until, step);
     out->cause = end.cause;
     out->leg = end.leg;
     out->time = end.time;

@@ -1,15 +1,15 @@
-/* A group of runs side by side, one a lane: fixed steps, constraints kept, peaks at the output
- * times, each lane's own end. A lane that has ended goes on being computed, unheard. Text over the
+/* A group of runs side by side, one a lane: fixed steps, constraints kept, peaks of the motion,
+ * each lane's own end. A lane that has ended goes on being computed, unheard. Text over the
  * number type. */
 #ifndef GOUGH_BATCH_GROUP_H
 #define GOUGH_BATCH_GROUP_H
 
+#include "batch/looks.h"
 #include "batch/width.h"
 #include "integrate/dop853.h"
 #include "integrate/rk4.h"
 #include "model/appointments.h"
-#include "simulate/limits.h"
-#include "simulate/quadrature.h"
+#include "simulate/fixed.h"
 
 /* the determinant is looked at each step while it is not this many times its change since the row before */
 static const double group_ease = 8;
@@ -33,14 +33,10 @@ typedef struct {
     number determinant; /* of the pose at the last row */
     int watchful;
 
-    /* since the row before */
-    number drift;
-    /* since the beginning, at rows */
+    number drift; /* since the look before */
     number last[STATE];
-    number distance2, force, speed, worst_drift;
-    number power, braking; /* greatest of p and of −p, of any leg */
-    number window[QUADRATURE_ROWS], energy;
-    double angle[NUMBER_WIDTH];
+    vector center; /* of mass, from the top frame's origin, central axes */
+    looks looks;
 } group;
 
 /* ---- lanes and scalars ---- */
@@ -135,93 +131,33 @@ static inline void group_program_pose(run *r) {
     x->q = (triad){group_vector(pose + 3), group_vector(pose + 6), group_vector(pose + 9)};
 }
 
-/* ---- rows ---- */
+/* ---- looks ---- */
 
-/* deviation, peaks and work at an output time */
-static inline void group_row(group *g, const stage *s, const instant *m) {
-    const number *y = g->at[g->now].y;
-
+/* a look at the end of a step */
+static inline void group_look(group *g, const stage *s, const instant *m, double t) {
     group_program_pose(&g->r);
-    const triad back = transpose(&g->r.h.axes);
-    const triad actual = compose(&m->x.q, &back), program = compose(&s->x[0].q, &back);
-    const vector a = subtract(m->x.rho, out_of(&actual, g->r.h.center));
-    const vector b = subtract(s->x[0].rho, out_of(&program, g->r.h.center));
-    const vector apart = subtract(a, b);
-    const vector turn = add(add(cross(actual.i, program.i), cross(actual.j, program.j)),
-                            cross(actual.k, program.k));
-    const number sine = norm(turn), cosine = dot(actual.i, program.i) + dot(actual.j, program.j) +
-                                             dot(actual.k, program.k) - number_of(1);
-    number power = number_of(0);
-
-    g->distance2 = group_heard(g, number_larger(g->distance2, dot(apart, apart)), g->distance2);
-    for (int i = 0; i < NUMBER_WIDTH; i++) {
-        if (!g->going[i]) continue;
-        const double angle = atan2(number_lane(sine, i), number_lane(cosine, i));
-        if (angle > g->angle[i]) g->angle[i] = angle;
-    }
-    for (int v = 0; v < LEGS; v++) {
-        const number p = m->u[v] * m->g.rate[v];
-        power = power + p;
-        g->force = group_heard(g, number_larger(g->force, number_magnitude(m->u[v])), g->force);
-        g->speed =
-            group_heard(g, number_larger(g->speed, number_magnitude(m->g.rate[v])), g->speed);
-        g->power = group_heard(g, number_larger(g->power, p), g->power);
-        g->braking = group_heard(g, number_larger(g->braking, -p), g->braking);
-    }
-    g->worst_drift = group_heard(g, number_larger(g->worst_drift, g->drift), g->worst_drift);
+    looks_fill(s, m, g->center, looks_next(&g->looks));
+    looks_take(&g->looks, g->going_mask, g->drift, t);
     g->drift = number_of(0);
-    for (int i = 0; i < STATE; i++) g->last[i] = group_heard(g, y[i], g->last[i]);
-
-    /* ∫ power, of fourth order */
-    for (int i = 0; i + 1 < QUADRATURE_ROWS; i++) {
-        g->window[i] = group_heard(g, g->window[i + 1], g->window[i]);
-    }
-    g->window[QUADRATURE_ROWS - 1] = group_heard(g, power, g->window[QUADRATURE_ROWS - 1]);
-    g->rows++;
-    if (g->rows >= QUADRATURE_ROWS) {
-        const number h = number_of(g->r.options->output_step);
-        number sum = number_of(0);
-        for (int i = 0; i < QUADRATURE_ROWS; i++) {
-            const double weight =
-                quadrature_middle[i] + (g->rows == QUADRATURE_ROWS ? quadrature_first[i] : 0);
-            sum = sum + number_of(weight) * g->window[i];
-        }
-        g->energy = group_heard(g, g->energy + h * sum, g->energy);
-    }
-}
-
-/* the last interval of a lane's work; the trapezium where there are too few rows for a cubic */
-static inline double group_work(const group *g, int lane, int rows) {
-    const double h = g->r.options->output_step;
-    double sum = number_lane(g->energy, lane), window[QUADRATURE_ROWS];
-
-    group_lane(g->window, lane, window, QUADRATURE_ROWS);
-    if (rows >= QUADRATURE_ROWS) {
-        for (int i = 0; i < QUADRATURE_ROWS; i++) sum += h * quadrature_last[i] * window[i];
-    } else {
-        for (int i = QUADRATURE_ROWS - rows; i + 1 < QUADRATURE_ROWS; i++) {
-            sum += h * (window[i] + window[i + 1]) / 2;
-        }
-    }
-    return sum;
+    if (t >= g->when.corner - g->when.slack) looks_corner(&g->looks, g->going_mask);
 }
 
 /* a lane's numbers into its outcome; its end is there already, or done */
-static inline void group_write(const group *g, const batch_job *job, int lane) {
+static inline void group_write(const group *g, const batch_job *job, const looks *l, int lane) {
     const size_t which = group_run(g, lane);
     gough_outcome *out = &job->outcomes[which];
     double last[STATE];
 
     group_lane(g->last, lane, last, STATE);
     batch_last_row(job, which, last);
-    out->position_deviation = sqrt(number_lane(g->distance2, lane));
-    out->angle_deviation = g->angle[lane];
-    out->force = number_lane(g->force, lane);
-    out->speed = number_lane(g->speed, lane);
-    batch_put_power(out, -number_lane(g->braking, lane), number_lane(g->power, lane));
-    out->drift = number_lane(g->worst_drift, lane);
+    out->position_deviation = number_lane(l->distance, lane);
+    out->angle_deviation = looks_angle(number_lane(l->turn, lane));
+    out->force = number_lane(l->force, lane);
+    out->speed = number_lane(l->speed, lane);
+    batch_put_power(out, -number_lane(l->braking, lane), number_lane(l->power, lane));
+    out->drift = number_lane(l->drift, lane);
     out->rows = g->rows;
-    out->energy = group_work(g, lane, g->rows);
+    out->energy = number_lane(l->energy, lane);
 }
 
 /* ---- a group's life ---- */
@@ -246,14 +182,12 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
                        job->simulation->output_step);
     g->rows = 0;
     g->watchful = 1;
-    g->going_mask = g->determinant = g->drift = g->energy = number_of(0);
-    g->distance2 = g->force = g->speed = g->worst_drift = number_of(0);
-    g->power = g->braking = number_of(-HUGE_VAL);
-    for (int i = 0; i < QUADRATURE_ROWS; i++) g->window[i] = number_of(0);
+    g->going_mask = g->determinant = g->drift = number_of(0);
+    g->center = onto(&g->r.h.axes, g->r.h.center);
+    looks_begin(&g->looks);
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         double state[STATE], side[2];
         const int starts = batch_start(job, group_run(g, i), state, side);
-        g->angle[i] = 0;
         g->going[i] = i < count && starts;
         number_put(&g->going_mask, i, g->going[i]);
         number_put(&g->side_pose, i, side[0]);
@@ -267,7 +201,8 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
     coordinates_store(&m.rate, g->at[0].rate);
     coordinates_store(&m.acceleration, g->at[0].rate + COORDINATES);
     g->drift = triad_violation(&m.x.q);
-    group_row(g, run_stage(&g->r, 0), &m);
+    group_look(g, run_stage(&g->r, 0), &m, 0);
+    g->rows = 1;
     g->determinant = limits_pose(&g->r, &m).determinant;
     if (job->simulation->method >= GOUGH_RATTLE2) {
         const rattle method = {&g->r.h.load, run_wrench, &g->r, g->r.damped};
@@ -332,6 +267,26 @@ static inline number group_trouble(group *g, const stage *s, const instant *m, n
     return group_heard(g, suspicion, zero);
 }
 
+/* The outcome of a lane that ends within a step, with what is seen there. What others of the group see stays as it is. */
+static inline void group_end_within(group *g, const batch_job *job, const batch_step *step,
+                                    int lane) {
+    looks own = g->looks;
+    number heard = number_of(0);
+
+    number_put(&heard, lane, 1);
+    if (step->looked) {
+        number *look = looks_next(&own);
+        for (int c = 0; c < LOOKS_COLUMNS; c++) {
+            look[c] = number_of(0);
+            number_put(&look[c], lane, step->look[c]);
+        }
+        looks_take(&own, heard, g->drift, step->until);
+    }
+    looks_finish(&own, heard);
+    group_write(g, job, &own, lane);
+    group_end_lane(g, lane);
+}
+
 /* looks at the lanes in trouble one by one, as gough_simulate() would */
 static inline void group_inspect(group *g, const batch_job *job, number trouble, real t0, real h,
                                  real t, number residual, const number *raw) {
@@ -346,8 +301,7 @@ static inline void group_inspect(group *g, const batch_job *job, number trouble,
         group_lane(g->at[1 - g->now].rate, i, step.rate0, STATE);
         group_lane(raw, i, step.raw, STATE);
         if (!batch_locate(job, group_run(g, i), &step)) continue;
-        group_write(g, job, i);
-        group_end_lane(g, i);
+        group_end_within(g, job, &step, i);
     }
 }
 
@@ -379,13 +333,15 @@ static inline void group_move(group *g, const batch_job *job, double t0, double 
     double sum = 0;
     for (int i = 0; i < NUMBER_WIDTH; i++) sum += number_lane(trouble, i);
     if (sum > 0) group_inspect(g, job, trouble, t0, h, t, residual, raw);
+    if (group_going(g) > 0) group_look(g, run_stage(&g->r, t), m, t);
 }
 
 /* a row, and whether determinants must be watched at each step up to the next */
-static inline void group_row_due(group *g, double t, const instant *m) {
+static inline void group_row_due(group *g, const instant *m) {
     const number before = g->determinant;
 
-    group_row(g, run_stage(&g->r, t), m);
+    g->rows++;
+    for (int i = 0; i < STATE; i++) g->last[i] = group_heard(g, g->at[g->now].y[i], g->last[i]);
     g->determinant = limits_pose(&g->r, m).determinant;
     const number slack = number_magnitude(g->determinant) -
                          number_of(group_ease) * number_magnitude(g->determinant - before);
@@ -401,16 +357,17 @@ static inline int group_advance(void *memory, const batch_job *job, long long fr
     instant m;
 
     for (long long k = from; k < to && group_going(g) > 0; k++) {
-        const double end = (double)(k + 1) * h;
+        const int cut = fixed_is_short(k, h, job->simulation->duration);
+        const double end = cut ? job->simulation->duration : (double)(k + 1) * h;
         double t0 = (double)k * h, t = appointments_part(&g->when, t0, end, h);
 
-        group_move(g, job, t0, t < end ? t - t0 : h, t, &m);
+        group_move(g, job, t0, t < end || cut ? t - t0 : h, t, &m);
         while (t < end && group_going(g) > 0) { /* as drive_part() divides a step */
             t0 = t;
             t = appointments_part(&g->when, t0, end, h);
             group_move(g, job, t0, t - t0, t, &m);
         }
-        if ((k + 1) % job->per_row == 0 && group_going(g) > 0) group_row_due(g, end, &m);
+        if (!cut && (k + 1) % job->per_row == 0 && group_going(g) > 0) group_row_due(g, &m);
     }
     return group_going(g);
 }
@@ -418,13 +375,14 @@ static inline int group_advance(void *memory, const batch_job *job, long long fr
 static inline void group_finish(void *memory, const batch_job *job) {
     group *g = memory;
 
+    looks_finish(&g->looks, g->going_mask);
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         if (!g->going[i]) continue;
         gough_outcome *out = &job->outcomes[group_run(g, i)];
         out->cause = GOUGH_END_DONE;
         out->leg = 0;
         out->time = job->simulation->duration;
-        group_write(g, job, i);
+        group_write(g, job, &g->looks, i);
         group_end_lane(g, i);
     }
 }

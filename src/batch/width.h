@@ -35,14 +35,21 @@ extern const struct batch_width batch_width_1, batch_width_2, batch_width_4, bat
 /* the state at t = 0; returns 1 if the run goes on, else 0 with the outcome's end filled. rows: 1 if the first row stands */
 int batch_start(const batch_job *job, size_t run, double state[24], double side[2]);
 
+/* numbers of a look at a run (looks.h) */
+enum { BATCH_LOOK = 3 * GOUGH_LEGS + 3 };
+
 /* a step that may have broken something, as gough_simulate() would see it; side: signs of the determinants at the beginning */
 typedef struct {
     double t0, h, t, residual; /* h: how long it is, t - t0 but for rounding */
     double y0[24], rate0[24], raw[24], side[2];
+
+    /* found: when the run ends, and what is seen there if any motion is left to be seen */
+    double until, look[BATCH_LOOK];
+    int looked;
 } batch_step;
 
-/* finds the end of a run within a step and fills the outcome's end; 0 if the run goes on */
-int batch_locate(const batch_job *job, size_t run, const batch_step *step);
+/* finds the end of a run within a step, fills the outcome's end and looks at it; 0 if the run goes on */
+int batch_locate(const batch_job *job, size_t run, batch_step *step);
 
 /* pose and velocities of the last row, from its state */
 void batch_last_row(const batch_job *job, size_t run, const double state[24]);

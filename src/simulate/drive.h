@@ -3,6 +3,7 @@
 #define GOUGH_SIMULATE_DRIVE_H
 
 #include "simulate/drive_settle.h"
+#include "simulate/fixed.h"
 
 /* (step-2): a first step from the size of the rates and of their change over a small explicit step */
 static inline real drive_first_step(drive *d, const real *size, real tolerance, real longest) {
@@ -149,20 +150,22 @@ static inline void drive_rattle_read(const rattle_state *s, number *y) {
 /* The next part of fixed step k: from d->t0, as long as d->h, to d->t1. A step is made in one part where no corner lies in it and
  * nothing is stepped over. 0 where the step is complete. */
 static inline int drive_part(drive *d, long long k, int part) {
-    const real h = d->r.options->step, end = (real)(k + 1) * h;
+    const real h = d->r.options->step;
+    const int cut = fixed_is_short(k, (double)h, d->r.options->duration);
+    const real end = cut ? (real)d->r.options->duration : (real)(k + 1) * h;
 
     if (part > 0 && !(d->t < end)) return 0;
     d->t0 = part == 0 ? (real)k * h : d->t;
     const double to = appointments_part(&d->when, (double)d->t0, (double)end, (double)h);
     d->t1 = to < (double)end ? (real)to : end;
-    d->h = part == 0 && !(to < (double)end) ? h : d->t1 - d->t0;
+    d->h = part == 0 && !cut && !(to < (double)end) ? h : d->t1 - d->t0;
     return 1;
 }
 
 static inline gough_status drive_fixed(drive *d) {
     const gough_simulation *o = d->r.options;
     const int rattling = o->method >= GOUGH_RATTLE2;
-    const long long steps = (long long)floor(o->duration / o->step + 1e-9);
+    const long long steps = fixed_steps(o->duration, o->step);
     const rattle method = {&d->r.h.load, run_wrench, &d->r, d->r.damped};
     rattle_state state;
     dop853 work;

@@ -368,12 +368,12 @@ static inline gough_status drive_converged(drive *d, number residual) {
                       "the step is too long for the turn of the load; a shorter step would do:");
 }
 
-/* one fixed step looked at by itself */
-static inline gough_status drive_check(drive *d, number residual) {
+/* one fixed step looked at by itself; *until: end of its valid part */
+static inline gough_status drive_check(drive *d, number residual, real *until) {
     const gough_status status = drive_converged(d, residual);
-    real until;
 
-    return status == GOUGH_OK ? drive_settle(d, 0, &until) : status;
+    *until = d->t0;
+    return status == GOUGH_OK ? drive_settle(d, 0, until) : status;
 }
 
 /* No step meets the tolerance: the fault of a formula that ceases to be finite right ahead, else of what the motion does. `unit`:

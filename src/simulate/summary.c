@@ -1,11 +1,13 @@
 /* A run in a few numbers: what you need to size a leg. From rows alone, peaks are those of the rows and time integrals of fourth
  * order in their spacing; from looks at the motion between them, peaks and integrals are those of the motion. */
+#define NUMBER_DOUBLE
 #include <math.h>
 #include <string.h>
 
 #include "gough/dynamics.h"
 #include "gough/simulate.h"
 #include "simulate/quadrature.h"
+#include "simulate/vertex.h"
 
 /* columns of the window: time, then per leg the square of the force and the power */
 enum { WINDOW = QUADRATURE_ROWS, SQUARE = 1, POWER = 1 + GOUGH_LEGS };
@@ -38,10 +40,6 @@ void gough_summary_begin(gough_summary *summary) {
 
 /* larger of the two; a NaN stands for nothing yet on the left, and is passed over on the right */
 static double larger(double a, double b) { return b > a || isnan(a) ? b : a; }
-
-/* Looks nearer to each other than this part of their time are one: the end of a step and a row that is due there differ by
- * round-off, and a parabola through both would have its vertex anywhere. */
-static const double same_time = 1e-11;
 
 static double angle_between(const double a[3], const double b[3]) {
     const double c[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
@@ -194,29 +192,16 @@ static void end_rows(gough_summary *summary) {
 
 /* ---- looks at the motion, rows among them ---- */
 
-/* weights of ∫ from look a to look b of the polynomial through `count` looks, the last of the window */
-static void weigh(const gough_summary *summary, int count, int a, int b, double weight[WINDOW]) {
-    const int first = WINDOW - count;
-    const double from = summary->look_[a][0], h = summary->look_[b][0] - from;
-
-    for (int i = first; i < WINDOW; i++) {
-        /* the polynomial in s = (t - from)/h that is 1 at look i and 0 at the others */
-        double c[WINDOW] = {1, 0, 0, 0};
-        for (int j = first; j < WINDOW; j++) {
-            if (j == i) continue;
-            const double s = (summary->look_[j][0] - from) / h;
-            const double scale = h / (summary->look_[i][0] - summary->look_[j][0]);
-            for (int k = WINDOW - 1; k > 0; k--) c[k] = scale * (c[k - 1] - s * c[k]);
-            c[0] = -scale * s * c[0];
-        }
-        weight[i] = h * (c[0] + c[1] / 2 + c[2] / 3 + c[3] / 4);
-    }
-}
-
+/* adds ∫ from look a to look b of the polynomial through the last `count` looks */
 static void integrate(gough_summary *summary, int count, int a, int b) {
-    double weight[WINDOW];
+    double time[WINDOW], weight[WINDOW];
 
-    weigh(summary, count, a, b, weight);
+    for (int i = 0; i < WINDOW; i++) time[i] = summary->look_[i][0];
+    if (count == WINDOW && a == 1) {
+        quadrature_weigh_middle(time, weight);
+    } else {
+        quadrature_weigh(time, count, a, b, weight);
+    }
     for (int v = 0; v < GOUGH_LEGS; v++) {
         for (int i = WINDOW - count; i < WINDOW; i++) {
             const double force = summary->look_[i][LOOK_FORCE + v];
@@ -234,17 +219,11 @@ static void integrate_last(gough_summary *summary) {
     if (count >= 2) integrate(summary, count, WINDOW - 2, WINDOW - 1);
 }
 
-/* value at the vertex of the parabola through three looks, where the middle one is the largest or the least; else the middle */
 static double vertex_of(gough_summary *summary, int column) {
     double(*w)[LOOK_COLUMNS] = summary->look_;
-    const double a = w[1][column], b = w[2][column], c = w[3][column];
-    const double left = w[2][0] - w[1][0], right = w[3][0] - w[2][0];
 
-    if (!((b > a && b >= c) || (b < a && b <= c))) return b;
-    const double before = (b - a) / left, after = (c - b) / right;
-    const double bend = (after - before) / (left + right), slope = before + bend * left;
-    const double vertex = b - slope * slope / (4 * bend);
-    return isfinite(vertex) ? vertex : b;
+    return peak_vertex(w[1][column], w[2][column], w[3][column], w[2][0] - w[1][0],
+                       w[3][0] - w[2][0]);
 }
 
 static void take_vertices(gough_summary *summary) {
@@ -304,7 +283,8 @@ void gough_summary_look(gough_summary *summary, const gough_machine *machine, co
     double *newest = summary->look_[WINDOW - 1], *at_base, *at_top;
 
     if (is_row) count_row(summary, value[GOUGH_T]);
-    if (summary->looks_ > 0 && !(value[GOUGH_T] - newest[0] > same_time * fabs(value[GOUGH_T]))) {
+    if (summary->looks_ > 0 &&
+        !(value[GOUGH_T] - newest[0] > quadrature_same_time * fabs(value[GOUGH_T]))) {
         if (is_row) watch_rows(summary, true);
         return; /* seen already */
     }

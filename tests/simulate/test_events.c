@@ -319,6 +319,53 @@ START_TEST(the_longest_step_is_kept) {
 }
 END_TEST
 
+/* A step that does not divide the duration is followed by a shorter one: what happens in it is found, and the work done up to
+ * the duration is that of an adaptive run. */
+START_TEST(a_fixed_step_goes_on_to_the_duration) {
+    gough_model *model = calloc(1, sizeof *model);
+    gough_simulation o = options_of(GOUGH_RK4, 0.01), adaptive;
+    gough_summary sum, wanted;
+    gough_error error = {0};
+    gough_end end;
+
+    skew_machine(&model->machine);
+    set_gains(model, 30, 2);
+    model->control.feedforward = true;
+    set_all_axes(model);
+    o.output_step = 0.5;
+    o.duration = 1.0083;
+    adaptive = options_of(GOUGH_DOP853, 0);
+    adaptive.output_step = 0.5;
+    adaptive.duration = o.duration;
+    o.summary = &sum;
+    adaptive.summary = &wanted;
+    ck_assert_int_eq(gough_simulate(model, &o, NULL, NULL, &end, &error), GOUGH_OK);
+    ck_assert_int_eq(gough_simulate(model, &adaptive, NULL, NULL, &end, &error), GOUGH_OK);
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        ck_assert_double_eq_tol(sum.leg[v].energy, wanted.leg[v].energy, 2e-6);
+    }
+
+    /* a leg gets too long 3 ms before the end, after the last whole step */
+    print_into(&model->disturbance.force[2], "1e3*ramp(t - %.17g, %.17g)", 1.0005, 1e-4);
+    model->machine.platform.length_max = wanted.leg[0].length_max;
+    for (int v = 1; v < GOUGH_LEGS; v++) {
+        model->machine.platform.length_max =
+            fmax(model->machine.platform.length_max, wanted.leg[v].length_max);
+    }
+    ck_assert_int_eq(gough_simulate(model, &adaptive, NULL, NULL, &end, &error),
+                     GOUGH_ERROR_NUMERICAL);
+    const gough_end alike = end;
+    ck_assert_int_eq(alike.cause, GOUGH_END_LEG_LONG);
+    ck_assert(alike.time > 1.0005 && alike.time < o.duration);
+    o.step = 0.02;
+    ck_assert_int_eq(gough_simulate(model, &o, NULL, NULL, &end, &error), GOUGH_ERROR_NUMERICAL);
+    ck_assert_int_eq(end.cause, alike.cause);
+    ck_assert_int_eq(end.leg, alike.leg);
+    ck_assert_double_eq_tol(end.time, alike.time, 1e-4);
+    free(model);
+}
+END_TEST
+
 int main(void) {
     Suite *suite = suite_create("events");
     TCase *cases = tcase_create("events");
@@ -331,6 +378,7 @@ int main(void) {
     tcase_add_test(cases, lanes_meet_it_with_the_same_bits);
     tcase_add_test(cases, a_batch_meets_the_pulse_of_each_run);
     tcase_add_test(cases, the_longest_step_is_kept);
+    tcase_add_test(cases, a_fixed_step_goes_on_to_the_duration);
     suite_add_tcase(suite, cases);
     runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -1,0 +1,194 @@
+/* What a group of runs keeps of its motion at the end of each step: peaks, deviations and work. As gough_summary_look() does it for
+ * one run, in each lane. Text over the number type. */
+#ifndef GOUGH_BATCH_LOOKS_H
+#define GOUGH_BATCH_LOOKS_H
+
+#include "batch/width.h"
+#include "simulate/limits.h"
+#include "simulate/quadrature.h"
+#include "simulate/vertex.h"
+
+/* columns of a look: of each leg |force|, |rate| and power, then the power that all legs deliver, the distance from the program
+ * and the size of the turn between them */
+enum {
+    LOOKS_FORCE = 0,
+    LOOKS_SPEED = LEGS,
+    LOOKS_POWER = 2 * LEGS,
+    LOOKS_TOTAL = 3 * LEGS,
+    LOOKS_DISTANCE,
+    LOOKS_TURN,
+    LOOKS_COLUMNS
+};
+_Static_assert((int)LOOKS_COLUMNS == (int)BATCH_LOOK, "a look, one lane of it");
+
+/* Peaks between looks are sought where a look comes so near to the largest: steps by which a peak exceeds its neighbours by more
+ * than that are too long for any motion. */
+static const double looks_near = 0.05;
+
+typedef struct {
+    double time[QUADRATURE_ROWS]; /* the last looks, the latest last */
+    number look[QUADRATURE_ROWS][LOOKS_COLUMNS];
+    int newest; /* the place of the latest, which goes round */
+    int count;  /* since a corner */
+    number force, speed, distance, turn, drift;
+    number power, braking; /* greatest of p and of −p, of any leg */
+    number energy;
+} looks;
+
+static inline void looks_begin(looks *l) {
+    l->count = 0;
+    l->newest = QUADRATURE_ROWS - 1;
+    l->force = l->speed = l->distance = l->turn = l->drift = l->energy = number_of(0);
+    l->power = l->braking = number_of(-HUGE_VAL);
+}
+
+/* the look before `age` others */
+static inline number *looks_back(looks *l, int age) {
+    return l->look[(l->newest + QUADRATURE_ROWS - age) % QUADRATURE_ROWS];
+}
+
+/* How far a pose is from the program's: the distance of the top frame's origins, and |Q − Qᵖ|, which is √8 sin(θ/2) for an angle θ
+ * between them. `center`: the centre of mass from that origin, central axes. */
+static inline void looks_deviation(const coordinates *x, const coordinates *program, vector center,
+                                   number *look) {
+    const triad turn = {subtract(x->q.i, program->q.i), subtract(x->q.j, program->q.j),
+                        subtract(x->q.k, program->q.k)};
+    const vector apart = subtract(subtract(x->rho, program->rho), out_of(&turn, center));
+
+    look[LOOKS_DISTANCE] = norm(apart);
+    look[LOOKS_TURN] = number_root(dot(turn.i, turn.i) + dot(turn.j, turn.j) + dot(turn.k, turn.k));
+}
+
+/* what is seen at one moment */
+static inline void looks_fill(const stage *s, const instant *m, vector center,
+                              number look[LOOKS_COLUMNS]) {
+    number total = number_of(0);
+
+    looks_deviation(&m->x, &s->x[0], center, look);
+    for (int v = 0; v < LEGS; v++) {
+        const number p = m->u[v] * m->g.rate[v];
+        look[LOOKS_FORCE + v] = number_magnitude(m->u[v]);
+        look[LOOKS_SPEED + v] = number_magnitude(m->g.rate[v]);
+        look[LOOKS_POWER + v] = p;
+        total = total + p;
+    }
+    look[LOOKS_TOTAL] = total;
+}
+
+static inline double looks_angle(double turn) {
+    const double sine = turn / sqrt(8);
+
+    return 2 * asin(sine < 1 ? sine : 1);
+}
+
+/* the larger where `heard` is 1, else what there is */
+static inline number looks_raise(number heard, number x, number there) {
+    const number larger = number_larger(there, x);
+
+    return number_select(number_greater(heard, number_of(0.5)), larger, there);
+}
+
+/* adds weight · look of a column to the work where `heard` is 1 */
+static inline void looks_integrate(looks *l, number heard, const double weight[QUADRATURE_ROWS]) {
+    number sum = number_of(0);
+
+    for (int i = 0; i < QUADRATURE_ROWS; i++) {
+        sum = sum + number_of(weight[i]) * looks_back(l, QUADRATURE_ROWS - 1 - i)[LOOKS_TOTAL];
+    }
+    l->energy = number_select(number_greater(heard, number_of(0.5)), l->energy + sum, l->energy);
+}
+
+/* work since the last interval that was integrated, which has no look after it */
+static inline void looks_finish(looks *l, number heard) {
+    const int count = l->count < QUADRATURE_ROWS ? l->count : QUADRATURE_ROWS;
+    double weight[QUADRATURE_ROWS];
+
+    if (count == 3) {
+        quadrature_weigh(l->time, 3, 1, 2, weight);
+        looks_integrate(l, heard, weight);
+    }
+    if (count >= 2) {
+        quadrature_weigh(l->time, count, QUADRATURE_ROWS - 2, QUADRATURE_ROWS - 1, weight);
+        looks_integrate(l, heard, weight);
+    }
+}
+
+/* derivatives jump at the last look: nothing is interpolated across it */
+static inline void looks_corner(looks *l, number heard) {
+    if (l->count < 2) return;
+    looks_finish(l, heard);
+    l->count = 1;
+}
+
+/* Raises a peak to the vertices of some columns of the last three looks, where the largest of them, `middle`, is near the peak that
+ * there is: in the lanes where that is so, whatever the others do */
+static inline void looks_vertices_of(looks *l, number heard, int column, int count, number sign,
+                                     number middle, number *peak) {
+    const double left = l->time[2] - l->time[1], right = l->time[3] - l->time[2];
+    const number reach = middle + number_of(looks_near) * number_magnitude(middle);
+    const number near = number_select(number_greater(reach, *peak), heard, number_of(0));
+
+    if (!number_any(number_greater(near, number_of(0.5)))) return;
+    for (int c = column; c < column + count; c++) {
+        const number vertex = peak_vertex(sign * looks_back(l, 2)[c], sign * looks_back(l, 1)[c],
+                                          sign * looks_back(l, 0)[c], left, right);
+        *peak = looks_raise(near, vertex, *peak);
+    }
+}
+
+/* peaks between the last three looks */
+static inline void looks_vertices(looks *l, number heard) {
+    const number *middle = looks_back(l, 1), one = number_of(1);
+    number force = middle[LOOKS_FORCE], speed = middle[LOOKS_SPEED], power = middle[LOOKS_POWER];
+    number braking = -power;
+
+    for (int v = 1; v < LEGS; v++) {
+        force = number_larger(force, middle[LOOKS_FORCE + v]);
+        speed = number_larger(speed, middle[LOOKS_SPEED + v]);
+        power = number_larger(power, middle[LOOKS_POWER + v]);
+        braking = number_larger(braking, -middle[LOOKS_POWER + v]);
+    }
+    looks_vertices_of(l, heard, LOOKS_FORCE, LEGS, one, force, &l->force);
+    looks_vertices_of(l, heard, LOOKS_SPEED, LEGS, one, speed, &l->speed);
+    looks_vertices_of(l, heard, LOOKS_POWER, LEGS, one, power, &l->power);
+    looks_vertices_of(l, heard, LOOKS_POWER, LEGS, -one, braking, &l->braking);
+    looks_vertices_of(l, heard, LOOKS_DISTANCE, 1, one, middle[LOOKS_DISTANCE], &l->distance);
+    looks_vertices_of(l, heard, LOOKS_TURN, 1, one, middle[LOOKS_TURN], &l->turn);
+}
+
+/* where the next look goes, which takes the place of the oldest */
+static inline number *looks_next(looks *l) {
+    l->newest = (l->newest + 1) % QUADRATURE_ROWS;
+    return looks_back(l, 0);
+}
+
+/* Sums up the look that was put into the next place: `heard` is 1 in the lanes under way, else 0; drift: since the look before */
+static inline void looks_take(looks *l, number heard, number drift, double t) {
+    const number *look = looks_back(l, 0);
+    double weight[QUADRATURE_ROWS];
+
+    for (int i = 0; i + 1 < QUADRATURE_ROWS; i++) l->time[i] = l->time[i + 1];
+    l->time[QUADRATURE_ROWS - 1] = t;
+    l->count++;
+    l->drift = looks_raise(heard, drift, l->drift);
+    l->distance = looks_raise(heard, look[LOOKS_DISTANCE], l->distance);
+    l->turn = looks_raise(heard, look[LOOKS_TURN], l->turn);
+    for (int v = 0; v < LEGS; v++) {
+        const number p = look[LOOKS_POWER + v];
+        l->force = looks_raise(heard, look[LOOKS_FORCE + v], l->force);
+        l->speed = looks_raise(heard, look[LOOKS_SPEED + v], l->speed);
+        l->power = looks_raise(heard, p, l->power);
+        l->braking = looks_raise(heard, -p, l->braking);
+    }
+    if (l->count >= 3) looks_vertices(l, heard);
+    if (l->count == QUADRATURE_ROWS) {
+        quadrature_weigh(l->time, QUADRATURE_ROWS, 0, 1, weight);
+        looks_integrate(l, heard, weight);
+    }
+    if (l->count >= QUADRATURE_ROWS) {
+        quadrature_weigh_middle(l->time, weight);
+        looks_integrate(l, heard, weight);
+    }
+}
+
+#endif
