@@ -150,6 +150,7 @@ typedef struct gough_sweep_summary {
     size_t resumed;    /**< of these, found in FILE.part */
     size_t ended[GOUGH_END_INVALID + 1]; /**< by gough_cause */
     size_t first_invalid;                /**< a run; 0: none */
+    size_t first_not_finite;             /**< a run that ended so; 0: none */
     double least_position;        /**< least of the deviations of position; NaN: no run is done */
     double greatest_position;     /**< the greatest of them, units of the study */
     double least_angle;           /**< least of the deviations of angle, radians */

@@ -139,6 +139,8 @@ void usage_error(const struct argp_state *state, const char *format, ...)
 void refuse_strange_option(const struct argp *argp, int count, char **argument);
 /* "gough VERB: error: …"; texts of the user likewise */
 void complain(const char *verb, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* "own.yaml:12:10", the place of the key that a sentence begins with, to be freed; NULL: the study does not give it */
+char *place_of(const gough_study *study, const char *sentence);
 /* The same of a sentence about a study: "gough VERB: error: own.yaml:12:10: …" with the place of the key that it begins with, or
  * else the name of the study. */
 void complain_of(const char *verb, const gough_study *study, const char *sentence);

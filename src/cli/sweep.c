@@ -147,6 +147,28 @@ static void explain_invalid(const command_line *line, const gough_sweep *sweep,
              error.message);
 }
 
+/* Which runs met a formula that is not finite, and which one: the first of them is run again for its sentence. */
+static void explain_not_finite(const command_line *line, const gough_sweep *sweep,
+                               const gough_sweep_summary *summary) {
+    const size_t ended = summary->ended[GOUGH_END_NOT_FINITE], run = summary->first_not_finite;
+    const gough_study *study;
+    gough_error error = {0};
+    gough_end end;
+    gough_sweep_maker *maker = ended ? gough_sweep_maker_new(sweep) : NULL;
+    if (!maker) return;
+    if (gough_sweep_make(maker, run, &study, &error) == GOUGH_OK &&
+        gough_simulate(study->model, &study->simulation, NULL, NULL, &end, &error) ==
+            GOUGH_ERROR_INPUT) {
+        char values[400], *place = place_of(gough_sweep_study(sweep), error.message);
+        sweep_name_values(sweep, run, values, sizeof values);
+        remark(line->verb, "%zu of %zu runs end%s early; the first is run %zu (%s): %s%s%s", ended,
+               summary->runs, ended == 1 ? "s" : "", run, values, place ? place : "",
+               place ? ": " : "", error.message);
+        free(place);
+    }
+    gough_sweep_maker_free(maker);
+}
+
 /* The first output that is a file, in which name the runs done are kept; NULL: none. */
 static const char *kept_file(const command_line *line) {
     for (size_t i = 0; i < line->output_count; i++)
@@ -224,6 +246,7 @@ static gough_status run_sweep(const command_line *line, const gough_sweep *sweep
     stopped_by = 0; /* too late: it is done */
     status = print_summary(line, &report);
     explain_invalid(line, sweep, &report.summary);
+    if (!line->quiet) explain_not_finite(line, sweep, &report.summary);
     if (status == GOUGH_OK && report.summary.ended[GOUGH_END_INVALID])
         status = GOUGH_ERROR_NUMERICAL;
     return status;

@@ -110,10 +110,15 @@ void complain(const char *verb, const char *format, ...) {
     va_end(list);
 }
 
-void complain_of(const char *verb, const gough_study *study, const char *sentence) {
+char *place_of(const gough_study *study, const char *sentence) {
     const size_t length = gough_study_place(study, sentence, NULL, 0);
     char *place = length > 0 ? malloc(length + 1) : NULL;
     if (place) gough_study_place(study, sentence, place, length + 1);
+    return place;
+}
+
+void complain_of(const char *verb, const gough_study *study, const char *sentence) {
+    char *place = place_of(study, sentence);
     complain(verb, "%s: %s", place ? place : study->name, sentence);
     free(place);
 }

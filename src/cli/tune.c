@@ -266,6 +266,39 @@ static gough_status tell(const command_line *line, tune_report *report) {
     return written ? written : found;
 }
 
+/* A formula that is not finite depends on no G: the study is refused as simulate refuses it, with the formula's place. GOUGH_OK
+ * where some run does not meet one. */
+static gough_status refuse_formulas(const tune_report *report, gough_error *error) {
+    gough_status status = GOUGH_OK;
+    gough_model *model = malloc(sizeof *model);
+    gough_simulation simulation = report->study->simulation;
+    simulation.method = GOUGH_DOP853; /* a fixed step may be too long for such a G */
+    simulation.step = 0;
+    simulation.tolerance = 1e-6;
+    simulation.precision = GOUGH_DOUBLE;
+    if (!model) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
+    for (int c = 0; c < report->choices; c++) {
+        const tune_choice *choice = &report->choice[c];
+        const gough_tuning *tuning = &choice->tuning;
+        gough_end end;
+        status = GOUGH_OK;
+        if (tuning->found || tuning->points == 0) break;
+        const gough_tuning_point *last = &choice->point[tuning->points - 1];
+        if (last->cause != GOUGH_END_NOT_FINITE) break;
+        *model = *report->study->model;
+        model->control.feedforward = choice->feedforward;
+        for (int v = 0; v < GOUGH_LEGS; v++) {
+            model->control.stiffness[v] = last->stiffness;
+            model->control.damping[v] = last->damping;
+        }
+        status = gough_simulate(model, &simulation, NULL, NULL, &end, error);
+        if (status != GOUGH_ERROR_INPUT) status = GOUGH_OK;
+        if (!status) break;
+    }
+    free(model);
+    return status;
+}
+
 static gough_status tune_study(const command_line *line, const gough_study *study) {
     tune_report *report = calloc(1, sizeof *report);
     gough_error error = {.message = "out of memory"};
@@ -280,6 +313,7 @@ static gough_status tune_study(const command_line *line, const gough_study *stud
         status = gough_units_of_study(study, line->dimensionless, &report->units, &error);
     }
     if (!status) status = search(line, report, &error);
+    if (!status) status = refuse_formulas(report, &error);
     if (status)
         complain_of(line->verb, study, error.message);
     else

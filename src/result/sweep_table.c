@@ -292,6 +292,7 @@ static bool sum_record(void *context, const void *record) {
     s->runs++;
     s->ended[o->cause]++;
     if (o->cause == GOUGH_END_INVALID && s->first_invalid == 0) s->first_invalid = row.run;
+    if (o->cause == GOUGH_END_NOT_FINITE && s->first_not_finite == 0) s->first_not_finite = row.run;
     if (o->cause != GOUGH_END_DONE) return true;
     widen(o->position_deviation, row.run, &s->least_position, &s->least_position_run,
           &s->greatest_position, &s->greatest_position_run);

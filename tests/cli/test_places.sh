@@ -34,5 +34,20 @@ placed "--set disturbance.leg_force" simulate study.yaml --set 'disturbance.leg_
 placed study.yaml:7:10 stability study.yaml --at 1.7 --matrix
 placed study.yaml:7:10 stability study.yaml
 placed study.yaml:7:10 stability study.yaml --sweep-stiffness 1:10:3
+placed study.yaml:8:38 tune study.yaml --deviation 0.1 -o a.csv
+placed study.yaml:7:10 tune study.yaml --deviation 0.1 --feedforward none --set disturbance= --json
+placed "--set motion.heave" tune study.yaml --deviation 0.1 --set disturbance= --set 'motion.heave=0*sqrt(1 - t)'
+[[ ! -s out ]] || fail "tune prints a result of formulas that are not finite: $(head -3 out)"
 [[ ! -e a.csv && ! -e a.html ]] || fail "a file is left"
+
+# a sweep goes on, and names the first of its runs that met one
+cat study.yaml - >sweep.yaml <<'END'
+sweep: {keys: {simulation.duration: [1, 1.3, 1.4]}}
+END
+run sweep sweep.yaml -o b.csv
+expect_code 0 "a sweep"
+grep -qF 'gough sweep: 2 of 3 runs end early; the first is run 2 (simulation.duration=1.3): sweep.yaml:8:38: disturbance.force.3 (value or derivatives) is not finite at t = ' err ||
+    fail "the sweep does not name the formula: $(cat err)"
+run sweep sweep.yaml -o b.csv --quiet
+[[ ! -s err ]] || fail "a quiet sweep: $(cat err)"
 finish
