@@ -2,6 +2,7 @@
 set -uo pipefail
 : "${GOUGH:?the command}"
 scratch=$(mktemp -d)
+out=$scratch/out err=$scratch/err
 trap 'rm -rf "$scratch"' EXIT
 failures=0
 
@@ -12,14 +13,14 @@ fail() {
 
 # standard output to $scratch/out, standard error to $scratch/err, exit code to $code
 run() {
-    "$GOUGH" "$@" >"$scratch/out" 2>"$scratch/err" </dev/null
+    "$GOUGH" "$@" >"$out" 2>"$err" </dev/null
     code=$?
 }
 
 expect_code() {
     local expected=$1
     shift
-    ((code == expected)) || fail "$*: exit code $code instead of $expected; $(head -3 "$scratch/err")"
+    ((code == expected)) || fail "$*: exit code $code instead of $expected; $(head -3 "$err")"
 }
 
 # a column of a CSV file by name
