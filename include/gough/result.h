@@ -77,6 +77,10 @@ typedef struct gough_table {
     char *end_cause;   /**< "" where unknown */
     char *end_message; /**< the end as a sentence; NULL or "" where unknown */
     double end_time;   /**< NaN where unknown */
+    double
+        tolerance; /**< of the adaptive stepper of the run; NaN where unknown, or if steps were fixed */
+    double
+        step; /**< fixed step of the run, in the table's unit of time; NaN where unknown, or if steps were adaptive */
 } gough_table;
 
 /** Reads a table; HDF5 is recognised by its first bytes; "-" means CSV on standard input. HDF5 is read in a child process with
@@ -88,7 +92,7 @@ GOUGH_API gough_status gough_table_read(const char *path, gough_table **table, g
 /** Frees a table; NULL is allowed. */
 GOUGH_API void gough_table_free(gough_table *table);
 
-/** A table of zeros with unnamed columns, to be filled; free it with gough_table_free(). NULL if out of memory. */
+/** A table of zeros with unnamed columns and without a tolerance, a step and an end, to be filled; free it with gough_table_free(). NULL if out of memory. */
 GOUGH_API gough_table *gough_table_new(const char *title, const char *verb, size_t columns,
                                        size_t rows);
 
@@ -97,7 +101,8 @@ GOUGH_API gough_table *gough_table_new(const char *title, const char *verb, size
 GOUGH_API double *gough_table_name(gough_table *table, size_t column, const char *name,
                                    const char *unit);
 
-/** Writes a table: .h5 or .csv by extension, "-" CSV on standard output, as gough_result_write() does.
+/** Writes a table: .h5 or .csv by extension, "-" CSV on standard output, as gough_result_write() does. HDF5 also has the table's
+ *  tolerance and step, if they are known.
  *  @param study  text of the study, kept in HDF5; NULL: none
  *  @return GOUGH_OK, GOUGH_ERROR_INPUT (unknown extension), GOUGH_ERROR_FILE. */
 GOUGH_API gough_status gough_table_write(const gough_table *table, const char *study,

@@ -293,6 +293,11 @@ gough_table *tune_table(const tune_report *report) {
     gough_table *table = gough_table_new(report->study->title, report->verb, COLUMNS, rows);
     if (!table) return NULL;
     name_columns(table, report->units.dimensionless, column);
+    const gough_simulation *simulation = &report->study->simulation;
+    if (simulation->step > 0)
+        table->step = simulation->step / report->units.time;
+    else
+        table->tolerance = simulation->tolerance;
     for (int c = 0; c < COLUMNS; c++) {
         if (column[c]) continue;
         gough_table_free(table);

@@ -1,14 +1,16 @@
-/* Below what size a number of a table is an error of the run and no more: a share of the scale of its column. The scale follows
- * from the length of the legs, a unit of time √(length/g) with the earth's g, and the greatest leg force. The page has the same
- * in web/src/data.js. */
+/* Below what size a number of a table is only an error of the run: a share of the scale of its column. The scale follows
+ * from the length of the legs, a unit of time √(length/g) with the earth's g, and the greatest leg force; the share from the
+ * tolerance of the run. The page has the same in web/src/data.js. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "builder.h"
 
-/* Errors of a run reach a hundred times its tolerance, which is 1e-10 unless the study says otherwise. */
-static const double share = 1e-8;
+/* Errors of a run reach a hundred times its tolerance. A table that does not name it, as CSV, is taken to have the default of
+ * studies. The share has bounds, so that neither rounding is drawn as a signal nor a signal of a coarse run as nothing. */
+static const double errors = 100.0, usual_tolerance = 1e-10, least_share = 1e-12,
+                    greatest_share = 1e-6;
 static const double degree = 57.29577951308232, earth = 9.80665;
 /* Sweeps do not say how large the machine is: as small a one as is built, in metres, so that no motion is taken for noise. */
 static const double least_length = 0.05;
@@ -32,6 +34,16 @@ static double greatest_of_legs(const builder *b, const char *prefix) {
     return greatest;
 }
 
+/* Of the most accurate run among those that are compared: what it resolves is no noise. */
+static double share_of(const builder *b) {
+    double tolerance = INFINITY;
+    for (size_t t = 0; t < b->table_count; t++) {
+        const double own = b->tables[t]->tolerance;
+        tolerance = fmin(tolerance, own > 0.0 ? own : usual_tolerance);
+    }
+    return fmin(fmax(errors * tolerance, least_share), greatest_share);
+}
+
 typedef struct scales {
     double length, time, force;
 } scales;
@@ -45,6 +57,7 @@ static scales scales_of(const builder *b, const char *unit) {
 }
 
 double builder_noise(const builder *b, const char *column) {
+    const double share = share_of(b);
     if (strcmp(column, "angle_deviation") == 0) return share * degree;
     if (strcmp(column, "position_deviation") == 0)
         return share * scales_of(b, builder_unit(b, column)).length;

@@ -141,7 +141,7 @@ gough_status gough_table_read(const char *path, gough_table **table, gough_error
     if (read == NULL) {
         status = gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     } else {
-        read->end_time = NAN;
+        read->end_time = read->tolerance = read->step = NAN;
         status = read_file(file, standard ? "standard input" : path, read, error);
         if (status == GOUGH_OK && !complete_texts(read))
             status = gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);

@@ -21,6 +21,7 @@ struct gough_result {
     double *value[GOUGH_COLUMNS];
     gough_quad *quad[GOUGH_COLUMNS];
     gough_end end;
+    double tolerance, step; /* as in gough_table */
 };
 
 /* Factor from units of the run to those of the output for length^l mass^m time^t angle^a, correctly rounded: angles in degrees.
@@ -80,6 +81,9 @@ typedef struct result_file {
                             int column); /* valid until the next call; NULL: they cannot be had */
     void *context;
 } result_file;
+/* Puts the attributes "tolerance" and "step" of a run, each if it is not NaN, into an array with room for both.
+ * @return how many there are */
+int result_put_steps(double tolerance, double step, result_attribute *attribute);
 gough_status result_write_hdf5_file(const result_file *file, const char *path, gough_error *error);
 
 /* Readers fill a table whose fields are all zero; the caller frees it, also after an error. */

@@ -80,6 +80,10 @@ gough_result *gough_result_new(const gough_study *study, const char *verb,
         sizeof(double) + (study->simulation.precision == GOUGH_QUADRUPLE ? sizeof(gough_quad) : 0);
     result->row_limit = memory / MEMORY_SHARE / ((size_t)result->columns * cell);
 
+    const gough_simulation *simulation = &study->simulation;
+    const bool fixed = simulation->step > 0;
+    result->tolerance = simulated && !fixed ? simulation->tolerance : NAN;
+    result->step = simulated && fixed ? simulation->step / (double)scale.time : NAN;
     result->end.time = NAN;
     result->title = copy_text(study->title);
     result->text = copy_text(study->text);

@@ -67,8 +67,9 @@ static bool put_table(int pipe, const gough_table *table) {
     bool good = put(pipe, &table->rows, sizeof table->rows) &&
                 put(pipe, &table->columns, sizeof table->columns) &&
                 put(pipe, &table->end_time, sizeof table->end_time) &&
-                put_text(pipe, table->title) && put_text(pipe, table->verb) &&
-                put_text(pipe, table->end_cause) &&
+                put(pipe, &table->tolerance, sizeof table->tolerance) &&
+                put(pipe, &table->step, sizeof table->step) && put_text(pipe, table->title) &&
+                put_text(pipe, table->verb) && put_text(pipe, table->end_cause) &&
                 put_text(pipe, table->end_message ? table->end_message : "");
     for (size_t c = 0; c < table->columns && good; c++)
         good = put_text(pipe, table->name[c]) && put_text(pipe, table->unit[c]) &&
@@ -80,9 +81,10 @@ static bool get_table(int pipe, gough_table *table) {
     size_t rows = 0, columns = 0;
     bool good = get(pipe, &rows, sizeof rows) && get(pipe, &columns, sizeof columns) &&
                 get(pipe, &table->end_time, sizeof table->end_time) &&
-                get_text(pipe, &table->title) && get_text(pipe, &table->verb) &&
-                get_text(pipe, &table->end_cause) && get_text(pipe, &table->end_message) &&
-                result_table_shape(table, columns, rows);
+                get(pipe, &table->tolerance, sizeof table->tolerance) &&
+                get(pipe, &table->step, sizeof table->step) && get_text(pipe, &table->title) &&
+                get_text(pipe, &table->verb) && get_text(pipe, &table->end_cause) &&
+                get_text(pipe, &table->end_message) && result_table_shape(table, columns, rows);
     for (size_t c = 0; c < columns && good; c++)
         good = get_text(pipe, &table->name[c]) && get_text(pipe, &table->unit[c]) &&
                get(pipe, table->value[c], rows * sizeof(double));

@@ -202,6 +202,13 @@ gough_status result_write_hdf5_file(const result_file *content, const char *path
     return status;
 }
 
+int result_put_steps(double tolerance, double step, result_attribute *attribute) {
+    int count = 0;
+    if (!isnan(tolerance)) attribute[count++] = (result_attribute){"tolerance", NULL, tolerance};
+    if (!isnan(step)) attribute[count++] = (result_attribute){"step", NULL, step};
+    return count;
+}
+
 static const double *values_of(void *context, int column) {
     const gough_result *result = context;
     static const double none = 0;
@@ -209,6 +216,7 @@ static const double *values_of(void *context, int column) {
 }
 
 gough_status result_write_hdf5(const gough_result *result, const char *path, gough_error *error) {
+    enum { OWN_ATTRIBUTES = 8, ATTRIBUTES = OWN_ATTRIBUTES + 2 };
     result_column column[GOUGH_COLUMNS] = {{.name = NULL}};
     char unit[GOUGH_COLUMNS][RESULT_UNIT_SIZE];
     for (int i = 0; i < result->columns; i++) {
@@ -218,19 +226,20 @@ gough_status result_write_hdf5(const gough_result *result, const char *path, gou
         column[i] =
             (result_column){.name = info->name, .unit = unit[i], .long_name = info->long_name};
     }
-    const result_attribute attribute[] = {{"title", result->title, 0},
-                                          {"study", result->text, 0},
-                                          {"software", "gough", 0},
-                                          {"version", GOUGH_VERSION, 0},
-                                          {"verb", result->verb, 0},
-                                          {"end_time", NULL, result->end.time},
-                                          {"end_cause", gough_cause_name(result->end.cause), 0},
-                                          {"end_message", result->end.message, 0}};
+    result_attribute attribute[ATTRIBUTES] = {{"title", result->title, 0},
+                                              {"study", result->text, 0},
+                                              {"software", "gough", 0},
+                                              {"version", GOUGH_VERSION, 0},
+                                              {"verb", result->verb, 0},
+                                              {"end_time", NULL, result->end.time},
+                                              {"end_cause", gough_cause_name(result->end.cause), 0},
+                                              {"end_message", result->end.message, 0}};
+    const int steps = result_put_steps(result->tolerance, result->step, attribute + OWN_ATTRIBUTES);
     const result_file content = {.column = column,
                                  .columns = result->columns,
                                  .rows = result->rows,
                                  .attribute = attribute,
-                                 .attributes = sizeof attribute / sizeof attribute[0],
+                                 .attributes = OWN_ATTRIBUTES + steps,
                                  .values = values_of,
                                  .context = (void *)result};
     return result_write_hdf5_file(&content, path, error);

@@ -15,7 +15,7 @@ enum { NUMBER_SIZE = 40 };
 gough_table *gough_table_new(const char *title, const char *verb, size_t columns, size_t rows) {
     gough_table *table = calloc(1, sizeof *table);
     if (table == NULL) return NULL;
-    table->end_time = NAN;
+    table->end_time = table->tolerance = table->step = NAN;
     bool good = result_table_shape(table, columns, rows);
     table->title = strdup(title);
     table->verb = strdup(verb);
@@ -105,16 +105,18 @@ static gough_status write_hdf5(const gough_table *table, const char *study, cons
         column[c] = (result_column){.name = table->name[c],
                                     .unit = *table->unit[c] ? table->unit[c] : "1",
                                     .long_name = table->name[c]};
-    const result_attribute attribute[] = {{"title", table->title, 0},
-                                          {"study", study ? study : "", 0},
-                                          {"software", "gough", 0},
-                                          {"version", GOUGH_VERSION, 0},
-                                          {"verb", table->verb, 0}};
+    enum { OWN_ATTRIBUTES = 5, ATTRIBUTES = OWN_ATTRIBUTES + 2 };
+    result_attribute attribute[ATTRIBUTES] = {{"title", table->title, 0},
+                                              {"study", study ? study : "", 0},
+                                              {"software", "gough", 0},
+                                              {"version", GOUGH_VERSION, 0},
+                                              {"verb", table->verb, 0}};
+    const int steps = result_put_steps(table->tolerance, table->step, attribute + OWN_ATTRIBUTES);
     const result_file content = {.column = column,
                                  .columns = (int)table->columns,
                                  .rows = table->rows,
                                  .attribute = attribute,
-                                 .attributes = sizeof attribute / sizeof attribute[0],
+                                 .attributes = OWN_ATTRIBUTES + steps,
                                  .values = values_of,
                                  .context = (void *)table};
     const gough_status status = result_write_hdf5_file(&content, path, error);

@@ -229,6 +229,30 @@ START_TEST(a_machine_at_rest_has_lines_and_its_noise_is_none) {
 }
 END_TEST
 
+/* How much a line of noise varies on its panel, in pixels, for a run of that tolerance. */
+static double wiggle_of(double tolerance) {
+    gough_table *table = resting_table(POINTS * 20);
+    table->tolerance = tolerance;
+    gough_figure figure = gough_figure_default();
+    figure.kind = "lengths";
+    char *svg = svg_of(&figure, table);
+    static svg_line line;
+    ck_assert(svg_read_line(svg, first_colour, 0, &line));
+    double most = 0;
+    for (size_t i = 1; i < line.count; i++) most = fmax(most, fabs(line.y[i] - line.y[0]));
+    free(svg);
+    gough_table_free(table);
+    return most;
+}
+
+START_TEST(what_is_noise_follows_from_the_tolerance) {
+    /* the errors of resting_table() are 3e-10: a hundred times 3e-12 */
+    ck_assert(wiggle_of(1e-10) <= 3 && wiggle_of(NAN) <= 3 && wiggle_of(1e-4) <= 3);
+    ck_assert(wiggle_of(1e-13) > 30);
+    ck_assert(fabs(wiggle_of(1e-10) - wiggle_of(NAN)) <= pixel);
+}
+END_TEST
+
 /* ---- maps --------------------------------------------------------------------------------------------------------- */
 
 /* A map over two keys: the edges of its cells lie halfway between the values, by ratio where the axis is logarithmic. */
@@ -357,5 +381,6 @@ int main(void) {
                      numbers_of_the_deviation_over_the_stiffness_are_their_places,
                      numbers_of_linear_axes_are_their_places,
                      a_machine_at_rest_has_lines_and_its_noise_is_none,
-                     numbers_of_maps_are_their_places, any_range_has_numbers_and_they_are_true);
+                     what_is_noise_follows_from_the_tolerance, numbers_of_maps_are_their_places,
+                     any_range_has_numbers_and_they_are_true);
 }

@@ -20,11 +20,12 @@ columns=$(sed -n 's/^\tdouble \([a-z0-9]*\)(t) ;/\1/p' "$scratch/header" | paste
 
 # what stands at the root, in this order
 attributes=$(sed -n 's/^\t\t:\([a-z_]*\) = .*/\1/p' "$scratch/header" | paste -sd' ')
-[[ $attributes == "title study software version verb end_time end_cause end_message" ]] || fail "attributes are $attributes"
+[[ $attributes == "title study software version verb end_time end_cause end_message tolerance" ]] || fail "attributes are $attributes"
 grep -q ':title = "The paper' "$scratch/header" || fail "no title"
 grep -q ':verb = "simulate"' "$scratch/header" || fail "no verb"
 grep -q ':end_time = 2\.' "$scratch/header" || fail "no end_time"
 grep -q ':end_cause = "done"' "$scratch/header" || fail "no end_cause"
+grep -q '^.*:tolerance = 1.e-12 ;' "$scratch/header" || fail "no tolerance: $(grep ":tolerance" "$scratch/header")"
 version=$("$GOUGH" --version | grep -oE '[0-9]+\.[0-9]+\.[0-9]+' | head -1)
 grep -q ":version = \"$version\"" "$scratch/header" || fail "version is not $version"
 
@@ -56,3 +57,18 @@ order=$(h5dump -n --sort_by=creation_order "$scratch/run.h5" | awk '$1 == "datas
 # the same run, the same bits
 "$GOUGH" simulate "$scratch/study.yaml" -q --set simulation.duration=2 --reactions -o "$scratch/again.h5"
 cmp "$scratch/run.h5" "$scratch/again.h5" || fail "two runs differ"
+
+# a run of fixed steps has its step, in the table's unit of time, and no tolerance: √(0.25/9.80665) s are one of √(R_b/g)
+"$GOUGH" example own-machine >"$scratch/own.yaml"
+fixed=(--set simulation.duration=0.2 --set simulation.method=rk4 --set simulation.step=0.005 --set simulation.output_step=0.05)
+"$GOUGH" simulate "$scratch/own.yaml" -q "${fixed[@]}" -o "$scratch/si.h5"
+"$GOUGH" simulate "$scratch/own.yaml" -q "${fixed[@]}" --dimensionless -o "$scratch/bare.h5"
+step_of() { h5dump -a /step "$1" | awk '/\(0\):/ { print $2 }'; }
+awk -v si="$(step_of "$scratch/si.h5")" -v bare="$(step_of "$scratch/bare.h5")" 'BEGIN {
+    wanted = 0.005 / sqrt(0.25 / 9.80665)
+    exit !(si == 0.005 && bare > wanted * 0.99999 && bare < wanted * 1.00001) }' || fail "the step of a fixed stepper is wrong"
+ncdump -h "$scratch/si.h5" >"$scratch/header"
+grep -q ':tolerance' "$scratch/header" && fail "a run of fixed steps has a tolerance"
+"$GOUGH" tune "$scratch/own.yaml" -q --deviation 1e-2 --set simulation.tolerance=1e-8 --set simulation.duration=2 -o "$scratch/tune.h5"
+ncdump -h "$scratch/tune.h5" >"$scratch/header"
+grep -q ':tolerance = 1.e-08 ;' "$scratch/header" || fail "tuning does not name its tolerance"
