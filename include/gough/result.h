@@ -77,10 +77,8 @@ typedef struct gough_table {
     char *end_cause;   /**< "" where unknown */
     char *end_message; /**< the end as a sentence; NULL or "" where unknown */
     double end_time;   /**< NaN where unknown */
-    double
-        tolerance; /**< of the adaptive stepper of the run; NaN where unknown, or if steps were fixed */
-    double
-        step; /**< fixed step of the run, in the table's unit of time; NaN where unknown, or if steps were adaptive */
+    double tolerance;  /**< of the adaptive stepper; NaN where unknown or steps were fixed */
+    double step;       /**< fixed, in the table's unit of time; NaN where unknown or adaptive */
 } gough_table;
 
 /** Reads a table; HDF5 is recognised by its first bytes; "-" means CSV on standard input. HDF5 is read in a child process with
@@ -92,7 +90,8 @@ GOUGH_API gough_status gough_table_read(const char *path, gough_table **table, g
 /** Frees a table; NULL is allowed. */
 GOUGH_API void gough_table_free(gough_table *table);
 
-/** A table of zeros with unnamed columns and without a tolerance, a step and an end, to be filled; free it with gough_table_free(). NULL if out of memory. */
+/** A table of zeros with unnamed columns, to be filled; its tolerance, step and end are unknown. Free it with gough_table_free().
+ *  @return NULL if out of memory. */
 GOUGH_API gough_table *gough_table_new(const char *title, const char *verb, size_t columns,
                                        size_t rows);
 

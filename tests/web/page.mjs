@@ -121,13 +121,17 @@ test("scrubbing moves all cursors, and the numbers shown are those of the table"
     assert.notEqual(moved, before);
     before = moved;
   }
-  for (const id of ["rates", "drift", "condition"]) {
+  await scrubTo(page, 137);
+  for (const id of ["forces", "rates", "drift", "condition"]) {
     await byName(page, `curve-${id}`).scrollIntoViewIfNeeded();
     await pictureDrawn(page);
     const other = await byName(page, `cursor-${id}`).evaluate((line) => line.style.transform);
-    const place = (transform) => Number(/-?[\d.]+/.exec(transform)[0]);
-    // room for the numbers of an axis may shift its plot by some pixels
-    assert.ok(Math.abs(place(other) - place(before)) <= 24, `${id}: ${other}, ${before}`);
+    // of the plot, which begins where the numbers of its axis end; the place is written to a tenth of a pixel
+    const width = await byName(page, `curve-${id}`)
+      .locator(".u-over")
+      .evaluate((over) => over.getBoundingClientRect().width);
+    const place = Number(/-?[\d.]+/.exec(other)[0]);
+    assert.ok(Math.abs(place - (137 / 400) * width) <= 0.06, `${id}: ${place} of ${width}`);
   }
   await page.close();
 });
