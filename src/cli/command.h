@@ -197,6 +197,10 @@ gough_status read_sweep(const command_line *line, const gough_study *study, goug
  * folder that does not exist, the same file twice, standard output for both a table and JSON. */
 gough_status check_output(const command_line *line, const char *other);
 
+/* "studies/heave.yaml" gives "studies/heave" and the ending; `otherwise` for standard input and other pipes, which have no name.
+ * Allocated; NULL: out of memory. */
+char *output_beside(const char *input, const char *ending, const char *otherwise);
+
 /* Refuses an output that is the same file as one of the inputs, by whatever names and links. */
 gough_status check_overwriting(const char *verb, const char *output, const char *const *input,
                                size_t inputs);

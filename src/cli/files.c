@@ -178,3 +178,14 @@ gough_status read_sweep(const command_line *line, const gough_study *study, goug
     say_messages(messages);
     return status;
 }
+
+char *output_beside(const char *input, const char *ending, const char *otherwise) {
+    const bool descriptor = strcmp(input, "-") == 0 || strcmp(input, "/dev/stdin") == 0 ||
+                            strncmp(input, "/dev/fd/", 8) == 0 ||
+                            strncmp(input, "/proc/self/fd/", 14) == 0;
+    if (descriptor) return strdup(otherwise);
+    const char *slash = strrchr(input, '/'), *dot = strrchr(input, '.');
+    const size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - input) : strlen(input);
+    char *path = NULL;
+    return asprintf(&path, "%.*s%s", (int)stem, input, ending) < 0 ? NULL : path;
+}

@@ -135,6 +135,19 @@ static bool read_tuning(int key, const char *text, struct argp_state *state, com
     }
 }
 
+static bool is_standard_input(const char *path) {
+    return strcmp(path, "-") == 0 || strcmp(path, "/dev/stdin") == 0 ||
+           strcmp(path, "/dev/fd/0") == 0 || strcmp(path, "/proc/self/fd/0") == 0;
+}
+
+/* The second reader of standard input would find it empty. */
+static void refuse_twice(struct argp_state *state, const command_line *line, const char *path) {
+    for (size_t i = 0; is_standard_input(path) && i < line->files; i++)
+        if (is_standard_input(line->file[i]))
+            usage_error(state, "standard input can be read only once; it is given as '%s' and '%s'",
+                        line->file[i], path);
+}
+
 static error_t read_option(int key, char *text, struct argp_state *state) {
     reader *reading = state->input;
     command_line *o = reading->line;
@@ -217,6 +230,7 @@ static error_t read_option(int key, char *text, struct argp_state *state) {
         read_map_axis(state, o, key, text);
         break;
     case ARGP_KEY_ARG:
+        refuse_twice(state, o, text);
         if (o->files == reading->usage->most_files)
             usage_error(state, "too many arguments, starting with '%s'", text);
         o->file[o->files++] = text;

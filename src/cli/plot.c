@@ -50,15 +50,6 @@ static const verb_usage usage = {.verb = "plot",
                                  .most_files = (size_t)-1,
                                  .help_filter = list_kinds};
 
-/* "heave.h5" gives "heave.png", standard input "figure.png". Allocated. */
-static char *default_output(const char *result) {
-    if (strcmp(result, "-") == 0) return strdup("figure.png");
-    const char *slash = strrchr(result, '/'), *dot = strrchr(result, '.');
-    const size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - result) : strlen(result);
-    char *path = NULL;
-    return asprintf(&path, "%.*s.png", (int)stem, result) < 0 ? NULL : path;
-}
-
 static gough_status read_tables(const command_line *line, gough_table **table) {
     gough_error error = {0};
     gough_status status = GOUGH_OK;
@@ -110,7 +101,7 @@ static gough_status draw(const command_line *line, gough_table **table) {
 gough_status plot_verb(int count, char **argument) {
     command_line line = command_line_read(&usage, count, argument);
     gough_status status = GOUGH_ERROR_FILE;
-    char *path = line.output_count ? NULL : default_output(line.file[0]);
+    char *path = line.output_count ? NULL : output_beside(line.file[0], ".png", "figure.png");
     gough_table **table = calloc(line.files, sizeof *table);
     if (path) line.outputs[line.output_count++] = path;
     if (!table || line.output_count == 0) {

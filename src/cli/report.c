@@ -29,15 +29,6 @@ static const verb_usage usage = {
     .least_files = 1,
     .most_files = 64};
 
-/* "studies/heave.yaml" gives "studies/heave.html", standard input "report.html". Allocated. */
-static char *default_output(const char *study) {
-    if (strcmp(study, "-") == 0) return strdup("report.html");
-    const char *slash = strrchr(study, '/'), *dot = strrchr(study, '.');
-    const size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - study) : strlen(study);
-    char *path = NULL;
-    return asprintf(&path, "%.*s.html", (int)stem, study) < 0 ? NULL : path;
-}
-
 /* What can be known before the studies are run. */
 static gough_status check_path(const char *verb, const char *path) {
     const char *ending = strrchr(path, '.');
@@ -118,7 +109,7 @@ static gough_status run_and_write(const command_line *line) {
 
 gough_status report_verb(int count, char **argument) {
     command_line line = command_line_read(&usage, count, argument);
-    char *path = line.output_count ? NULL : default_output(line.file[0]);
+    char *path = line.output_count ? NULL : output_beside(line.file[0], ".html", "report.html");
     gough_status status = GOUGH_ERROR_FILE;
     if (path) line.outputs[line.output_count++] = path;
     if (line.output_count == 0) {

@@ -96,6 +96,14 @@ static gough_status read_csv_file(int file, const struct stat *about, const char
                           "%s: is larger than %zu MiB, the most that can be read", path, cap >> 20);
     if (text == NULL)
         return gough_fail(error, GOUGH_ERROR_FILE, "%s: cannot read: %s", path, strerror(errno));
+    if (length >= sizeof hdf5_signature &&
+        memcmp(text, hdf5_signature, sizeof hdf5_signature) == 0) {
+        free(text);
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%s: is HDF5 through a pipe, which cannot be read; give the file itself "
+                          "or a table as CSV",
+                          path);
+    }
     const gough_status status = result_read_csv(path, text, length, table, error);
     free(text);
     return status;
@@ -111,7 +119,7 @@ static gough_status read_file(int file, const char *path, gough_table *table, go
     char start[sizeof hdf5_signature];
     if (S_ISREG(about.st_mode) && pread(file, start, sizeof start, 0) == sizeof start &&
         memcmp(start, hdf5_signature, sizeof start) == 0)
-        return result_read_hdf5(path, table, error);
+        return result_read_hdf5(file == STDIN_FILENO ? "/dev/stdin" : path, table, error);
     return read_csv_file(file, &about, path, table, error);
 }
 

@@ -263,8 +263,10 @@ gough_status sweep_part_read(sweep_part *part, const char *path, gough_error *er
     part->file = gough_open_input(path, error);
     if (part->file < 0) return GOUGH_ERROR_FILE;
     if (fstat(part->file, &about) != 0) return fail(part, error, "read");
+    if (!S_ISREG(about.st_mode))
+        return fail_shard(path, error, "is a pipe; a regular file is needed");
     unsigned char start[SWEEP_START];
-    const size_t got = S_ISREG(about.st_mode) ? read_at(part->file, start, sizeof start, 0) : 0;
+    const size_t got = read_at(part->file, start, sizeof start, 0);
     part->length = sweep_head_length(start, got);
     if (part->length == 0 || part->length > (size_t)about.st_size)
         return fail_shard(path, error, "is not a finished shard of gough sweep");

@@ -23,7 +23,7 @@ study_node *study_tree_read(study_messages *messages, const study_source *source
 gough_study *study_from_tree(study_messages *messages, study_node *root,
                              const study_source *source);
 
-/* The folder of a file, with its slash: relative samples start there. */
+/* The folder of a file, with its slash: relative samples start there. Empty, the working directory, for a descriptor. */
 const char *study_folder(study_arena *arena, const char *name);
 
 #endif

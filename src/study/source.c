@@ -45,7 +45,7 @@ static const char *cause_text(study_arena *arena, int cause) {
 }
 
 /* Descriptors of the process by name: what stands behind them was opened by whoever started it. */
-static bool is_descriptor(const char *path) {
+bool study_is_descriptor(const char *path) {
     return strcmp(path, "/dev/stdin") == 0 || strncmp(path, "/dev/fd/", 8) == 0 ||
            strncmp(path, "/proc/self/fd/", 14) == 0;
 }
@@ -53,7 +53,7 @@ static bool is_descriptor(const char *path) {
 /* The descriptor; or -1 with what else it is in *kind, or NULL there and errno set. */
 static int open_input(const char *path, const char **kind) {
     struct stat about;
-    const bool given = is_descriptor(path);
+    const bool given = study_is_descriptor(path);
     *kind = NULL;
     /* opening a pipe that nobody writes to would wait */
     const int file = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | (given ? 0 : O_NONBLOCK));
@@ -104,7 +104,8 @@ char *study_source_read(study_messages *messages, study_place place, const char 
     struct stat about;
     char *text = NULL;
     if (regular && fstat(file, &about) == 0 && !S_ISREG(about.st_mode)) {
-        study_say(messages, GOUGH_ERROR_FILE, place, "`%s` is not a regular file", name);
+        study_say(messages, GOUGH_ERROR_FILE, place,
+                  "`%s` is not a regular file; recorded motion must be in one", name);
     } else {
         text = read_all(file, most, length);
         if (!text && errno == EFBIG)

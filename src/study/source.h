@@ -8,6 +8,9 @@
 
 enum { STUDY_MOST_BYTES = 64 * 1024 };
 
+/* Whether a path names a descriptor of the process, such as /dev/stdin or what the shell makes of <(…) */
+bool study_is_descriptor(const char *path);
+
 /* Reads a whole file ("-" is standard input) of at most `most` bytes.
  * regular: refuse what is not a regular file, so that no pipe or device can keep us waiting.
  * Returns allocated, terminated text; else NULL and one error about the file at `place`. */

@@ -61,9 +61,8 @@ static study_node *read_tree(study_messages *messages, const study_source *sourc
     return messages->count ? NULL : root;
 }
 
-/* The folder of a file, with its slash: relative samples start there. */
 const char *study_folder(study_arena *arena, const char *name) {
-    const char *slash = strrchr(name, '/');
+    const char *slash = study_is_descriptor(name) ? NULL : strrchr(name, '/');
     return slash ? study_arena_copy(arena, name, (size_t)(slash + 1 - name)) : "";
 }
 

@@ -98,5 +98,61 @@ for name in - /dev/stdin /dev/fd/0; do
     # shellcheck disable=SC2002
     cat result.csv | "$GOUGH" plot $name -o piped.svg >out 2>err || fail "plot $name from a pipe: $(cat err)"
 done
-"$GOUGH" check <(cat own.yaml) >out 2>err || fail "check of a substituted process: $(cat err)"
+
+# each verb that reads a study reads it from a pipe too, under each of its names; nothing waits for more than there is
+sweep=(--set 'sweep={keys: {load.mass: [1, 2]}}' -o piped.csv)
+each() { # each ARGUMENT… with STUDY for the study
+    local as arguments
+    for as in - /dev/stdin /dev/fd/0; do
+        arguments=("${@/STUDY/$as}")
+        # shellcheck disable=SC2002
+        cat own.yaml | timeout -s KILL 60 "$GOUGH" "${arguments[@]}" >out 2>err || fail "${arguments[*]}, from a pipe: $(cat err)"
+    done
+    timeout -s KILL 60 "$GOUGH" "${@/STUDY//dev/fd/9}" >out 2>err </dev/null 9< <(cat own.yaml) || fail "$*, of a substituted process: $(cat err)"
+    timeout -s KILL 60 "$GOUGH" "${@/STUDY/-}" >out 2>err </dev/null
+    code=$?
+    expect_code 2 "$*, of nothing"
+    grep -q 'standard input:1:1: error: the study is empty' err || fail "$*, of nothing: $(cat err)"
+}
+each check STUDY
+each forces STUDY -o piped.csv
+each simulate STUDY -o piped.csv
+each stability STUDY --pose surge=0
+each sweep STUDY "${sweep[@]}"
+each tune STUDY --deviation 0.1 --feedforward program -q
+if "$GOUGH" report own.yaml -o page.html 2>err; then
+    each report STUDY -o piped.html
+    "$GOUGH" report own.yaml - -o piped.html <own.yaml 2>err || fail "report of a file and standard input: $(cat err)"
+    # without -o, a page of what has no name is report.html, here
+    rm -f report.html
+    "$GOUGH" report <(cat own.yaml) >out 2>err && [[ -s report.html ]] || fail "report of a substituted process: $(cat err)"
+fi
+# standard input twice: the second would find it empty
+for twice in "- -" "- /dev/stdin" "/dev/fd/0 -"; do
+    # shellcheck disable=SC2086
+    waits 2 "standard input can be read only once; it is given as" report $twice -o piped.html
+    # shellcheck disable=SC2086
+    waits 2 "standard input can be read only once; it is given as" plot $twice -o piped.svg
+done
+# a recording beside a study without a folder is looked for in the working directory
+printf 't,heave\n0,0\n1,0.013\n2,0\n3,0.0171\n' >record.csv
+for as in - /dev/stdin; do
+    "$GOUGH" check $as --set 'motion={samples: record.csv}' --set simulation.duration=1 >out 2>err <own.yaml || fail "check $as with a recording: $(cat err)"
+done
+"$GOUGH" check <(cat own.yaml) --set 'motion={samples: record.csv}' --set simulation.duration=1 >out 2>err || fail "a substituted process with a recording: $(cat err)"
+# shellcheck disable=SC2002
+cat record.csv | "$GOUGH" check own.yaml --set 'motion={samples: /dev/stdin}' >out 2>err
+grep -qF '`/dev/stdin` is not a regular file; recorded motion must be in one' err || fail "a recording from a pipe: $(cat err)"
+# HDF5 and shards need the file itself; as standard input that is a file they have it
+"$GOUGH" simulate own.yaml -q -o result.h5 && "$GOUGH" sweep own.yaml "${sweep[@]::2}" --shard 1/1 -o part.shard -q || fail "tables for pipes"
+for name in - /dev/stdin; do
+    "$GOUGH" plot $name -o piped.svg <result.h5 2>err || fail "plot $name, HDF5: $(cat err)"
+    "$GOUGH" merge $name -o merged.csv <part.shard >out 2>err || fail "merge $name: $(cat err)"
+done
+# shellcheck disable=SC2002
+cat result.h5 | "$GOUGH" plot - -o piped.svg 2>err && fail "HDF5 through a pipe"
+grep -q 'standard input: is HDF5 through a pipe, which cannot be read; give the file itself' err || fail "HDF5 through a pipe: $(cat err)"
+# shellcheck disable=SC2002
+cat part.shard | "$GOUGH" merge - -o merged.csv 2>err && fail "a shard through a pipe"
+grep -q 'is a pipe; a regular file is needed' err || fail "a shard through a pipe: $(cat err)"
 finish
