@@ -109,8 +109,9 @@ static void print_load(const check *c) {
         }
         printf(")\n");
     }
-    printf("  gravity              %.6g, %.6g, %.6g%s\n", c->machine->gravity[0],
-           c->machine->gravity[1], c->machine->gravity[2], *c->unit->length ? " m/s^2" : "");
+    printf("  gravity              %.6g, %.6g, %.6g%s\n", c->machine->gravity[0] + 0.0,
+           c->machine->gravity[1] + 0.0, c->machine->gravity[2] + 0.0,
+           *c->unit->length ? " m/s^2" : "");
 }
 
 static void gain_range(const double gain[GOUGH_LEGS], double range[2]) {

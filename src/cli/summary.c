@@ -278,7 +278,10 @@ void run_report_print(FILE *stream, const run_report *report) {
                 "  drift       at most %.2g (violation of the constraints before projection)\n",
                 s->drift);
     }
-    fprintf(stream, "  legs        massless here: their own weight and inertia come on top\n");
+    fprintf(stream, "  legs        massless here: %s on top\n",
+            report->study->model->machine.gravity_magnitude > 0
+                ? "their own weight and inertia come"
+                : "their own inertia comes");
     print_between(stream, s, unit);
     if (!report->simulated) print_left_out(stream, &report->study->model->disturbance);
     print_end(stream, report, unit);

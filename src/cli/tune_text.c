@@ -173,7 +173,7 @@ static void print_choice(FILE *stream, const tune_choice *choice, const unit_wor
     if (tuning->found) {
         fprintf(stream, "  stiffness   G = %.10g%s in each leg\n", tuning->stiffness,
                 unit->stiffness);
-        fprintf(stream, "  damping     D = %.9g%s; damping ratio of the least damped mode %.4g\n",
+        fprintf(stream, "  damping     D = %.9g%s; damping ratio of the least damped mode at home %.4g\n",
                 tuning->damping, unit->damping, tuning->damping_ratio);
         fprintf(stream, "  deviation   %.5g%s at t = %.6g%s, and %.4g deg at t = %.6g%s\n",
                 tuning->deviation, unit->length, tuning->deviation_time, unit->time,
@@ -184,8 +184,7 @@ static void print_choice(FILE *stream, const tune_choice *choice, const unit_wor
         fprintf(stream, "  no G of the search meets it; the reason follows below\n");
     }
     if (*tuning->unchecked)
-        print_paragraph(stream, "  stability", 14, "checked at rest at home only: %s",
-                        tuning->unchecked);
+        print_paragraph(stream, "  stability", 14, "checked at rest only: %s", tuning->unchecked);
     print_curve(stream, tuning, unit);
 }
 
@@ -199,9 +198,10 @@ void tune_print(FILE *stream, const tune_report *report) {
     fprintf(stream, ", with a margin of %.3g %% in G to instability\n%s\n", 100 * asked->margin,
             units_sentence(report->study, &report->units));
     if (first->threshold > 0)
-        fprintf(stream,
-                "At rest, with its forces fed forward, the machine needs G above %.6g%s (%s)\n",
-                first->threshold, unit->stiffness, first->least_mode.name);
+        fprintf(
+            stream,
+            "At rest at home, with its forces fed forward, the machine needs G above %.6g%s (%s)\n",
+            first->threshold, unit->stiffness, first->least_mode.name);
     for (int c = 0; c < report->choices; c++) print_choice(stream, &report->choice[c], unit);
 }
 
