@@ -173,7 +173,8 @@ static void print_choice(FILE *stream, const tune_choice *choice, const unit_wor
     if (tuning->found) {
         fprintf(stream, "  stiffness   G = %.10g%s in each leg\n", tuning->stiffness,
                 unit->stiffness);
-        fprintf(stream, "  damping     D = %.9g%s; damping ratio of the least damped mode at home %.4g\n",
+        fprintf(stream,
+                "  damping     D = %.9g%s; damping ratio of the least damped mode at home %.4g\n",
                 tuning->damping, unit->damping, tuning->damping_ratio);
         fprintf(stream, "  deviation   %.5g%s at t = %.6g%s, and %.4g deg at t = %.6g%s\n",
                 tuning->deviation, unit->length, tuning->deviation_time, unit->time,
