@@ -27,6 +27,9 @@ const double *builder_column(builder *b, size_t table, const char *name);
 /* Unit of a column in the tables that have it; "" where they differ. */
 const char *builder_unit(const builder *b, const char *name);
 
+/* Titles the abscissa with words for a column, and its unit. */
+void builder_abscissa(builder *b, const char *words, const char *column);
+
 /* Whether tables are compared whose columns are in different units. */
 bool builder_mixes_units(const builder *b);
 

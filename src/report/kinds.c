@@ -342,10 +342,7 @@ static const char *abscissa_of(const gough_table *table) {
 
 /* "t" as "time (s)", any other column by its name. */
 static void name_abscissa(builder *b, const char *name) {
-    char unit[48];
-    sheet_unit_label(unit, sizeof unit, builder_unit(b, name), 0);
-    snprintf(b->sheet->abscissa, sizeof b->sheet->abscissa, "%.100s%s",
-             strcmp(name, "t") == 0 ? "time" : name, unit);
+    builder_abscissa(b, strcmp(name, "t") == 0 ? "time" : name, name);
 }
 
 static void report_unknown_column(builder *b, const char *name) {
@@ -479,8 +476,8 @@ static void fill_columns(builder *b) {
 static void fill_gain(builder *b) {
     const char *ordinate = "position_deviation";
     b->sheet->logarithmic_abscissa = true;
-    snprintf(b->sheet->abscissa, sizeof b->sheet->abscissa, "stiffness of the feedback G");
-    panel *p = builder_panel_of(b, "Greatest deviation of position", ordinate, true);
+    builder_abscissa(b, "stiffness of the feedback G", "G");
+    panel *p = builder_panel_of(b, "Largest deviation of position", ordinate, true);
     for (size_t t = 0; t < b->table_count; t++) {
         series *line =
             builder_line(b, p, t, "G", builder_column(b, t, ordinate),

@@ -112,12 +112,12 @@ void stability_write_margins(const stability_pen *pen, int top, int height) {
             stability_screen_y(pen, top), stability_screen_y(pen, top + height));
 }
 
-/* The unit of a stiffness: numbers without one may still be in the machine's own. */
-static const char *stiffness_unit(const gough_units *units) {
+const char *stability_unit(const stability_pen *pen, const char *si, const char *own_units) {
+    const gough_units *units = &pen->figure->units;
     const bool own =
         fabs(units->length - 1) > 0 || fabs(units->mass - 1) > 0 || fabs(units->time - 1) > 0;
-    if (!units->dimensionless) return " (N/m)";
-    return own ? " (Mg/R_b)" : ", dimensionless";
+    if (!units->dimensionless) return si;
+    return own ? own_units : ", dimensionless";
 }
 
 void stability_write_abscissa(const stability_pen *pen, bool titled) {
@@ -133,7 +133,7 @@ void stability_write_abscissa(const stability_pen *pen, bool titled) {
         fprintf(pen->file,
                 "set xlabel 'stiffness of the feedback G%s' noenhanced offset character "
                 "0,character 0.4\n",
-                stiffness_unit(&pen->figure->units));
+                stability_unit(pen, " (N/m)", " (Mg/R_b)"));
     else
         fprintf(pen->file, "unset xlabel\n");
 }

@@ -62,10 +62,9 @@ static void write_ordinate(const stability_pen *pen) {
     fprintf(pen->file, "unset logscale y\nset yrange [0:1.03]\nset ytics (");
     for (int i = 0; i < tics; i++)
         fprintf(pen->file, "%s'%s' %.6f", i ? ", " : "", tic[i].text, tic[i].shade);
-    fprintf(pen->file, ")\nset ylabel '%s' noenhanced offset character 0.2,character 0\n",
-            !f->resting                        ? "growth in each period"
-            : pen->figure->units.dimensionless ? "growth rate"
-                                               : "growth rate (1/s)");
+    fprintf(pen->file, ")\nset ylabel '%s%s' noenhanced offset character 0.2,character 0\n",
+            f->resting ? "growth rate" : "growth in each period",
+            f->resting ? stability_unit(pen, " (1/s)", " (√(g/R_b))") : "");
 }
 
 /* Behind the line a band for every interval. */

@@ -75,11 +75,14 @@ static void write_scale_number(const stability_pen *pen, double shade, const cha
 static void write_scale_numbers(const stability_pen *pen) {
     stability_tic tic[STABILITY_TICS];
     const int tics = stability_list_tics(pen->field, 20.0 / pen->panel_height, tic);
-    fprintf(pen->file,
-            "set label '%s' at screen %.6f,screen %.6f right font ',%.4g' textcolor rgb '%s'\n",
-            pen->field->resting ? "growth rate" : "growth per period",
-            stability_screen_x(STABILITY_WIDTH - 12), stability_screen_y(pen, pen->top - 12),
-            stability_size(pen, STABILITY_SMALL), stability_ink);
+    fprintf(
+        pen->file,
+        "set label '%s%s' at screen %.6f,screen %.6f right noenhanced font ',%.4g' textcolor rgb "
+        "'%s'\n",
+        pen->field->resting ? "growth rate" : "growth per period",
+        pen->field->resting ? stability_unit(pen, " (1/s)", " (√(g/R_b))") : "",
+        stability_screen_x(STABILITY_WIDTH - 12), stability_screen_y(pen, pen->top - 12),
+        stability_size(pen, STABILITY_SMALL), stability_ink);
     for (int i = 0; i < tics; i++) write_scale_number(pen, tic[i].shade, tic[i].text);
 }
 
@@ -313,15 +316,16 @@ static void write_ordinate(const stability_pen *pen) {
     const char *title = "";
     if (o->axis == GOUGH_MAP_AMPLITUDE) title = "amplitude of the motion, factor on the study’s";
     if (o->axis == GOUGH_MAP_FREQUENCY) title = "frequency of the motion, factor on the study’s";
-    if (o->axis == GOUGH_MAP_DAMPING)
-        title = pen->figure->units.dimensionless ? "damping of the feedback D, dimensionless"
-                                                 : "damping of the feedback D (N s/m)";
+    if (o->axis == GOUGH_MAP_DAMPING) title = "damping of the feedback D";
+    const char *unit =
+        o->axis == GOUGH_MAP_DAMPING ? stability_unit(pen, " (N s/m)", " (M√(g/R_b))") : "";
     axis_write(pen->file, &(axis){.name = "y",
                                   .logarithmic = o->second.logarithmic,
                                   .low = pen->view.low_y,
                                   .high = pen->view.high_y,
                                   .length = pen->panel_height});
-    fprintf(pen->file, "set ylabel '%s' noenhanced offset character 0.6,character 0\n", title);
+    fprintf(pen->file, "set ylabel '%s%s' noenhanced offset character 0.6,character 0\n", title,
+            unit);
 }
 
 static void write_plot(const stability_pen *pen) {

@@ -112,7 +112,7 @@ void builder_fill_tuning(builder *b) {
     int colour = 0;
     s->logarithmic_abscissa = true;
     s->common_key = true;
-    snprintf(s->abscissa, sizeof s->abscissa, "stiffness of the feedback G");
+    builder_abscissa(b, "stiffness of the feedback G", "G");
     panel *deviation =
         builder_panel_of(b, "Largest deviation of position", "position_deviation", true);
     panel *force = builder_panel_of(b, "Largest leg force", "force", false);

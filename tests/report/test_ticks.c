@@ -128,6 +128,26 @@ START_TEST(numbers_of_the_deviation_over_the_stiffness_are_their_places) {
 }
 END_TEST
 
+/* The curve of tuning: its line, without the point that is named. */
+START_TEST(numbers_of_tuning_are_their_places) {
+    static const char *const names[] = {
+        "feedforward", "G", "position_deviation", "asked", "named", "force", "ended", "stable"};
+    const gough_figure figure = gough_figure_default();
+    for (int i = 0; i < LOW_ENDS; i++) {
+        gough_table *table = named_table(POINTS, 8, names);
+        for (size_t r = 0; r < POINTS; r++) {
+            const double part = (double)r / (POINTS - 1);
+            const double value[] = {
+                1, low_end[i] * pow(60, part), 1e-3 * pow(1e4, -part), 1e-5, 0, 1, 0, 1};
+            for (size_t c = 0; c < sizeof value / sizeof value[0]; c++)
+                table->value[c][r] = value[c];
+        }
+        expect_axes(&figure, table, table->value[1], table->value[2], true, true);
+        gough_table_free(table);
+    }
+}
+END_TEST
+
 /* Numbers beside each other that differ in their last digits only. */
 START_TEST(numbers_of_linear_axes_are_their_places) {
     static const char *const names[] = {"t", "a"};
@@ -379,7 +399,7 @@ END_TEST
 int main(void) {
     return SUITE_RUN("report/ticks", 300, numbers_of_logarithmic_axes_are_their_places,
                      numbers_of_the_deviation_over_the_stiffness_are_their_places,
-                     numbers_of_linear_axes_are_their_places,
+                     numbers_of_tuning_are_their_places, numbers_of_linear_axes_are_their_places,
                      a_machine_at_rest_has_lines_and_its_noise_is_none,
                      what_is_noise_follows_from_the_tolerance, numbers_of_maps_are_their_places,
                      any_range_has_numbers_and_they_are_true);
