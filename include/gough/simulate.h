@@ -264,8 +264,8 @@ GOUGH_API void gough_summary_add(gough_summary *summary, const gough_machine *ma
                                  const gough_row *row);
 /** Adds one moment of the motion, a row or a look between rows, in order of time; do not mix with gough_summary_add().
  *
- *  Peaks are then those of the parabolas through neighbouring looks; time integrals are of fourth order in their distance,
- *  which may vary. Columns that are NaN (position, condition, deviation) are left out of their peaks.
+ *  Peaks are then those of the cubics through four neighbouring looks, whose distances may vary: peaks and time integrals are
+ *  of fourth order in them. Columns that are NaN (position, condition, deviation) are left out of their peaks.
  *  @param is_row  whether a row of the table stands here */
 GOUGH_API void gough_summary_look(gough_summary *summary, const gough_machine *machine,
                                   const gough_row *row, bool is_row);

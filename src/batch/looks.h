@@ -35,6 +35,12 @@ typedef struct {
     number energy;
 } looks;
 
+/* an interval between two looks: its polynomial as quadrature_fit() makes it */
+typedef struct {
+    double c[QUADRATURE_ROWS][QUADRATURE_ROWS];
+    int count, a;
+} looks_interval;
+
 static inline void looks_begin(looks *l) {
     l->count = 0;
     l->newest = QUADRATURE_ROWS - 1;
@@ -98,19 +104,72 @@ static inline void looks_integrate(looks *l, number heard, const double weight[Q
     l->energy = number_select(number_greater(heard, number_of(0.5)), l->energy + sum, l->energy);
 }
 
-/* work since the last interval that was integrated, which has no look after it */
-static inline void looks_finish(looks *l, number heard) {
-    const int count = l->count < QUADRATURE_ROWS ? l->count : QUADRATURE_ROWS;
+/* Raises a peak to those of some columns between look a and the next, where the larger of the two, `there`, is near the peak: in
+ * the lanes where that is so, whatever the others do */
+static inline void looks_peaks_of(looks *l, number heard, int column, int columns, number sign,
+                                  const looks_interval *f, number there, number *peak) {
+    const number reach = there + number_of(looks_near) * number_magnitude(there);
+    const number near = number_select(number_greater(reach, *peak), heard, number_of(0));
+    number y[QUADRATURE_ROWS], s;
+
+    if (!number_any(number_greater(near, number_of(0.5)))) return;
+    for (int c = column; c < column + columns; c++) {
+        for (int i = 0; i < QUADRATURE_ROWS; i++) {
+            y[i] = sign * looks_back(l, QUADRATURE_ROWS - 1 - i)[c];
+        }
+        const number value =
+            peak_between(y, (const double(*)[QUADRATURE_ROWS])f->c, f->count, f->a, &s);
+        const number turned = number_select(number_greater(s, number_of(0)), near, number_of(0));
+        *peak = looks_raise(turned, value, *peak);
+    }
+}
+
+/* peaks between look a and the next */
+static inline void looks_peaks(looks *l, number heard, int count, int a) {
+    const number *one = looks_back(l, QUADRATURE_ROWS - 1 - a);
+    const number *two = looks_back(l, QUADRATURE_ROWS - 2 - a), plus = number_of(1);
+    const number distance = number_larger(one[LOOKS_DISTANCE], two[LOOKS_DISTANCE]);
+    const number turn = number_larger(one[LOOKS_TURN], two[LOOKS_TURN]);
+    number force = number_of(0), speed = force, power = number_of(-HUGE_VAL), braking = power;
+    looks_interval f = {.count = count, .a = a};
+
+    quadrature_fit(l->time, count, a, f.c);
+    for (int v = 0; v < LEGS; v++) {
+        for (int end = 0; end < 2; end++) {
+            const number *look = end ? two : one;
+            force = number_larger(force, look[LOOKS_FORCE + v]);
+            speed = number_larger(speed, look[LOOKS_SPEED + v]);
+            power = number_larger(power, look[LOOKS_POWER + v]);
+            braking = number_larger(braking, -look[LOOKS_POWER + v]);
+        }
+    }
+    looks_peaks_of(l, heard, LOOKS_FORCE, LEGS, plus, &f, force, &l->force);
+    looks_peaks_of(l, heard, LOOKS_SPEED, LEGS, plus, &f, speed, &l->speed);
+    looks_peaks_of(l, heard, LOOKS_POWER, LEGS, plus, &f, power, &l->power);
+    looks_peaks_of(l, heard, LOOKS_POWER, LEGS, -plus, &f, braking, &l->braking);
+    looks_peaks_of(l, heard, LOOKS_DISTANCE, 1, plus, &f, distance, &l->distance);
+    looks_peaks_of(l, heard, LOOKS_TURN, 1, plus, &f, turn, &l->turn);
+}
+
+/* peaks and work between look a and the next, by the polynomial through the last `count` looks */
+static inline void looks_sum_up(looks *l, number heard, int count, int a) {
     double weight[QUADRATURE_ROWS];
 
-    if (count == 3) {
-        quadrature_weigh(l->time, 3, 1, 2, weight);
-        looks_integrate(l, heard, weight);
+    if (count == QUADRATURE_ROWS && a == 1) {
+        quadrature_weigh_middle(l->time, weight);
+    } else {
+        quadrature_weigh(l->time, count, a, weight);
     }
-    if (count >= 2) {
-        quadrature_weigh(l->time, count, QUADRATURE_ROWS - 2, QUADRATURE_ROWS - 1, weight);
-        looks_integrate(l, heard, weight);
-    }
+    looks_integrate(l, heard, weight);
+    if (count >= 3) looks_peaks(l, heard, count, a);
+}
+
+/* what has passed since the last interval that was summed up, which has no look after it */
+static inline void looks_finish(looks *l, number heard) {
+    const int count = l->count < QUADRATURE_ROWS ? l->count : QUADRATURE_ROWS;
+
+    if (count == 3) looks_sum_up(l, heard, 3, 1);
+    if (count >= 2) looks_sum_up(l, heard, count, QUADRATURE_ROWS - 2);
 }
 
 /* derivatives jump at the last look: nothing is interpolated across it */
@@ -118,42 +177,6 @@ static inline void looks_corner(looks *l, number heard) {
     if (l->count < 2) return;
     looks_finish(l, heard);
     l->count = 1;
-}
-
-/* Raises a peak to the vertices of some columns of the last three looks, where the largest of them, `middle`, is near the peak that
- * there is: in the lanes where that is so, whatever the others do */
-static inline void looks_vertices_of(looks *l, number heard, int column, int count, number sign,
-                                     number middle, number *peak) {
-    const double left = l->time[2] - l->time[1], right = l->time[3] - l->time[2];
-    const number reach = middle + number_of(looks_near) * number_magnitude(middle);
-    const number near = number_select(number_greater(reach, *peak), heard, number_of(0));
-
-    if (!number_any(number_greater(near, number_of(0.5)))) return;
-    for (int c = column; c < column + count; c++) {
-        const number vertex = peak_vertex(sign * looks_back(l, 2)[c], sign * looks_back(l, 1)[c],
-                                          sign * looks_back(l, 0)[c], left, right);
-        *peak = looks_raise(near, vertex, *peak);
-    }
-}
-
-/* peaks between the last three looks */
-static inline void looks_vertices(looks *l, number heard) {
-    const number *middle = looks_back(l, 1), one = number_of(1);
-    number force = middle[LOOKS_FORCE], speed = middle[LOOKS_SPEED], power = middle[LOOKS_POWER];
-    number braking = -power;
-
-    for (int v = 1; v < LEGS; v++) {
-        force = number_larger(force, middle[LOOKS_FORCE + v]);
-        speed = number_larger(speed, middle[LOOKS_SPEED + v]);
-        power = number_larger(power, middle[LOOKS_POWER + v]);
-        braking = number_larger(braking, -middle[LOOKS_POWER + v]);
-    }
-    looks_vertices_of(l, heard, LOOKS_FORCE, LEGS, one, force, &l->force);
-    looks_vertices_of(l, heard, LOOKS_SPEED, LEGS, one, speed, &l->speed);
-    looks_vertices_of(l, heard, LOOKS_POWER, LEGS, one, power, &l->power);
-    looks_vertices_of(l, heard, LOOKS_POWER, LEGS, -one, braking, &l->braking);
-    looks_vertices_of(l, heard, LOOKS_DISTANCE, 1, one, middle[LOOKS_DISTANCE], &l->distance);
-    looks_vertices_of(l, heard, LOOKS_TURN, 1, one, middle[LOOKS_TURN], &l->turn);
 }
 
 /* where the next look goes, which takes the place of the oldest */
@@ -165,7 +188,6 @@ static inline number *looks_next(looks *l) {
 /* Sums up the look that was put into the next place: `heard` is 1 in the lanes under way, else 0; drift: since the look before */
 static inline void looks_take(looks *l, number heard, number drift, double t) {
     const number *look = looks_back(l, 0);
-    double weight[QUADRATURE_ROWS];
 
     for (int i = 0; i + 1 < QUADRATURE_ROWS; i++) l->time[i] = l->time[i + 1];
     l->time[QUADRATURE_ROWS - 1] = t;
@@ -180,15 +202,8 @@ static inline void looks_take(looks *l, number heard, number drift, double t) {
         l->power = looks_raise(heard, p, l->power);
         l->braking = looks_raise(heard, -p, l->braking);
     }
-    if (l->count >= 3) looks_vertices(l, heard);
-    if (l->count == QUADRATURE_ROWS) {
-        quadrature_weigh(l->time, QUADRATURE_ROWS, 0, 1, weight);
-        looks_integrate(l, heard, weight);
-    }
-    if (l->count >= QUADRATURE_ROWS) {
-        quadrature_weigh_middle(l->time, weight);
-        looks_integrate(l, heard, weight);
-    }
+    if (l->count == QUADRATURE_ROWS) looks_sum_up(l, heard, QUADRATURE_ROWS, 0);
+    if (l->count >= QUADRATURE_ROWS) looks_sum_up(l, heard, QUADRATURE_ROWS, 1);
 }
 
 #endif

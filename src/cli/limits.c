@@ -43,18 +43,21 @@ static double share_of(gough_cause cause, double limit, double worst) {
     return cause == GOUGH_END_LEG_SHORT ? limit / worst : fabs(worst) / limit;
 }
 
-/* takes an excess in */
-static void add_crossing(limit_use *use, const gough_crossing *c) {
-    const double before = use->worst;
+/* Takes an excess in. *largest: the largest share of those so far. The peaks of the motion, which use->worst begins with, lie
+ * between looks, beyond what any excess has seen. */
+static void add_crossing(limit_use *use, const gough_crossing *c, double *largest) {
+    const double share = share_of(use->kind, use->limit, c->worst);
+
     if (use->count == 0 || c->enter < use->enter) use->enter = c->enter;
     if (use->count == 0)
         use->leave = c->leave;
     else
         use->leave = fmax(use->leave, c->leave);
-    if (use->count == 0 || share_of(use->kind, use->limit, c->worst) >
-                               share_of(use->kind, use->limit, use->worst) * (1 - 1e-9))
+    if (share > *largest) {
+        *largest = share;
         use->worst_time = c->worst_time;
-    if (share_of(use->kind, use->limit, c->worst) > share_of(use->kind, use->limit, before))
+    }
+    if (share > share_of(use->kind, use->limit, use->worst))
         use->worst = use->kind == GOUGH_END_LEG_SPEED ? fabs(c->worst) : c->worst;
     use->count++;
 }
@@ -79,9 +82,10 @@ int limits_used(const run_report *report, limit_use use[MOST_LIMITS]) {
             *u = (limit_use){.leg = v + 1, .kind = cause, .limit = limit};
             u->worst = extreme_of(&report->summary.leg[v], cause);
             u->enter = u->leave = u->worst_time = NAN;
+            double largest = 0;
             for (size_t i = 0; i < report->crossings.count; i++) {
                 const gough_crossing *c = &report->crossings.list[i];
-                if (c->cause == cause && c->leg == v + 1) add_crossing(u, c);
+                if (c->cause == cause && c->leg == v + 1) add_crossing(u, c, &largest);
             }
             if (report->simulated) add_end(u, &report->end);
             if (!isfinite(u->leave)) u->leave = NAN;

@@ -222,11 +222,17 @@ static void print_left_out(FILE *stream, const gough_disturbance *d) {
                         "includes disturbances)\n");
 }
 
+/* legs that move less than this share of their length are at rest: errors of the steps */
+static const double AT_REST = 1e-9;
+
 /* Rows that miss more than a twentieth of the longest stroke do not draw the motion. */
 static void print_between(FILE *stream, const gough_summary *s, const unit_words *unit) {
-    double stroke = 0;
-    for (int v = 0; v < GOUGH_LEGS; v++)
+    double stroke = 0, length = 0;
+    for (int v = 0; v < GOUGH_LEGS; v++) {
         stroke = fmax(stroke, s->leg[v].length_max - s->leg[v].length_min);
+        length = fmax(length, s->leg[v].length_max);
+    }
+    if (!(stroke > AT_REST * length)) return;
     if (s->rows < 2 || !(s->between_rows > 0.05 * stroke) || !(s->drawing_step > 0)) return;
     /* rounded down to one digit */
     const double decade = pow(10, floor(log10(s->drawing_step)));

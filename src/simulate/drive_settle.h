@@ -309,7 +309,7 @@ static inline gough_status drive_rows(drive *d, real until) {
     drive_between(d, &quarter, until);
     if (!(until < d->t)) {
         drive_look(d, d->t, d->y);
-        /* derivatives jump there: no parabola and no integral across it */
+        /* derivatives jump there: nothing is interpolated across it */
         if (d->r.options->summary && (double)d->t >= d->when.corner - d->when.slack) {
             gough_summary_corner(d->r.options->summary);
         }

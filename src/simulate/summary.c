@@ -22,7 +22,7 @@ enum {
     LOOK_TOP = LOOK_BASE + GOUGH_LEGS,
     LOOK_CONDITION = LOOK_TOP + GOUGH_LEGS,
     LOOK_POSITION,
-    LOOK_ANGLE,
+    LOOK_HALF, /* sine of half the angle, which lanes follow too */
     LOOK_COLUMNS
 };
 _Static_assert(LOOK_COLUMNS == sizeof((gough_summary *)0)->look_[0] / sizeof(double), "window");
@@ -192,15 +192,14 @@ static void end_rows(gough_summary *summary) {
 
 /* ---- looks at the motion, rows among them ---- */
 
-/* adds ∫ from look a to look b of the polynomial through the last `count` looks */
-static void integrate(gough_summary *summary, int count, int a, int b) {
-    double time[WINDOW], weight[WINDOW];
+/* adds ∫ from look a to the next of the polynomial through the last `count` looks */
+static void integrate(gough_summary *summary, const double time[WINDOW], int count, int a) {
+    double weight[WINDOW];
 
-    for (int i = 0; i < WINDOW; i++) time[i] = summary->look_[i][0];
     if (count == WINDOW && a == 1) {
         quadrature_weigh_middle(time, weight);
     } else {
-        quadrature_weigh(time, count, a, b, weight);
+        quadrature_weigh(time, count, a, weight);
     }
     for (int v = 0; v < GOUGH_LEGS; v++) {
         for (int i = WINDOW - count; i < WINDOW; i++) {
@@ -211,43 +210,68 @@ static void integrate(gough_summary *summary, int count, int a, int b) {
     }
 }
 
-/* where the last interval has no look after it */
-static void integrate_last(gough_summary *summary) {
-    const int count = summary->looks_ < WINDOW ? (int)summary->looks_ : WINDOW;
+/* an interval between two looks: its polynomial as quadrature_fit() makes it */
+typedef struct {
+    double c[WINDOW][WINDOW];
+    int count, a;
+} fitted;
 
-    if (count == 3) integrate(summary, 3, 1, 2);
-    if (count >= 2) integrate(summary, count, WINDOW - 2, WINDOW - 1);
+/* the extreme of a column between the two looks, and where it is; at look a if there is none */
+static double extreme_of(const gough_summary *summary, const fitted *f, int column, double *s) {
+    double y[WINDOW];
+
+    for (int i = 0; i < WINDOW; i++) y[i] = summary->look_[i][column];
+    const double value = peak_between(y, (const double(*)[WINDOW])f->c, f->count, f->a, s);
+    return *s > 0 && isfinite(value) ? value : y[f->a];
 }
 
-static double vertex_of(gough_summary *summary, int column) {
-    double(*w)[LOOK_COLUMNS] = summary->look_;
+static void take_extremes(gough_summary *summary, const fitted *f, double h) {
+    double s;
 
-    return peak_vertex(w[1][column], w[2][column], w[3][column], w[2][0] - w[1][0],
-                       w[3][0] - w[2][0]);
-}
-
-static void take_vertices(gough_summary *summary) {
     for (int v = 0; v < GOUGH_LEGS; v++) {
         gough_leg_summary *leg = &summary->leg[v];
-        const double length = vertex_of(summary, LOOK_LENGTH + v);
-        const double force = vertex_of(summary, LOOK_FORCE + v);
-        const double power = vertex_of(summary, LOOK_POWER + v);
+        const double length = extreme_of(summary, f, LOOK_LENGTH + v, &s);
+        const double force = extreme_of(summary, f, LOOK_FORCE + v, &s);
+        const double power = extreme_of(summary, f, LOOK_POWER + v, &s);
         leg->length_min = fmin(leg->length_min, length);
         leg->length_max = fmax(leg->length_max, length);
-        leg->speed = fmax(leg->speed, fabs(vertex_of(summary, LOOK_RATE + v)));
+        leg->speed = fmax(leg->speed, fabs(extreme_of(summary, f, LOOK_RATE + v, &s)));
         leg->force_min = fmin(leg->force_min, force);
         leg->force_max = fmax(leg->force_max, force);
         leg->power_min = fmin(leg->power_min, power);
         leg->power_max = fmax(leg->power_max, power);
-        leg->swing_base = fmax(leg->swing_base, vertex_of(summary, LOOK_BASE + v));
-        leg->swing_top = fmax(leg->swing_top, vertex_of(summary, LOOK_TOP + v));
+        leg->swing_base = fmax(leg->swing_base, extreme_of(summary, f, LOOK_BASE + v, &s));
+        leg->swing_top = fmax(leg->swing_top, extreme_of(summary, f, LOOK_TOP + v, &s));
     }
-    const double condition = vertex_of(summary, LOOK_CONDITION);
-    if (condition > summary->condition) summary->condition = condition;
-    const double position = vertex_of(summary, LOOK_POSITION),
-                 angle = vertex_of(summary, LOOK_ANGLE);
+    const double position = extreme_of(summary, f, LOOK_POSITION, &s);
+    const double angle = 2 * asin(fmin(1, extreme_of(summary, f, LOOK_HALF, &s)));
     if (position > summary->position_deviation) summary->position_deviation = position;
     if (angle > summary->angle_deviation) summary->angle_deviation = angle;
+    const double condition = extreme_of(summary, f, LOOK_CONDITION, &s);
+    if (condition > summary->condition) {
+        summary->condition = condition;
+        summary->condition_time = summary->look_[f->a][0] + s * h;
+    }
+}
+
+/* integrals and extremes from look a to the next, by the polynomial through the last `count` looks */
+static void sum_up(gough_summary *summary, int count, int a) {
+    fitted f = {.count = count, .a = a};
+    double time[WINDOW];
+
+    for (int i = 0; i < WINDOW; i++) time[i] = summary->look_[i][0];
+    integrate(summary, time, count, a);
+    if (count < 3) return;
+    const double h = quadrature_fit(time, count, a, f.c);
+    take_extremes(summary, &f, h);
+}
+
+/* where the last interval has no look after it */
+static void sum_up_last(gough_summary *summary) {
+    const int count = summary->looks_ < WINDOW ? (int)summary->looks_ : WINDOW;
+
+    if (count == 3) sum_up(summary, 3, 1);
+    if (count >= 2) sum_up(summary, count, WINDOW - 2);
 }
 
 /* how far a leg's length goes between two rows beyond both of them, and how fast its rate changes */
@@ -280,7 +304,7 @@ static void watch_rows(gough_summary *summary, bool is_row) {
 void gough_summary_look(gough_summary *summary, const gough_machine *machine, const gough_row *row,
                         bool is_row) {
     const double *value = row->value;
-    double *newest = summary->look_[WINDOW - 1], *at_base, *at_top;
+    double *newest = summary->look_[WINDOW - 1], *at_base, *at_top, angle;
 
     if (is_row) count_row(summary, value[GOUGH_T]);
     if (summary->looks_ > 0 &&
@@ -303,18 +327,18 @@ void gough_summary_look(gough_summary *summary, const gough_machine *machine, co
     at_top = newest + LOOK_TOP;
     if (!isnan(value[GOUGH_X])) find_swing(machine, value, at_base, at_top);
     newest[LOOK_CONDITION] = value[GOUGH_CONDITION];
-    find_deviation(value, &newest[LOOK_POSITION], &newest[LOOK_ANGLE]);
-    take_peaks(summary, value, at_base, at_top, newest[LOOK_POSITION], newest[LOOK_ANGLE]);
+    find_deviation(value, &newest[LOOK_POSITION], &angle);
+    newest[LOOK_HALF] = sin(angle / 2);
+    take_peaks(summary, value, at_base, at_top, newest[LOOK_POSITION], angle);
     summary->looks_++;
     watch_rows(summary, is_row);
-    if (summary->looks_ >= 3) take_vertices(summary);
-    if (summary->looks_ == WINDOW) integrate(summary, WINDOW, 0, 1);
-    if (summary->looks_ >= WINDOW) integrate(summary, WINDOW, 1, 2);
+    if (summary->looks_ == WINDOW) sum_up(summary, WINDOW, 0);
+    if (summary->looks_ >= WINDOW) sum_up(summary, WINDOW, 1);
 }
 
 void gough_summary_corner(gough_summary *summary) {
     if (summary->looks_ < 2) return;
-    integrate_last(summary);
+    sum_up_last(summary);
     summary->looks_ = 1;
 }
 
@@ -323,7 +347,7 @@ void gough_summary_end(gough_summary *summary) {
     const double span = looked ? summary->span_ : summary->last_time - summary->first_time;
 
     if (looked) {
-        integrate_last(summary);
+        sum_up_last(summary);
     } else {
         end_rows(summary);
     }

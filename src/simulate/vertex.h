@@ -1,21 +1,37 @@
-/* The peak of a quantity between three looks at it. Text over the number type. */
+/* The peak of a quantity between two looks at it. Text over the number type. */
 #ifndef GOUGH_SIMULATE_VERTEX_H
 #define GOUGH_SIMULATE_VERTEX_H
 
 #include "kernel/number.h"
+#include "simulate/quadrature.h"
 
-/* Value at the vertex of the parabola through a, b and c, which lie `left` and `right` apart, where b is the largest or the least;
- * else b */
-static inline number peak_vertex(number a, number b, number c, real left, real right) {
-    const number zero = number_of(0), rise = b - a, fall = b - c;
-    const number before = rise / number_of_real(left), after = -fall / number_of_real(right);
-    const number bend = (after - before) / number_of_real(left + right);
-    const number slope = before + bend * number_of_real(left);
-    const number vertex = b - slope * slope / (number_of(4) * bend);
-    const mask passes = number_greater(zero, rise * fall); /* on its way from a to c */
-    const mask bends = number_greater(number_magnitude(bend), number_of(1e-300));
+/* Value where the polynomial through the last `count` looks turns between looks a and a + 1, and in *s how far from a to a + 1 that
+ * is, 0 to 1; the value at look a and 0 where it does not. In the middle of four looks it must turn for the looks too: beside a
+ * jump a polynomial swings although the quantity does not. */
+static inline number peak_between(const number y[QUADRATURE_ROWS],
+                                  const double c[QUADRATURE_ROWS][QUADRATURE_ROWS], int count,
+                                  int a, number *s) {
+    const number zero = number_of(0), one = number_of(1);
+    number p[QUADRATURE_ROWS] = {zero, zero, zero, zero};
 
-    return number_select(passes, b, number_select(bends, vertex, b));
+    for (int i = QUADRATURE_ROWS - count; i < QUADRATURE_ROWS; i++) {
+        for (int k = 0; k < QUADRATURE_ROWS; k++) p[k] = p[k] + number_of(c[i][k]) * y[i];
+    }
+    /* p1 + 2 p2 s + 3 p3 s² = 0 has one root inside where it differs in sign at the ends */
+    const number slope = p[1] + number_of(2) * p[2] + number_of(3) * p[3];
+    const number square = p[2] * p[2] - number_of(3) * p[1] * p[3];
+    const number root = number_root(number_larger(zero, square));
+    const number q = -p[2] - number_select(number_greater(zero, p[2]), -root, root);
+    const number near = p[1] / q, far = q / (number_of(3) * p[3]);
+    const number outside = number_magnitude(near - number_of(0.5)); /* above 1/2: the other root */
+    const number inside = number_select(number_greater(number_of(0.5 + 1e-9), outside), near, far);
+    const number kept = number_select(number_greater(inside, one), one, inside);
+    const number bends = a == 1 && count == QUADRATURE_ROWS ? (y[1] - y[0]) * (y[3] - y[2]) : -one;
+    const mask turns = number_greater(zero, p[1] * slope);
+    const mask looks_turn = number_greater(zero, bends);
+
+    *s = number_select(turns, number_select(looks_turn, number_larger(zero, kept), zero), zero);
+    return p[0] + *s * (p[1] + *s * (p[2] + *s * p[3]));
 }
 
 #endif

@@ -124,6 +124,48 @@ START_TEST(swing_is_the_angle_of_each_end) {
 END_TEST
 
 /* started off the program by known amounts and stopped at once: the deviations are those */
+/* the force of leg 1 by looks h apart from `start`, of a wave or of a jump */
+static gough_leg_summary sum_looks(double start, double h, int looks, bool jumps) {
+    gough_machine machine;
+    gough_summary s;
+    gough_row row;
+
+    paper_machine(&machine);
+    gough_summary_begin(&s);
+    for (int k = 0; k < looks; k++) {
+        const double t = start + k * h;
+        for (int c = 0; c < GOUGH_COLUMNS; c++) row.value[c] = 0;
+        row.value[GOUGH_X] = row.value[GOUGH_EX] = NAN;
+        row.value[GOUGH_T] = t;
+        row.value[GOUGH_F] = jumps ? t > 1 : sin(t);
+        gough_summary_look(&s, &machine, &row, k == 0);
+    }
+    gough_summary_end(&s);
+    return s.leg[0];
+}
+
+/* a cubic through sines h apart misses them by h^4/24 at most, in the outer intervals */
+START_TEST(peaks_lie_between_any_two_looks) {
+    const double h = 0.05, peak = acos(-1) / 2, slack = pow(h, 4) / 24;
+
+    for (int k = 0; k < 4; k++) { /* through the first interval to the last of five looks */
+        for (int part = 1; part < 4; part++) {
+            const double start = peak - (k + part / 4.0) * h;
+            const gough_leg_summary leg = sum_looks(start, h, 5, false);
+            ck_assert(fabs(leg.force_max - 1) <= slack);
+        }
+    }
+    const double start = peak - 1.3 * h; /* a parabola, through three looks */
+    ck_assert(fabs(sum_looks(start, h, 3, false).force_max - 1) <= pow(h, 3) / 15);
+}
+END_TEST
+
+START_TEST(no_peak_beyond_a_jump) {
+    ck_assert(!(fabs(sum_looks(0, 0.11, 20, true).force_max - 1) > 1e-15));
+    ck_assert(!(fabs(sum_looks(0, 0.11, 20, true).force_min) > 1e-15));
+}
+END_TEST
+
 START_TEST(deviation_is_what_was_put_in) {
     gough_model *model = calloc(1, sizeof *model);
 
@@ -146,5 +188,6 @@ END_TEST
 int main(void) {
     return SUITE_RUN("summary", 30, energy_is_the_load_s_and_of_fourth_order,
                      rest_is_summed_exactly, swing_is_the_angle_of_each_end,
+                     peaks_lie_between_any_two_looks, no_peak_beyond_a_jump,
                      deviation_is_what_was_put_in);
 }
