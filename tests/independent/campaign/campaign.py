@@ -283,11 +283,11 @@ class Case:
         for scaled in scales:
             self.verb(run, title, scaled, reactions=scaled)
         if self.number % 2 == 0:
-            run = verbs.Simulate(self.meaning, axes, of_motion=True)
+            run = verbs.Simulate(self.meaning, axes)
             for scaled in scales:
                 self.verb(run, title, scaled, reactions=not scaled)
         if "sweep" in self.tree:
-            sweep = sweeps.Sweep(self.tree, lambda meaning: verbs.Simulate(meaning, of_motion=meaning.step is None))
+            sweep = sweeps.Sweep(self.tree, verbs.Simulate)
             for scaled in scales:
                 self.sweep(sweep, scaled)
             self.settings(sweep)

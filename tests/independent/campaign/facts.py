@@ -1,4 +1,5 @@
 """What a study's verbs should say, computed by mechanics.py: rows, peaks, integrals, ends. SI or the study's units, radians."""
+import bisect
 import math
 
 import mechanics as m
@@ -102,19 +103,6 @@ def reactions(meaning, pose, u, axes, turn):
     return [m.dot(held[a], e[b]) for a, b in ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))]
 
 
-def cubic_integral(values, h):
-    """Integral from equally spaced values, each interval by the cubic through the four nearest (Simpson's rule is exact for it)."""
-    if len(values) < 4:
-        return h * sum((a + b) / 2 for a, b in zip(values, values[1:]))
-    total = 0.0
-    for i in range(len(values) - 1):
-        first = min(max(i - 1, 0), len(values) - 4)
-        a, b, c, d = values[first:first + 4]
-        middle = {0: (5 * a + 15 * b - 5 * c + d) / 16, 1: (9 * (b + c) - a - d) / 16, 2: (a - 5 * b + 15 * c + 5 * d) / 16}[i - first]
-        total += h / 6 * (values[i] + 4 * middle + values[i + 1])
-    return total
-
-
 # ---- quantities of a run along time ---------------------------------------------------------------------------------
 
 LEG_QUANTITIES = ("length", "speed", "force", "power", "square", "base", "top")
@@ -125,171 +113,211 @@ def quantities(meaning, pose, u):
     """The curves that a summary is made of: (name, leg) to value, and the condition."""
     home, out = meaning.machine.home, {}
     for k in range(6):
-        out["length", k], out["speed", k], out["force", k] = pose.length[k], pose.rate[k], u[k]
-        out["power", k], out["square", k] = u[k] * pose.rate[k], u[k] * u[k]
+        out["length", k], out["speed", k], out["force", k], out["power", k] = pose.length[k], pose.rate[k], u[k], u[k] * pose.rate[k]
         out["base", k] = m.angle_between(pose.direction[k], home.direction[k])
         out["top", k] = m.angle_between(m.apply_back(pose.R, pose.direction[k]), home.direction[k])
-    out["condition", 0] = pose.condition()
-    return out
+    return Sample(pose, out)
+
+
+class Sample(dict):
+    """The quantities of a pose with its leg forces; the condition, which takes longest, when it is asked for."""
+
+    def __init__(self, pose, numbers):
+        super().__init__(numbers)
+        self.pose = pose
+
+    def __missing__(self, name):
+        if name != ("condition", 0):
+            raise KeyError(name)
+        self[name] = self.pose.condition()
+        return self[name]
 
 
 class Curves:
-    """Each quantity between its samples by the polynomial through the eight nearest: extremes and integrals of the motion itself.
+    """Extremes and integrals of quantities of the motion, from the motion itself at any time.
 
-    A piece is a stretch of time without corners: its times and, at each, the quantities; neighbouring pieces share an end."""
+    A piece is a stretch of time without corners: times, and a function from a time in it to the quantities. The time from one to the
+    next is a cell, with samples at the places of Lobatto's rule of five; neighbouring pieces share an end."""
 
-    NEAREST, FINE = 8, 6
-    GAUSS = [(x, w) for a, w in ((0.3399810435848563, 0.6521451548625461), (0.8611363115940526, 0.3478548451374538))
-             for x, w in ((0.5 - a / 2, w / 2), (0.5 + a / 2, w / 2))]
+    INNER = [(1 - math.sqrt(3 / 7)) / 2, 0.5, (1 + math.sqrt(3 / 7)) / 2]
+    WEIGHTS = [1 / 20, 49 / 180, 16 / 45, 49 / 180, 1 / 20]
+    CELL = len(INNER) + 1
 
     def __init__(self, pieces):
-        self.pieces, self.found = [], {}
-        for times, samples in pieces:
-            # the end of a step and a row that is due there may differ by round-off: one time
-            kept = [i for i in range(len(times)) if i == 0 or times[i] - times[i - 1] > 1e-12 * abs(times[i])]
-            times, samples = [times[i] for i in kept], [samples[i] for i in kept]
-            cells, fine = [], [times[0]]
-            for i in range(len(times) - 1):
-                first = max(0, min(i - self.NEAREST // 2 + 1, len(times) - self.NEAREST))
-                nodes, low, width = times[first:first + self.NEAREST], times[i], times[i + 1] - times[i]
-                inner = [low + width * j / self.FINE for j in range(1, self.FINE)]
-                fine += inner + [times[i + 1]]
-                gauss = [(width * w, self.weights(nodes, low + width * x)) for x, w in self.GAUSS]
-                area = [sum(w * weights[k] for w, weights in gauss) for k in range(len(nodes))]
-                cells.append((first, [self.weights(nodes, t) for t in inner], area))
-            self.pieces.append((fine, cells, samples))
-
-    @staticmethod
-    def weights(nodes, at):
-        """Lagrange's polynomials of the nodes at one place."""
-        out = []
-        for i, x in enumerate(nodes):
-            product = 1.0
-            for j, y in enumerate(nodes):
-                if j != i:
-                    product *= (at - y) / (x - y)
-            out.append(product)
-        return out
+        self.pieces = []
+        for times, exact in pieces:
+            dense = [low + (high - low) * x for low, high in zip(times, times[1:]) for x in (0.0, *self.INNER)] + [times[-1]]
+            self.pieces.append((dense, [exact(t) for t in dense], exact))
 
     def at(self, name, t):
         """A quantity at one time."""
-        times, values = next((x for x in self.curve(name) if x[0][0] <= t <= x[0][-1]), self.curve(name)[-1])
-        first = max(0, min(sum(x <= t for x in times) - 2, len(times) - 4))
-        return sum(w * v for w, v in zip(self.weights(times[first:first + 4], t), values[first:first + 4]))
+        exact = next((exact for times, _, exact in self.pieces if times[0] <= t <= times[-1]), self.pieces[-1][2])
+        return exact(t)[name]
 
     def beyond_rows(self, step, rows):
         """How far a leg's length goes between two rows beyond both of them, at most."""
         most = 0.0
+        ends = [[self.at(("length", leg), k * step) for leg in range(6)] for k in range(rows)]
         for leg in range(6):
-            ends = [self.at(("length", leg), k * step) for k in range(rows)]
-            low, high = [min(x) for x in zip(ends, ends[1:])], [max(x) for x in zip(ends, ends[1:])]
-            for times, values in self.curve(("length", leg)):
-                for t, v in zip(times, values):
+            low, high = [min(a[leg], b[leg]) for a, b in zip(ends, ends[1:])], [max(a[leg], b[leg]) for a, b in zip(ends, ends[1:])]
+            for times, samples, _ in self.pieces:
+                for t, s in zip(times, samples):
                     k = int(t / step)
                     if k < rows - 1:
-                        most = max(most, low[k] - v, v - high[k])
+                        most = max(most, low[k] - s["length", leg], s["length", leg] - high[k])
         return most
 
-    def curve(self, name):
-        """Of each piece: fine times and the values there."""
-        if name not in self.found:
-            self.found[name] = []
-            for fine, cells, samples in self.pieces:
-                nodes = [s[name] for s in samples]
-                values = [nodes[0]]
-                for i, (first, inner, _) in enumerate(cells):
-                    near = nodes[first:first + self.NEAREST]
-                    values += [sum(w * v for w, v in zip(weights, near)) for weights in inner] + [nodes[i + 1]]
-                self.found[name].append((fine, values))
-        return self.found[name]
+    def nodes(self, name, piece):
+        """Times and values of a quantity: the condition bends slowly, and is expensive, so it has fewer."""
+        times, samples, _ = piece
+        every = self.CELL if name == ("condition", 0) and len(times) > 5 * self.CELL else 1
+        return times[::every], [s[name] for s in samples[::every]]
 
     def extremes(self, name):
         """Least and greatest value with their times."""
-        low = min(peak_of(times, values, 1) for times, values in self.curve(name))
-        high = min(peak_of(times, values, -1) for times, values in self.curve(name))
+        low = min(self.peak(name, piece, 1) for piece in self.pieces)
+        high = min(self.peak(name, piece, -1) for piece in self.pieces)
         return low, (-high[0], high[1])
+
+    def peak(self, name, piece, sign):
+        """(least of sign times a quantity in a piece, its time). Of the least samples, those nearly as low are looked into."""
+        times, values = self.nodes(name, piece)
+        values = [sign * v for v in values]
+        best = min((v, t) for v, t in zip(values, times))
+        near = best[0] + 0.02 * (max(values) - best[0])
+        for i, v in enumerate(values):
+            if v <= near and (i == 0 or v <= values[i - 1]) and (i == len(values) - 1 or v <= values[i + 1]) and len(values) > 2:
+                first = min(max(i - 1, 0), len(values) - 3)
+                best = min(best, refined(times[first:first + 3], values[first:first + 3], lambda t: sign * piece[2](t)[name]))
+        return best
 
     def integral(self, name):
         total = 0.0
-        for _, cells, samples in self.pieces:
-            nodes = [s[name] for s in samples]
-            for first, _, area in cells:
-                total += sum(w * v for w, v in zip(area, nodes[first:first + self.NEAREST]))
+        for times, samples, _ in self.pieces:
+            for i in range(0, len(times) - 1, self.CELL):
+                cell = samples[i:i + self.CELL + 1]
+                if name[0] == "square":
+                    total += (times[i + self.CELL] - times[i]) * sum(w * s["force", name[1]] ** 2 for w, s in zip(self.WEIGHTS, cell))
+                else:
+                    total += (times[i + self.CELL] - times[i]) * sum(w * s[name] for w, s in zip(self.WEIGHTS, cell))
         return total
 
     def worst(self, name, enter, leave, share):
-        """The value of the largest share between two times, and when; of equal ones the first."""
-        best = -1.0, 0.0, enter
-        for times, values in self.curve(name):
-            inside = [k for k, t in enumerate(times) if enter <= t <= leave]
-            if not inside:
-                continue
-            first, last = max(inside[0] - 1, 0), min(inside[-1] + 2, len(times))
-            for k in inside:
-                if share(values[k]) > best[0] * (1 + 1e-12):
-                    best = share(values[k]), values[k], times[k]
-            for sign in (1, -1):
-                value, time = peak_of(times[first:last], values[first:last], sign)
-                if share(sign * value) > best[0] * (1 + 1e-12) and enter <= time <= leave:
-                    best = share(sign * value), sign * value, time
-        return best[1], best[2]
+        """The value of the largest share between two times, and when."""
+        found = []
+        for times, samples, exact in self.pieces:
+            inside = [t for t in times if enter < t < leave]
+            ends = [t for t in (enter, leave) if times[0] <= t <= times[-1]]
+            places = sorted({*inside, *ends})
+            values = [-share(exact(t)[name]) for t in places]
+            found += list(zip(values, places))
+            for i in range(len(places)):
+                first = min(max(i - 1, 0), len(places) - 3)
+                if first >= 0 and values[i] <= min(values[max(i - 1, 0):i + 2]):
+                    found.append(refined(places[first:first + 3], values[first:first + 3], lambda t, exact=exact: -share(exact(t)[name])))
+        time = min(found)[1]
+        return self.at(name, time), time
 
     def intervals(self, name, beyond):
         """Where beyond(value) > 0: [enter, leave] of each interval, leave None where it lasts to the end."""
         out, inside = [], None
-        for times, curve in self.curve(name):
-            values = [beyond(v) for v in curve]
+        for times, samples, exact in self.pieces:
+            values = [beyond(s[name]) for s in samples]
+            function = lambda t, exact=exact: beyond(exact(t)[name])
             for k, t in enumerate(times):
                 if inside is None and values[k] > 0:
-                    inside = [t if k == 0 else root(times, values, k - 1), None]
+                    inside = [t if k == 0 else root(times[k - 1], t, function), None]
                 elif inside is not None and values[k] <= 0:
-                    inside[1] = root(times, values, k - 1) if k else t
+                    inside[1] = root(times[k - 1], t, function) if k else t
                     out.append(inside)
                     inside = None
         return out + ([inside] if inside is not None else [])
 
 
-def root(times, values, k):
-    """A root between the samples k and k + 1 by the cubic through the values about it."""
-    first = min(max(k - 1, 0), len(values) - 4)
-    nodes, near = times[first:first + 4], values[first:first + 4]
-    low, high, rising = times[k], times[k + 1], values[k + 1] > values[k]
-    for _ in range(60):
+def root(low, high, function):
+    """Where a function changes its sign."""
+    rising = function(high) > 0
+    for _ in range(48):
         middle = (low + high) / 2
-        if (sum(w * v for w, v in zip(Curves.weights(nodes, middle), near)) > 0) == rising:
+        if (function(middle) > 0) == rising:
             high = middle
         else:
             low = middle
-    return (low + high) / 2
+    return high
 
 
-def peak_of(times, values, sign):
-    """(least of sign times the values, its time) of a smooth curve by the parabola about its least sample."""
-    k = min(range(len(values)), key=lambda i: sign * values[i])
-    least = sign * values[k]
-    if 0 < k < len(values) - 1:
-        left, right = times[k] - times[k - 1], times[k + 1] - times[k]
-        before, after = (least - sign * values[k - 1]) / left, (sign * values[k + 1] - least) / right
-        bend = (after - before) / (left + right)
-        slope = before + bend * left
-        if bend > 0 and -left < -slope / (2 * bend) < right:
-            return least - slope * slope / (4 * bend), times[k] - slope / (2 * bend)
-    return least, times[k]
+def vertex(times, values):
+    """(value, time) at the vertex of the parabola through three points; None where it opens downward."""
+    left, right = times[1] - times[0], times[2] - times[1]
+    before, after = (values[1] - values[0]) / left, (values[2] - values[1]) / right
+    bend = (after - before) / (left + right)
+    slope = before + bend * left
+    return (values[1] - slope * slope / (4 * bend), times[1] - slope / (2 * bend)) if bend > 0 else None
 
 
-class Rows:
-    """The same quantities at the output times only."""
+def refined(times, values, function):
+    """The least value of a smooth function about the least of three places, by parabolas through ever nearer places."""
+    best, low, high = min(zip(values, times)), times[0], times[2]
+    width = (high - low) / 2
+    for _ in range(3):
+        found = vertex(times, values)
+        if found is None or not low < found[1] < high:
+            return best
+        width /= 12
+        at = min(max(found[1], low + width), high - width)
+        times = [at - width, at, at + width]
+        values = [function(t) for t in times]
+        best = min(best, *zip(values, times))
+    found = vertex(times, values)
+    return min(best, found) if found and times[0] < found[1] < times[2] else best
 
-    def __init__(self, meaning, samples):
-        self.step, self.samples = meaning.output_step, samples
+
+class States:
+    """States of a run at any time of a piece: Hermite's polynomial through the six nearest states and their derivatives."""
+
+    NEAREST = 6
+
+    def __init__(self, times, states, slopes):
+        self.times, self.states, self.slopes, self.found = times, states, slopes, {}
+
+    def at(self, t):
+        last = len(self.times) - 1
+        i = min(max(bisect.bisect_right(self.times, t) - 1, 0), max(last - 1, 0))
+        first = max(0, min(i - self.NEAREST // 2 + 1, last + 1 - self.NEAREST))
+        if first not in self.found:
+            self.found[first] = self.differences(first, min(first + self.NEAREST, last + 1))
+        doubled, table = self.found[first]
+        out = table[-1]
+        for x, row in zip(doubled[-2::-1], table[-2::-1]):
+            out = [c + (t - x) * v for c, v in zip(row, out)]
+        return tuple(out)
+
+    def differences(self, first, end):
+        """Newton's divided differences of doubled nodes: the places, and a coefficient of each degree."""
+        doubled = [t for t in self.times[first:end] for _ in (0, 1)]
+        column = [s for s in self.states[first:end] for _ in (0, 1)]
+        out = [column[0]]
+        for order in range(1, len(doubled)):
+            new = []
+            for i in range(len(column) - 1):
+                gap = doubled[i + order] - doubled[i]
+                new.append(self.slopes[first + i // 2] if gap == 0 else [(b - a) / gap for a, b in zip(column[i], column[i + 1])])
+            column = new
+            out.append(column[0])
+        return doubled, out
+
+
+class Instant:
+    """The same quantities where a run ends at its beginning."""
+
+    def __init__(self, sample):
+        self.sample = sample
 
     def extremes(self, name):
-        values = [s[name] for s in self.samples]
-        low, high = min(values), max(values)
-        return (low, values.index(low) * self.step), (high, values.index(high) * self.step)
+        return (self.sample[name], 0.0), (self.sample[name], 0.0)
 
     def integral(self, name):
-        return cubic_integral([s[name] for s in self.samples], self.step)
+        return 0.0
 
 
 # ---- summaries ------------------------------------------------------------------------------------------------------

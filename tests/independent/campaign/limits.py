@@ -48,8 +48,6 @@ class Use:
     def take(self, value):
         if self.worst is None or share(self.kind, self.limit, value) > share(self.kind, self.limit, self.worst):
             self.worst = value
-            return True
-        return False
 
     def q(self, slack, time_slack, worst_slack):
         """Names to Q, None where there is no number."""
@@ -70,24 +68,18 @@ def uses(run):
             low, high = {"short": ("length_least",) * 2, "long": ("length_greatest",) * 2, "speed": ("speed",) * 2,
                          "force": ("force_greatest", "force_least")}[kind]
             use.take(leg[low].value), use.take(leg[high].value)
-            for c in run.crossings:
-                if (c["kind"], c["leg"]) == (kind, k + 1):
-                    use.count += 1
-                    use.enter = c["enter"] if use.enter is None else use.enter
-                    use.leave = c["leave"]
-                    new = abs(c["worst"]) if kind == "speed" else c["worst"]
-                    if use.take(new) or use.worst_time is None:
-                        use.worst_time = c["worst_time"]
+            mine = [c for c in run.crossings if (c["kind"], c["leg"]) == (kind, k + 1)]
+            if mine:
+                last = max(mine, key=lambda c: c["enter"])
+                worst = max(mine, key=lambda c: share(kind, limit, c["worst"]))
+                use.count, use.enter, use.leave, use.worst_time = len(mine), min(c["enter"] for c in mine), last["leave"], worst["worst_time"]
+                use.take(abs(worst["worst"]) if kind == "speed" else worst["worst"])
             if run.simulated and run.end.get("kind") == kind and k + 1 in run.end["legs"]:
                 if share(kind, limit, use.worst) < 1:
                     use.worst = limit
                 use.count, use.enter, use.worst_time = 1, run.end["time"], run.end["time"]
-            out.append((use, use.q(worst_slack_of(run, use, leg[low].slack), run.end["slack"], max(run.end["slack"], run.worst_time_slack))))
+            out.append((use, use.q(leg[low].slack, run.end["slack"], max(run.end["slack"], run.worst_time_slack))))
     return out
-
-
-def worst_slack_of(run, use, slack):
-    return slack + (run.worst_slack * abs(use.worst) if use.count else 0)
 
 
 def json(run):

@@ -10,8 +10,7 @@ from facts import Q, Skip
 from printed import Line, Table
 
 COMPONENTS = studies.COMPONENTS
-PEAKS_OF_RUNS = 1.5e-3  # of runs, whose steps here are long beside a peak of power: this program interpolates between them
-PEAKS = 2e-5  # what peaks and integrals of the motion may be off, of the largest: those of the command come from parabolas between looks
+PEAKS = 1e-6  # what peaks and integrals of the motion may be off, of the largest
 
 
 DRIFT = Skip("round-off of the constraints: only that it is small is checked")
@@ -48,9 +47,20 @@ class Check:
         self.moments = [self.moments[rank.index(k)] for k in range(3)]
 
     def program_ranges(self):
-        """Least and greatest of each component at the output times, angles in radians."""
-        jets = [self.meaning.program(self.meaning.time(k)) for k in range(self.meaning.rows)]
-        return [(min(j[c][0] for j in jets), max(j[c][0] for j in jets)) for c in range(6)]
+        """Least and greatest of each component, angles in radians."""
+        meaning, ranges = self.meaning, []
+        ends = [0.0] + [t for t in sorted(meaning.corners) if 0 < t < meaning.duration] + [meaning.duration]
+        times = [low + (high - low) * k / 60 for low, high in zip(ends, ends[1:]) for k in range(60)] + [meaning.duration]
+        jets = [meaning.program(t) for t in times]
+        for c in range(6):
+            values, bounds = [j[c][0] for j in jets], []
+            for sign in (1, -1):
+                k = min(range(len(times)), key=lambda i: sign * values[i])
+                first = min(max(k - 1, 0), len(times) - 3)
+                near = [sign * v for v in values[first:first + 3]]
+                bounds.append(sign * f.refined(times[first:first + 3], near, lambda t: sign * meaning.program(t)[c][0])[0])
+            ranges.append(tuple(bounds))
+        return ranges
 
     def weakest_allowed(self):
         """Names that the motion of the least singular value may have: of a pair of equal values any mixture may be meant."""
@@ -253,10 +263,10 @@ def rows_lines(units):
 
 
 class Run:
-    """Numbers that forces and simulate have in common. Needs: curves (Rows or Curves), rows (times), legs, end_*."""
+    """Numbers that forces and simulate have in common. Needs: curves (Instant or Curves), rows (times), legs, end_*."""
 
     verb, simulated = "", False
-    worst_slack, worst_time_slack = 0.0, 0.0
+    worst_time_slack = 0.0
 
     def __init__(self, meaning):
         self.meaning, self.scales, self.nearest = meaning, f.Scales(meaning), {}
@@ -324,8 +334,7 @@ class Forces(Run):
         super().__init__(meaning)
         self.axes, self.row_count = axes, meaning.rows
         self.plant = meaning.plant
-        # the worst of a limit is that of a look: near the peak, not at it
-        self.worst_slack, self.worst_time_slack = 3e-3, meaning.output_step / 4
+        self.worst_time_slack = meaning.output_step / 4  # the time is that of a look: near the peak, not at it
         self.last = meaning.time(meaning.rows - 1)
         self.motion = f.Curves(self.pieces())
         self.finish(self.motion, meaning.duration, PEAKS)
@@ -336,9 +345,8 @@ class Forces(Run):
         until = self.meaning.duration
         ends = [0.0] + [t for t in self.meaning.stops if t < until] + [until]
         for low, high in zip(ends, ends[1:]):
-            count = max(8, math.ceil(110 * (high - low) / until))
-            times = [low + (high - low) * k / count for k in range(count + 1)]
-            yield times, [self.sample(t) for t in times]
+            count = max(2, math.ceil(40 * (high - low) / until))
+            yield [low + (high - low) * k / count for k in range(count + 1)], self.sample
 
     def sample(self, t):
         pose = self.plant.program_pose(t)
@@ -389,15 +397,14 @@ class Forces(Run):
 class Simulate(Run):
     verb, simulated = "simulate", True
 
-    def __init__(self, meaning, axes=None, of_motion=False, tolerance=1e-11):
-        """of_motion: peaks and integrals are those of the motion; else, as in a sweep with a fixed step, those of the rows."""
+    def __init__(self, meaning, axes=None, tolerance=1e-11):
         super().__init__(meaning)
-        self.axes, self.table, self.of_motion = axes, [], of_motion
+        self.axes, self.table = axes, []
         plant = meaning.plant
         plant.set_scale(self.scales.length, self.scales.time)
         state, t = meaning.start(), 0.0
         self.end = {"status": "done", "time": meaning.duration, "leg": None, "legs": [], "slack": 1e-12 * meaning.duration}
-        self.crossings, self.pieces = [], [([], [])]
+        self.crossings, self.pieces, self.start_state = [], [([], [])], (t, state)
         # a fixed step over a corner of the program costs it its order
         self.slack = 2e-4 if meaning.step and meaning.stops else 3e-8
         self.add_row(t, state)
@@ -405,12 +412,10 @@ class Simulate(Run):
         if broken:
             self.end_at(None, t, broken, tolerance)
         for k in range(1, 0 if broken else meaning.rows + 1):
-            # whole steps only, where they have a length
-            last = meaning.step * math.floor(meaning.duration / meaning.step + 1e-9) if meaning.step else meaning.duration
-            until = meaning.time(k) if k < meaning.rows else last
+            until = meaning.time(k) if k < meaning.rows else meaning.duration
             if not until > t:
                 continue
-            before, kept = (t, state), [(times[:], samples[:]) for times, samples in self.pieces]
+            before, kept = (t, state), [(times[:], states[:]) for times, states in self.pieces]
             t, state = until, self.sampled(t, until, state, tolerance)
             broken = self.broken(t, state)
             if broken:
@@ -425,16 +430,24 @@ class Simulate(Run):
 
     def summarise(self):
         self.last = self.meaning.time(self.row_count - 1)
-        if self.of_motion and self.end["time"] > 0:
-            curves = f.Curves([(times, samples) for times, samples in self.pieces if len(times) > 1])
+        if self.end["time"] > 0:
+            curves = f.Curves([self.piece(times, states) for times, states in self.pieces if times[-1] - times[0] > 1e-9 * self.meaning.output_step])
         else:
-            curves = f.Rows(self.meaning, [s for s in self.samples if s["row"]])
-        self.finish(curves, self.pieces[-1][0][-1] if self.of_motion else self.last, max(self.slack, PEAKS_OF_RUNS) if self.of_motion else self.slack)
+            curves = f.Instant(self.sample(*self.start_state))
+        self.finish(curves, self.pieces[-1][0][-1], max(self.slack, PEAKS))
         self.position, self.angle = curves.extremes("position")[1][0], curves.extremes("angle")[1][0]
 
-    @property
-    def samples(self):
-        return [s for _, samples in self.pieces for s in samples]
+    def piece(self, times, states):
+        """Times and the quantities at any of them. States much nearer to each other than others spoil a polynomial: some are left out."""
+        least, kept = min(0.12 * self.meaning.output_step, 0.2 * (times[-1] - times[0])), [0]
+        for i, t in enumerate(times):
+            if t - times[kept[-1]] > least and (times[-1] - t > least or i == len(times) - 1):
+                kept.append(i)
+        if kept[-1] != len(times) - 1:
+            kept.append(len(times) - 1)
+        times, states = [times[i] for i in kept], [states[i] for i in kept]
+        between = f.States(times, states, [self.meaning.plant.derivative(t, state) for t, state in zip(times, states)])
+        return times, lambda t: self.sample(t, between.at(t))
 
     def advance(self, t, until, state, tolerance):
         for stop in [s for s in self.meaning.stops if t < s < until] + [until]:
@@ -443,27 +456,29 @@ class Simulate(Run):
         return state
 
     def sampled(self, t, until, state, tolerance):
-        """The same, with a sample at each quarter of the way; a corner ends a piece."""
+        """The same, and keeps the state at each quarter of the way; a corner ends a piece."""
         for stop in [s for s in self.meaning.stops if t < s < until] + [until]:
             start = t
             for quarter in range(1, 5):
                 at = stop if quarter == 4 else start + (stop - start) * quarter / 4
                 state = self.meaning.plant.step(t, at - t, state, tolerance)
                 t = at
-                self.add_sample(t, state)
+                self.keep(t, state)
             if stop in self.meaning.stops:
-                times, samples = self.pieces[-1]
-                self.pieces.append(([t], [samples[-1]]))
+                self.pieces.append(([t], [state]))
         return state
 
-    def add_sample(self, t, state):
+    def keep(self, t, state):
+        self.pieces[-1][0].append(t)
+        self.pieces[-1][1].append(state)
+
+    def sample(self, t, state):
         pose = self.meaning.plant.pose_of(state)
         u = self.meaning.plant.legs(t, pose)[0]
         wanted = self.meaning.plant.of_time(t)[0]
         sample = f.quantities(self.meaning, pose, u)
-        sample |= {"position": m.norm(m.sub(pose.p, wanted.p)), "angle": m.turn_between(pose.R, wanted.R), "row": False}
-        self.pieces[-1][0].append(t)
-        self.pieces[-1][1].append(sample)
+        sample["position"], sample["angle"] = m.norm(m.sub(pose.p, wanted.p)), m.turn_between(pose.R, wanted.R)
+        return sample
 
     def broken(self, t, state):
         pose = self.meaning.plant.pose_of(state)
@@ -496,8 +511,7 @@ class Simulate(Run):
         turn = self.meaning.disturbance_at(t)[3] if self.meaning.disturbed else (0, 0, 0)
         self.table.append(f.row_of(self.meaning, t, pose, u, plant.of_time(t)[0], self.axes, turn))
         if t == 0:
-            self.add_sample(t, state)
-        self.pieces[-1][1][-1]["row"] = True
+            self.keep(t, state)
 
     def rows(self):
         return iter(self.table)
@@ -508,12 +522,11 @@ class Simulate(Run):
         return [Line("end " + limits.sentence(self.end, units), units.name)]
 
     def condition_at(self, t):
-        if self.of_motion and self.end["time"] > 0:
+        if self.end["time"] > 0:
             return self.curves.at(("condition", 0), t)
         return self.table[min(len(self.table) - 1, round(t / self.meaning.output_step))]["condition"][0]
 
     def deviation(self):
-        # the command's comes from a parabola between looks
         length, turn = max(self.slack * self.scales.length, 1e-6 * self.position), max(self.slack, 1e-6 * self.angle)
         return Q(self.position, "length", length), Q(self.angle, "angle", turn)
 
