@@ -360,7 +360,7 @@ static void name(tune *t, const hunt *h, const gough_tuning_point *point, bool b
 }
 
 /* A run with small steps does not meet the accuracy: something was stepped over. The first time the search begins anew with such
- * steps; after that the G counts as one that does not do. */
+ * steps; after that the G is taken to be insufficient. */
 static void refuse(tune *t, hunt *h, const gough_tuning_point *point) {
     if (!t->fine) {
         h->again = h->over = true;

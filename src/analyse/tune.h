@@ -7,7 +7,7 @@
 enum {
     TUNE_DECADE = 20,   /* points of the curve in a decade of G */
     TUNE_ROUND = 20,    /* of them run at once */
-    TUNE_INTERVALS = 64 /* in which a mode grows, looked at at once */
+    TUNE_INTERVALS = 64 /* in which a mode grows, handled at a time */
 };
 
 /* an interval of G in which a mode grows */
@@ -64,7 +64,7 @@ void tune_find_scales(tune *t);
 
 /* ---- tune_damping.c ---- */
 
-/* smallest −Re λ/|λ| of a loop's eigenvalues; NaN where there are none to be had */
+/* smallest −Re λ/|λ| of a loop's eigenvalues; NaN if they cannot be computed */
 double tune_least_ratio(double matrix[GOUGH_LINEAR][GOUGH_LINEAR]);
 
 /* ---- tune_run.c ---- */

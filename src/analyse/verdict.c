@@ -8,7 +8,7 @@
 
 #include "analyse/mode.h"
 
-/* growth slower than this, in √(g/R_b), is none: the rounding of the stiffness that gravity gives */
+/* growth slower than this, in √(g/R_b), counts as zero: it is the rounding of the stiffness that gravity gives */
 static const double growth_limit = 1e-7;
 
 /* a sum of stiffness and damping, each over its largest value, below this has neither */

@@ -107,7 +107,7 @@ static void read_stiffness(struct argp_state *state, command_line *line, const c
         usage_error(state, "%s", error.message);
 }
 
-/* Reads an option of gough tune; false if it is none. */
+/* Reads an option of gough tune; false if it is not one of them. */
 static bool read_tuning(int key, const char *text, struct argp_state *state, command_line *line) {
     tuning_request *t = &line->tuning;
     switch (key) {

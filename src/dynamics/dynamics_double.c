@@ -35,7 +35,7 @@ static void rotation_of_triad(const triad *R, double r[3][3]) {
 
 static void vector_out(vector v, double out[3]) { out[0] = v.x, out[1] = v.y, out[2] = v.z; }
 
-/* false for a state whose rotation is none */
+/* false for a state whose matrix is not a rotation */
 static bool pose_of_state(pose *p, const gough_machine *machine, const gough_state *state) {
     const triad R = triad_of_rotation(state->rotation);
     const vector origin = {0, 0, 0};

@@ -210,7 +210,7 @@ static inline jet moves_jet(const gough_motion *m, int c, real t) {
         }
         from = target;
     }
-    return jet_constant(from + (t - t)); /* not a number at a time that is none */
+    return jet_constant(from + (t - t)); /* NaN if the time is NaN or infinite */
 }
 
 /* ---- samples ---- */

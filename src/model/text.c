@@ -20,7 +20,7 @@ static bool is_hidden(unsigned code) {
     return false;
 }
 
-/* Bytes of the UTF-8 character at text and its code; 0 for bytes that are none: cut, overlong, a surrogate, beyond U+10FFFF. */
+/* Bytes of the UTF-8 character at text and its code; 0 for bytes that are not a character: cut, overlong, a surrogate, beyond U+10FFFF. */
 static size_t decode(const char *text, size_t length, unsigned *code) {
     static const unsigned least[] = {0, 0, 0x80, 0x800, 0x10000};
     const unsigned lead = (unsigned char)text[0];

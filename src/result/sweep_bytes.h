@@ -15,7 +15,7 @@ uint64_t sweep_digest(uint64_t seed, const void *bytes, size_t length);
 /* Allocated; NULL if memory is out. */
 unsigned char *sweep_head_bytes(const sweep_head *head, size_t *length);
 
-/* Length of a whole head by its first bytes; 0 where they are none. */
+/* Length of a whole head by its first bytes; 0 if they do not begin a head. */
 size_t sweep_head_length(const unsigned char *start, size_t length);
 
 /* NULL where the bytes are damaged or memory is out. */

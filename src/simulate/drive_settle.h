@@ -273,7 +273,7 @@ static inline gough_status drive_begin(drive *d) {
 }
 
 /* Looks at the eighths of the step before t, for the summary, where rows are too far apart to serve. Steps of a fixed length are
- * short beside the motion, and are looked at at their ends. */
+ * short beside the motion, and are examined at their ends. */
 static inline void drive_between(drive *d, int *part, real t) {
     if (d->r.options->summary == NULL || d->dense == NULL) return;
     if (DRIVE_LOOKS * (real)d->r.options->output_step < d->h) return;

@@ -373,7 +373,7 @@ gough_status gough_model_unflatten(gough_model *model, gough_simulation *simulat
     *simulation = gough_simulation_default();
     p.status = read_head(flat, count, &e, error);
     if (p.status != GOUGH_OK) return p.status;
-    /* one of the two is none, or the array is refused */
+    /* one of the two is missing, or the array is refused */
     e.move = memory;
     e.curvature = memory;
     exchange_all(&p, model, simulation, &e);

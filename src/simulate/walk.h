@@ -2,7 +2,7 @@
  * peaks, time integrals and crossings of limits are those of the motion. For scalar number types.
  *
  * Between two rows, and between two corners of the program (ends of ramps and moves, rows of recordings), a cell of the motion is
- * looked at at its quarters. It is halved while its fourth differences say that the looks do not follow lengths, rates, forces
+ * examined at its quarters. It is halved while its fourth differences say that the looks do not follow lengths, rates, forces
  * and powers, or while the program at 128 times from row to row is not where the looks expect it: what the looks do not meet,
  * these do.
  * Looks are taken in, in order of time, one late: where a margin dips between looks, another is put at the bottom of the dip. */

@@ -12,7 +12,7 @@ typedef struct study_arena {
     bool exhausted; /* an allocation failed: whatever was built is incomplete */
 } study_arena;
 
-/* Zeroed memory aligned for any type; NULL, with `exhausted` set, where there is none. */
+/* Zeroed memory aligned for any type; NULL, with `exhausted` set, if out of memory. */
 void *study_arena_take(study_arena *arena, size_t size);
 
 /* A terminated copy of length bytes; NULL as above. */

@@ -16,7 +16,7 @@ enum { MOST_KEYS = 1000 };
 
 /* ---- what one key varies over ----------------------------------------------------------------------------------- */
 
-/* The one of several ways to vary a key that is given; NULL with an error where it is none or more. */
+/* The one of several ways to vary a key that is given; NULL with an error if none or several are given. */
 static study_node *find_way(study_messages *messages, study_node *node) {
     study_node *found = NULL;
     for (study_node *child = node->first; child; child = child->next) {

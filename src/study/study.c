@@ -37,7 +37,7 @@ void gough_study_free(gough_study *study) {
 
 void gough_study_free_messages(char *messages) { free(messages); }
 
-/* An empty study with all its memory; NULL where there is none. */
+/* An empty study with all its memory; NULL if out of memory. */
 static gough_study *new_study(const study_source *source) {
     gough_study *study = calloc(1, sizeof *study);
     if (!study) return NULL;

@@ -63,7 +63,7 @@ void study_say_shape(study_messages *messages, study_node *node, const char *phr
                    study_node_path(messages->arena, node), phrase, found(messages->arena, node));
 }
 
-/* Why a scalar that is no plain decimal number is none. */
+/* Why a scalar is not a plain decimal number. */
 static void say_no_number(study_messages *messages, study_node *node, size_t rest) {
     const char *path = study_node_path(messages->arena, node);
     const char *text = study_quote(messages->arena, node->text, node->length);

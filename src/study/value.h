@@ -17,7 +17,7 @@ typedef enum study_decimal {
  * rest: offset of what is left after the number (of STUDY_DECIMAL_AND_MORE). */
 study_decimal study_decimal_read(const char *text, size_t length, double *value, size_t *rest);
 
-/* The number of a scalar that was checked before; NaN where it is none. */
+/* The number of a scalar that was checked before; NaN if it is not a number. */
 double study_number(const study_node *node);
 
 /* "platform.height", "motion.moves.2.start": the path of a node in the study, as --set takes it. */

@@ -58,6 +58,13 @@ cat >"$phrases" <<'END'
 \bthe same in short\b
 \bhanded (to|out)\b
 \bmakes? ready\b
+\bof no known kind\b
+\bcounts as one that\b
+\blooked at at\b
+\bno (more|less) than that is\b
+\bare none to be had\b
+\bwhere (it|they) (is|are) none\b
+\bwhen memory is\b
 END
 banned() { # banned NAME: the lines on standard input, as `line:text`, that contain a phrase
     NAME=$1 PHRASES=$phrases perl -Mopen=:std,:utf8 -ne '
