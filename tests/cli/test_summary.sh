@@ -64,4 +64,14 @@ jq -e '.verb == "check" and (.home_length | length) == 6 and .groups.height > 1.
     "$scratch/out" >/dev/null || fail "check --json: $(jq -c . "$scratch/out")"
 run example --json
 jq -e 'map(.name) | index("paper-heave")' "$scratch/out" >/dev/null || fail "example --json lacks paper-heave"
+
+# the time of the worst condition is in the unit of the other times
+"$GOUGH" example own-machine >"$scratch/own.yaml"
+worst() { sed -n 's/^ *condition .*, at t = \([0-9.e+-]*\).*/\1/p' "$scratch/out"; }
+run forces "$scratch/own.yaml"
+seconds=$(worst)
+run forces "$scratch/own.yaml" --dimensionless
+unit=$("$GOUGH" check "$scratch/own.yaml" --json | jq .time_unit)
+awk -v s="$seconds" -v d="$(worst)" -v u="$unit" 'BEGIN { exit !(s > 0 && d > 0 && u > 0 && d * u / s < 1.0001 && d * u / s > 0.9999) }' ||
+    fail "the worst condition at $seconds s, dimensionless at $(worst), with the unit $unit s"
 finish
