@@ -86,4 +86,12 @@ expect_code 2 "no study"
 run report own.yaml --set load.mass=-1 -o wrong.html
 expect_code 2 "a wrong study"
 [[ -e wrong.html ]] && fail "a page of a wrong study"
+
+# the machine in the page is the study's, number by number: all of them differ
+"$GOUGH" example own-machine >"$scratch/each.yaml"
+"$GOUGH" report "$scratch/each.yaml" -q -o "$scratch/each.html" || fail "report of own-machine"
+for number in '"gravity":\[0.0,0.0,-9.80664' '"center_of_mass":\[0.0,0.0,0.05' '"speed":0.25,' '"force":80.0' '"stiffness":\[5000.0,' '"damping":\[150.0,' \
+    '"home_length":\[0.3254' '"base":\[\[0.2462'; do
+    grep -q -- "$number" "$scratch/each.html" || fail "the page does not have $number"
+done
 finish
