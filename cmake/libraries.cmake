@@ -1,14 +1,14 @@
-# Three libraries: the core (kernel to batch: no dependency but the C library and libquadmath); over it the analysis of
+# Three libraries: the core (base to batch: no dependency but the C library and libquadmath); over it the analysis of
 # stability (analyse: LAPACK); over both files and figures (study, result, report). Each is compiled once, as position-independent code with only GOUGH_API visible, and
 # serves as a static library (command, tests) and as a shared one (installed).
 configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/gough/version.h @ONLY)
 
 file(GLOB GOUGH_HEADERS CONFIGURE_DEPENDS include/gough/*.h)
 file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
-    src/kernel/*.c src/model/*.c src/dynamics/*.c src/integrate/*.c src/simulate/*.c src/batch/*.c)
+    src/base/*.c src/kernel/*.c src/model/*.c src/dynamics/*.c src/integrate/*.c src/simulate/*.c src/batch/*.c)
 file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/analyse/*.c)
 # The core does not show its inner functions: what the analysis needs of them is compiled into it again.
-list(APPEND GOUGH_ANALYSE_SOURCES src/model/appointments.c)
+list(APPEND GOUGH_ANALYSE_SOURCES src/model/appointments.c src/base/crew.c)
 file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS src/study/*.c src/result/*.c src/report/*.c)
 
 # What steps is worth more of the compiler's time; the bits stay.

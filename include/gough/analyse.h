@@ -16,6 +16,10 @@ extern "C" {
 
 enum { GOUGH_LINEAR = 12 };
 
+/** Growth, per √(R_b/g) at rest or per period, up to which a deviation does not count as growing: what round-off leaves of a
+ *  multiplier on the unit circle. */
+#define GOUGH_GROWTH_LIMIT 1e-7
+
 /** ξ̇ = matrix · ξ, the closed loop linearised about a state at time t, (stab-13).
  *  @param state  NULL: the program's at t, for the variation about the program
  *  @param[out] matrix  rows: derivatives of ξ. The constant part, present about a state that is not an equilibrium, is omitted

@@ -58,6 +58,10 @@ GOUGH_API gough_batch_options gough_batch_options_default(void);
 /** Widest lanes of this processor: 8 (AVX-512), 4 (AVX2) or 2. */
 GOUGH_API int gough_batch_lanes(void);
 
+/** Threads that a wish in gough_batch_options.threads means here: those of the processors that the process may use where it is 0,
+ *  at most 256. */
+GOUGH_API int gough_batch_threads(int wanted);
+
 /** Bytes of memory that gough_batch() needs, aligned to 64, for any number of runs. */
 GOUGH_API size_t gough_batch_size(const gough_batch_options *options);
 
@@ -68,7 +72,7 @@ GOUGH_API size_t gough_batch_size(const gough_batch_options *options);
  *  @param memory      gough_batch_size() bytes, aligned to 64; nothing else is allocated while stepping
  *  @return GOUGH_OK, even if runs ended early (see their outcomes); GOUGH_ERROR_INPUT for invalid options, or runs
  *  that differ in height or feed-forward; GOUGH_ERROR_NUMERICAL if the progress function stopped it
- *  (unfinished runs have 0 rows); GOUGH_ERROR_FILE if no thread could be started. */
+ *  (unfinished runs have 0 rows). */
 GOUGH_API gough_status gough_batch(const gough_motion *motion, const gough_simulation *simulation,
                                    const gough_batch_run *runs, size_t count,
                                    const gough_batch_options *options, gough_outcome *outcomes,

@@ -61,6 +61,9 @@ GOUGH_API gough_status gough_leg_kinematics(const gough_machine *machine, const 
 GOUGH_API gough_status gough_jacobian(const gough_machine *machine, const gough_state *state,
                                       double jacobian[GOUGH_LEGS][6]);
 
+/** The condition from which a pose counts as singular: eight digits of the leg forces are lost. */
+#define GOUGH_GREATEST_CONDITION 1e8
+
 /** How close the six equations are to singular.
  *  @param[out] condition    2-norm condition of J about the top frame's origin, moment columns divided by the mean
  *                           top-joint distance; INFINITY if singular; NaN if a leg has no length. May be NULL
@@ -71,8 +74,8 @@ GOUGH_API gough_status gough_conditioning(const gough_machine *machine, const go
 
 /** Inverse dynamics, the paper's direct problem, (2.2), (2.4)–(2.6): the leg forces that give an acceleration.
  *  @param external  may be NULL for none
- *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if condition > 1e8 or a number is not finite; GOUGH_ERROR_INPUT if the matrix of
- *  the state is not a rotation. Use @p force only if the status is GOUGH_OK. */
+ *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if condition > GOUGH_GREATEST_CONDITION or a number is not finite; GOUGH_ERROR_INPUT
+ *  if the matrix of the state is not a rotation. Use @p force only if the status is GOUGH_OK. */
 GOUGH_API gough_status gough_inverse_dynamics(const gough_machine *machine,
                                               const gough_state *state,
                                               const gough_acceleration *acceleration,

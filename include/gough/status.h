@@ -30,6 +30,8 @@ typedef enum gough_status {
 typedef struct gough_error {
     gough_status status; /**< what the function returned */
     char message[500];   /**< the sentence, without a line end */
+    const char *
+        key; /**< the key of a study file that it is about, such as "load.mass", where the library knows it; else NULL */
 } gough_error;
 
 /** Fills @p error (which may be NULL) with a printf-style sentence.
@@ -37,6 +39,15 @@ typedef struct gough_error {
 GOUGH_API gough_status gough_fail(gough_error *error, gough_status status, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 3, 4)))
+#endif
+    ;
+
+/** The same for an error that is about a key of the study file.
+ *  @param key  such as "load.mass"; a text that outlives the error */
+GOUGH_API gough_status gough_fail_key(gough_error *error, gough_status status, const char *key,
+                                      const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 4, 5)))
 #endif
     ;
 

@@ -21,6 +21,25 @@ extern "C" {
  *  Safe to call concurrently. */
 GOUGH_API size_t gough_decimal_read(const char *text, size_t length, double *value);
 
+/** Reads one character of UTF-8.
+ *  @param text,length  what is left of the text
+ *  @param[out] code    of the character; may be NULL
+ *  @return the bytes it takes; 0 if there are none, or they are not UTF-8: cut, overlong, a surrogate, beyond U+10FFFF. Safe to
+ *  call concurrently. */
+GOUGH_API size_t gough_character_read(const char *text, size_t length, unsigned *code);
+
+/** Characters of a terminated text. Bytes that are not UTF-8 count as one each where they could begin a character. */
+GOUGH_API size_t gough_character_count(const char *text);
+
+/** The name that a misspelt word probably means: the one that the fewest letters inserted, left out, replaced or swapped with their
+ *  neighbour lead to, capital letters counting as small ones; of several the first. A third of the word and one letter more may
+ *  differ, but not more than half of the longer of the two.
+ *  @param word,length  need not be terminated
+ *  @param names        terminated; each ends at its first space
+ *  @return its index, or -1 if none is near enough. Safe to call concurrently. */
+GOUGH_API int gough_word_nearest(const char *word, size_t length, const char *const *names,
+                                 size_t count);
+
 /** Room for any character as gough_character_show() writes it, with the terminating zero. */
 enum { GOUGH_SHOWN_CHARACTER = 12 };
 

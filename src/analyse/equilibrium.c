@@ -7,9 +7,7 @@
 #include <string.h>
 
 #include "analyse/linear.h"
-
-/* as in a run: beyond it a pose is called nearly singular */
-static const double greatest_condition = 1e8;
+#include "base/limits.h"
 
 /* Newton's steps, in base radii and radians. The first must not leave the branch it comes from; each next is at most half of
  * the one before, until rounding is reached. */

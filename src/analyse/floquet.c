@@ -10,8 +10,6 @@
 /* the steps' tolerance where none is given, and what double precision can be asked for */
 static const double usual_tolerance = 1e-13, least_tolerance = 1e-15, greatest_tolerance = 1e-3;
 
-/* a multiplier over 1 by more than this is instability, not rounding */
-static const double growth_limit = 1e-7;
 
 static gough_status check(const gough_period *period, double tolerance, gough_error *error) {
     if (period->resting)
@@ -58,7 +56,7 @@ static void fill_multipliers(const monodromy *m, const spectrum *s, gough_floque
         mode_of(m->loop.machine, shape, &multiplier->mode);
         floquet->growth = fmax(floquet->growth, cabs(s->value[k]));
     }
-    floquet->stable = floquet->growth <= 1 + growth_limit;
+    floquet->stable = floquet->growth <= 1 + GOUGH_GROWTH_LIMIT;
 }
 
 /* (floquet-5): without damping the determinant is 1 and multipliers come in pairs; with it Liouville's formula is left */

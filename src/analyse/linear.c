@@ -1,17 +1,12 @@
 /* Linearisation for callers: checks around the complex equations. Theory: docs/theory/stability.md. */
 #include "analyse/linear.h"
 
+#include "base/limits.h"
 #include "dynamics/valid.h"
 #include "model/motion.h"
 
 #include <math.h>
 #include <string.h>
-
-/* as in a run: beyond it a pose is called nearly singular */
-static const double greatest_condition = 1e8;
-
-/* as in a run: a shorter leg, in base radii, has no direction worth the name */
-static const double leg_no_length = 1e-9;
 
 static gough_status check_condition(const gough_machine *machine, double t,
                                     const gough_state *program, gough_error *error) {

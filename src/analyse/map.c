@@ -1,18 +1,15 @@
 /* The stability map for callers: axes, checks, threads. Each thread takes row after row. Theory: docs/theory/floquet.md. */
-#define _GNU_SOURCE
 #include "gough/map.h"
 
 #include <math.h>
 #include <pthread.h>
-#include <sched.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "analyse/map_row.h"
+#include "base/crew.h"
 #include "gough/batch.h"
-
-enum { MOST_THREADS = 256 };
 
 /* steps are refined up to this; beyond it errors up to the second value pass */
 static const double finest = 16, rough = 1e-6;
@@ -88,13 +85,8 @@ static const struct analyse_width *width_of(int lanes) {
 
 static int threads_of(const gough_map_options *options) {
     const size_t rows = gough_map_rows(options);
-    int threads = options->threads;
+    const int threads = crew_threads(options->threads);
 
-    if (threads <= 0) {
-        cpu_set_t set;
-        threads = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-    }
-    threads = threads < 1 ? 1 : threads > MOST_THREADS ? MOST_THREADS : threads;
     return (size_t)threads < rows ? threads : (int)rows;
 }
 
@@ -180,18 +172,11 @@ static void *work_on(void *context) {
 
 static gough_status run_threads(work *w, int threads, char *memory, gough_error *error) {
     const size_t room = map_worker_size(&w->job);
-    pthread_t thread[MOST_THREADS];
-    hand hands[MOST_THREADS];
-    int started = 1;
+    hand hands[CREW_MOST];
 
     for (int i = 0; i < threads; i++)
         hands[i] = (hand){w, map_worker_begin(&w->job, memory + (size_t)i * room)};
-    while (started < threads &&
-           pthread_create(&thread[started], NULL, work_on, &hands[started]) == 0) {
-        started++;
-    }
-    work_on(&hands[0]); /* the caller's own thread works too, alone if need be */
-    for (int i = 1; i < started; i++) pthread_join(thread[i], NULL);
+    crew_work(hands, sizeof hands[0], threads, work_on);
     if (!atomic_load(&w->stopped)) return GOUGH_OK;
     return gough_fail(error, GOUGH_ERROR_NUMERICAL, "the map was stopped at %.0f %%",
                       100 * w->done / (double)w->rows);

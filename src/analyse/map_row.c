@@ -181,7 +181,7 @@ static int look_along_orbit(void *context, double stiffness, sample *s) {
     }
     for (int i = 0; i < GOUGH_LINEAR; i++) {
         const gough_multiplier *m = &floquet.multiplier[i];
-        sample_add(s, m->value, log(hypot(m->value[0], m->value[1])), SAMPLE_LIMIT, &m->mode);
+        sample_add(s, m->value, log(hypot(m->value[0], m->value[1])), GOUGH_GROWTH_LIMIT, &m->mode);
     }
     return report(w, w->reported);
 }
@@ -509,7 +509,7 @@ void map_row_clear(const map_job *job, size_t index) {
 
 int map_row_find(map_worker *w, size_t index) {
     gough_map_row *row = &w->job->map->row[index];
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     gough_status status;
     int stopped = 0;
 

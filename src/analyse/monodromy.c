@@ -5,15 +5,13 @@
 
 #include <string.h>
 
+#include "base/limits.h"
 #include "dynamics/machine.h"
 #include "dynamics/state.h"
 #include "integrate/dop853.h"
 #include "model/appointments.h"
 
 enum { N = GOUGH_LINEAR, PAIR = 2 * N, PAIRS = N / 2, MOST_STEPS = 20000 };
-
-/* as in a run: beyond it a pose is called nearly singular */
-static const double greatest_condition = 1e8;
 
 /* where no step meets the tolerance at such a condition, a singular pose ahead is why */
 static const double hindering_condition = 1e4;

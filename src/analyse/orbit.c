@@ -150,7 +150,7 @@ static bool ease(monodromy *m, const gough_control *asked, double y[LINEAR_STATE
 gough_status orbit_find(monodromy *m, double y[LINEAR_STATE], gough_error *error) {
     const gough_control *asked = m->loop.control;
     gough_acceleration acceleration;
-    gough_error why = {GOUGH_OK, ""};
+    gough_error why = {.message = ""};
     double stiffness = 0;
     gough_state state;
 

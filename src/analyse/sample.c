@@ -192,10 +192,10 @@ static void put_phases(sample *s, const symplectic *form, const multipliers *m) 
         if (!(m->im[i] > 0)) {
             positive += m->re[i] > 0;
             negative += m->re[i] < 0;
-        } else if (size > SAMPLE_LIMIT) {
+        } else if (size > GOUGH_GROWTH_LIMIT) {
             put_phase(s, &count, angle, true);
             put_phase(s, &count, 2 * pi - angle, true);
-        } else if (size >= -SAMPLE_LIMIT && turnings < MODES) {
+        } else if (size >= -GOUGH_GROWTH_LIMIT && turnings < MODES) {
             for (place = turnings++; place > 0 && t[place - 1].angle > angle; place--)
                 t[place] = t[place - 1];
             t[place].angle = angle;
@@ -215,7 +215,7 @@ static void split_pairs(multipliers *m) {
     for (int i = 0; i < N; i++) {
         const double re = m->re[i], im = m->im[i];
         if (fabs(im) > same_real * fabs(re) || !(fabs(im) > 0)) continue;
-        if (fabs(log(hypot(re, im))) <= SAMPLE_LIMIT) continue;
+        if (fabs(log(hypot(re, im))) <= GOUGH_GROWTH_LIMIT) continue;
         for (int k = 0; k < N; k++)
             m->vector[i][k] = im > 0 ? creal(m->vector[i][k]) : cimag(m->vector[i][k]);
         m->im[i] = 0;
@@ -227,9 +227,9 @@ static void fill(const gough_machine *machine, const symplectic *form, multiplie
     for (int i = 0; i < N; i++) {
         const double value[2] = {m->re[i], m->im[i]}, size = log(hypot(value[0], value[1]));
         gough_mode mode;
-        if (!(size > SAMPLE_LIMIT) && !(size > s->size)) continue;
+        if (!(size > GOUGH_GROWTH_LIMIT) && !(size > s->size)) continue;
         mode_of(machine, m->vector[i], &mode);
-        sample_add(s, value, size, SAMPLE_LIMIT, &mode);
+        sample_add(s, value, size, GOUGH_GROWTH_LIMIT, &mode);
     }
     if (form) put_phases(s, form, m);
 }

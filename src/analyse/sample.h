@@ -40,9 +40,6 @@ void symplectic_at(const gough_machine *machine, const gough_state *state, sympl
 double complex symplectic_product(const symplectic *form, const double complex xi[GOUGH_LINEAR],
                                   const double complex eta[GOUGH_LINEAR]);
 
-/* |μ| up to 1 + this is no growth */
-#define SAMPLE_LIMIT 1e-7
-
 /* From Φ over a period, by columns, overwritten; form NULL: damped. Returns false, and fills nothing, where Φ is so large that
  * the small multipliers have lost their digits in it: then its factors are needed. */
 bool sample_monodromy(const gough_machine *machine, const symplectic *form, double stiffness,

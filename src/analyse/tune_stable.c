@@ -5,8 +5,6 @@
 
 #include "analyse/tune.h"
 
-/* a multiplier over 1 + this is growth, as in gough_floquet.stable */
-static const double growth_limit = 1e-7;
 
 /* without a map the margin is looked at in so many places on each side, without damping or with it */
 enum { PLACES = 5, DAMPED_PLACES = 2 };
@@ -54,7 +52,7 @@ static void look_along(tune *t, gough_tuning_point *point, gough_mode *mode) {
 
     if (gough_floquet_multipliers(t->steady, &t->period, 1e-9, &floquet, &none) != GOUGH_OK) return;
     point->growth = floquet.growth;
-    point->stable = floquet.growth <= 1 + growth_limit;
+    point->stable = floquet.growth <= 1 + GOUGH_GROWTH_LIMIT;
     *mode = floquet.multiplier[0].mode;
 }
 
@@ -79,7 +77,7 @@ static void look_at(tune *t, gough_tuning_point *point, gough_mode *mode) {
 /* ---- over a range ------------------------------------------------------------------------------------------------- */
 
 static bool grows(const tune *t, const gough_interval *interval) {
-    return t->period.resting || interval->growth > 1 + growth_limit;
+    return t->period.resting || interval->growth > 1 + GOUGH_GROWTH_LIMIT;
 }
 
 static bool is_well_damped(const tune *t, double stiffness, double damping) {

@@ -8,8 +8,6 @@
 
 #include "analyse/mode.h"
 
-/* growth slower than this, in √(g/R_b), counts as zero: it is the rounding of the stiffness that gravity gives */
-static const double growth_limit = 1e-7;
 
 /* a sum of stiffness and damping, each over its largest value, below this has neither */
 static const double nothing = 1e-13;
@@ -71,7 +69,7 @@ bool verdict_at_rest(const gough_machine *machine, const double *mass, double K[
 
     rest->growing = rest->neutral = rest->drifting = 0;
     for (int k = 0; k < FREEDOMS; k++) {
-        const bool falls = kappa[k] < -growth_limit * growth_limit * unit;
+        const bool falls = kappa[k] < -GOUGH_GROWTH_LIMIT * GOUGH_GROWTH_LIMIT * unit;
         rest->growing += falls;
         rest->neutral += !falls && !(kappa[k] > 0);
     }

@@ -1,12 +1,11 @@
 /* Many runs: checks, threads, and which runs stand side by side. Each thread takes a handful of groups and walks them through the
  * same block of steps, so that stages recorded by the first serve the others while they are near at hand. */
-#define _GNU_SOURCE
 #include <math.h>
 #include <pthread.h>
-#include <sched.h>
 #include <stdatomic.h>
 #include <string.h>
 
+#include "base/crew.h"
 #include "batch/width.h"
 #include "model/appointments.h"
 #include "simulate/ahead.h"
@@ -14,7 +13,7 @@
 #include "simulate/simulate.h"
 
 /* groups that a thread walks together; steps of a block; records of its tape: at most 18 stages a step */
-enum { GROUPS = 32, BLOCK = 32, RECORDS = 18 * BLOCK + 8, MOST_THREADS = 256 };
+enum { GROUPS = 32, BLOCK = 32, RECORDS = 18 * BLOCK + 8 };
 
 gough_batch_options gough_batch_options_default(void) {
     return (gough_batch_options){.lanes = 0, .threads = 0, .progress = NULL, .context = NULL};
@@ -39,15 +38,7 @@ static const struct batch_width *width_of(int lanes) {
     }
 }
 
-static int threads_of(const gough_batch_options *options) {
-    int threads = options->threads;
-
-    if (threads <= 0) {
-        cpu_set_t set;
-        threads = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-    }
-    return threads < 1 ? 1 : threads > MOST_THREADS ? MOST_THREADS : threads;
-}
+int gough_batch_threads(int wanted) { return crew_threads(wanted); }
 
 /* ---- one thread's memory ---- */
 
@@ -65,7 +56,7 @@ size_t gough_batch_size(const gough_batch_options *options) {
         const size_t room = room_of(width_of(lanes));
         if (room > most) most = room;
     }
-    return (size_t)threads_of(options) * most + 64;
+    return (size_t)crew_threads(options->threads) * most + 64;
 }
 
 /* ---- the work ---- */
@@ -231,20 +222,10 @@ static void plan(work *w, const gough_simulation *s, int lanes, int threads) {
 
 static gough_status run_threads(work *w, int threads, char *memory, gough_error *error) {
     const size_t room = w->width ? room_of(w->width) : 0;
-    pthread_t thread[MOST_THREADS];
-    worker workers[MOST_THREADS];
-    int started = 1;
+    worker workers[CREW_MOST];
 
     for (int i = 0; i < threads; i++) workers[i] = (worker){w, memory + (size_t)i * room};
-    while (started < threads &&
-           pthread_create(&thread[started], NULL, work_on, &workers[started]) == 0) {
-        started++;
-    }
-    work_on(&workers[0]); /* the caller's own thread works too */
-    for (int i = 1; i < started; i++) pthread_join(thread[i], NULL);
-    if (started < threads && w->done == 0) {
-        return gough_fail(error, GOUGH_ERROR_FILE, "no thread could be started");
-    }
+    crew_work(workers, sizeof workers[0], threads, work_on);
     if (atomic_load(&w->stopped)) {
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                           "the batch was stopped after %zu of %zu "
@@ -259,7 +240,7 @@ gough_status gough_batch(const gough_motion *motion, const gough_simulation *sim
                          const gough_batch_options *options, gough_outcome *outcomes, void *memory,
                          gough_error *error) {
     const int widest = gough_batch_lanes(), lanes = options->lanes ? options->lanes : widest;
-    const int threads = threads_of(options);
+    const int threads = crew_threads(options->threads);
     gough_simulation own = *simulation;
     gough_status status;
     work w;

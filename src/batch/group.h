@@ -11,9 +11,6 @@
 #include "model/appointments.h"
 #include "simulate/fixed.h"
 
-/* the determinant is looked at each step while it is not this many times its change since the row before */
-static const double group_ease = 8;
-
 typedef struct {
     run r;
     appointments when; /* the same in all lanes */
@@ -344,7 +341,7 @@ static inline void group_row_due(group *g, const instant *m) {
     for (int i = 0; i < STATE; i++) g->last[i] = group_heard(g, g->at[g->now].y[i], g->last[i]);
     g->determinant = limits_pose(&g->r, m).determinant;
     const number slack = number_magnitude(g->determinant) -
-                         number_of(group_ease) * number_magnitude(g->determinant - before);
+                         number_of(determinant_ease) * number_magnitude(g->determinant - before);
     g->watchful = 0;
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         g->watchful |= g->going[i] && !(number_lane(slack, i) > 0);

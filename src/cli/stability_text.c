@@ -11,9 +11,6 @@ static const double DEGREES = 57.295779513082320877;
 static const double TENFOLD = 2.302585092994045684; /* log 10 */
 static const double TWO_PI = 6.283185307179586477;
 
-/* growth by no more than this counts as none, as in gough_rest and gough_floquet */
-static const double tolerance = 1e-7;
-
 /* real and imaginary parts of eigenvalues below this part of the largest are rounding */
 static const double rounding = 1e-12;
 
@@ -416,7 +413,7 @@ static void print_floquet_verdict(FILE *stream, const stability_report *report) 
                         "Unstable: a deviation in %s grows %.6g-fold in each period, tenfold in "
                         "%.4g%s.",
                         f->multiplier[0].mode.name, f->growth, tenfold, unit->time);
-    else if (f->growth < 1 - tolerance)
+    else if (f->growth < 1 - GOUGH_GROWTH_LIMIT)
         fprintf(stream,
                 "  Stable: every deviation dies out; the slowest falls to a tenth in %.4g%s.\n",
                 tenfold, unit->time);

@@ -42,12 +42,7 @@ typedef struct column_layout {
     int last; /* of the group's columns */
 } column_layout;
 
-/* Counts display columns: continuation bytes of UTF-8 take none. */
-static int display_width(const char *text) {
-    int width = 0;
-    for (; *text; text++) width += ((unsigned char)*text & 0xC0) != 0x80;
-    return width;
-}
+static int display_width(const char *text) { return (int)gough_character_count(text); }
 
 static int lay_out(const table_column *column, bool with_all, column_layout *layout) {
     int count = 0;

@@ -130,32 +130,7 @@ void remark(const char *verb, const char *format, ...) {
     va_end(list);
 }
 
-/* Levenshtein's distance of two short words, row by row. */
-static size_t distance(const char *a, const char *b) {
-    enum { LONGEST = 40 };
-    size_t row[LONGEST + 1], m = strlen(a), n = strlen(b);
-    if (m > LONGEST || n > LONGEST) return LONGEST;
-
-    for (size_t j = 0; j <= n; j++) row[j] = j;
-    for (size_t i = 1; i <= m; i++) {
-        size_t diagonal = row[0];
-        row[0] = i;
-        for (size_t j = 1; j <= n; j++) {
-            const size_t changed = diagonal + (a[i - 1] != b[j - 1]);
-            const size_t shorter = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
-            diagonal = row[j];
-            row[j] = changed < shorter ? changed : shorter;
-        }
-    }
-    return row[n];
-}
-
 const char *nearest_word(const char *word, const char *const *candidate, size_t count) {
-    const char *best = NULL;
-    size_t least = strlen(word) / 3 + 2; /* farther off, it is another word */
-    for (size_t i = 0; i < count; i++) {
-        const size_t d = distance(word, candidate[i]);
-        if (d < least) least = d, best = candidate[i];
-    }
-    return best;
+    const int nearest = gough_word_nearest(word, strlen(word), candidate, count);
+    return nearest < 0 ? NULL : candidate[nearest];
 }

@@ -2,6 +2,7 @@
 #define NUMBER_DOUBLE
 #include "gough/dynamics.h"
 
+#include "base/limits.h"
 #include "dynamics/forward.h"
 #include "dynamics/inverse.h"
 #include "dynamics/machine.h"
@@ -9,9 +10,6 @@
 #include "dynamics/rotation.h"
 #include "dynamics/valid.h"
 #include "kernel/law.h"
-
-/* beyond this condition the six equations are called singular: eight digits of the forces are then gone */
-static const double greatest_condition = 1e8;
 
 /* the machine, the coordinates and the legs of a public state */
 typedef struct {

@@ -151,31 +151,14 @@ static void skip_spaces(compiler *c) {
     while (c->at < c->length && is_space(c->text[c->at])) c->at++;
 }
 
-/* Bytes of the printable UTF-8 character, not ASCII, that text begins with; 0 if it begins with
- * none. */
-static size_t character_width(const char *text, size_t length) {
-    unsigned char b[4] = {0, 0, 0, 0};
-    memcpy(b, text, length < 4 ? length : 4);
-    const size_t width = b[0] >= 0xf0 ? 4 : b[0] >= 0xe0 ? 3 : 2;
-    if (b[0] < 0xc2 || b[0] > 0xf4 || width > length) return 0;
-    for (size_t i = 1; i < width; i++)
-        if ((b[i] & 0xc0) != 0x80) return 0;
-    /* control characters, overlong forms, surrogates, beyond Unicode */
-    if ((b[0] == 0xc2 && b[1] < 0xa0) || (b[0] == 0xe0 && b[1] < 0xa0) ||
-        (b[0] == 0xed && b[1] > 0x9f) || (b[0] == 0xf0 && b[1] < 0x90) ||
-        (b[0] == 0xf4 && b[1] > 0x8f))
-        return 0;
-    return width;
-}
-
 /* The character at c->at begins nothing that a formula may hold. */
 static gough_status unexpected(compiler *c) {
     const unsigned char byte = (unsigned char)c->text[c->at];
     if (byte > 0x20 && byte < 0x7f) return FAIL(c, c->at, "unexpected character '%c'", byte);
-    const size_t width = character_width(c->text + c->at, c->length - c->at);
-    if (width == 0) return FAIL(c, c->at, "unexpected byte 0x%02x", byte);
-    char shown[5] = "";
-    memcpy(shown, c->text + c->at, width);
+    char shown[GOUGH_SHOWN_CHARACTER];
+    if (gough_character_read(c->text + c->at, c->length - c->at, NULL) < 2)
+        return FAIL(c, c->at, "unexpected byte 0x%02x", byte);
+    (void)gough_character_show(c->text + c->at, c->length - c->at, shown);
     return FAIL(c, c->at, "unexpected character '%s': operators are + - * / ^", shown);
 }
 

@@ -22,7 +22,7 @@ static const double NO_DETERMINANT = 1e-10;
  * singular. */
 static const double CONDITION_SINGULAR = 1e15;
 
-#define FAIL(error, ...) gough_fail(error, GOUGH_ERROR_INPUT, __VA_ARGS__)
+#define FAIL(error, key, ...) gough_fail_key(error, GOUGH_ERROR_INPUT, key, __VA_ARGS__)
 
 static double distance(const double a[3], const double b[3]) {
     const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
@@ -45,31 +45,40 @@ static gough_status check_numbers(const gough_platform *p, const gough_load *loa
     for (int n = 0; n < GOUGH_LEGS; n++) {
         for (int a = 0; a < 3; a++) {
             if (!real_finite(p->base[n][a]))
-                return FAIL(error, "%c of base joint %d is not finite", AXIS[a], n + 1);
+                return FAIL(error, "platform.base", "%c of base joint %d is not finite", AXIS[a],
+                            n + 1);
             if (!real_finite(p->top[n][a]))
-                return FAIL(error, "%c of top joint %d is not finite", AXIS[a], n + 1);
+                return FAIL(error, "platform.top", "%c of top joint %d is not finite", AXIS[a],
+                            n + 1);
         }
     }
-    if (!real_finite(p->height)) return FAIL(error, "the platform's height is not finite");
+    if (!real_finite(p->height))
+        return FAIL(error, "platform.height", "the platform's height is not finite");
     if (!(real_finite(p->base_radius) && p->base_radius >= 0))
-        return FAIL(error, "the base radius must be positive and finite, not %g", p->base_radius);
+        return FAIL(error, "platform.base", "the base radius must be positive and finite, not %g",
+                    p->base_radius);
     if (!(p->length_min >= 0 && real_finite(p->length_min)))
-        return FAIL(error, "the least leg length must be 0 or positive, not %g", p->length_min);
+        return FAIL(error, "platform.legs.length",
+                    "the least leg length must be 0 or positive, not %g", p->length_min);
     if (!(p->length_max > p->length_min))
-        return FAIL(error, "the greatest leg length, %g, must exceed the least, %g", p->length_max,
+        return FAIL(error, "platform.legs.length",
+                    "the greatest leg length, %g, must exceed the least, %g", p->length_max,
                     p->length_min);
     if (!(p->speed_max > 0))
-        return FAIL(error, "the greatest leg speed must be positive, not %g", p->speed_max);
+        return FAIL(error, "platform.legs.max_speed",
+                    "the greatest leg speed must be positive, not %g", p->speed_max);
     if (!(p->force_max > 0))
-        return FAIL(error, "the greatest leg force must be positive, not %g", p->force_max);
+        return FAIL(error, "platform.legs.max_force",
+                    "the greatest leg force must be positive, not %g", p->force_max);
     if (!(load->mass > 0 && real_finite(load->mass)))
-        return FAIL(error, "the mass of the load must be positive and finite, not %g", load->mass);
+        return FAIL(error, "load.mass", "the mass of the load must be positive and finite, not %g",
+                    load->mass);
     if (!all_finite(load->center_of_mass, 3))
-        return FAIL(error, "the load's centre of mass is not finite");
+        return FAIL(error, "load.center_of_mass", "the load's centre of mass is not finite");
     if (!all_finite(load->inertia[0], 3) || !all_finite(load->inertia[1], 3) ||
         !all_finite(load->inertia[2], 3))
-        return FAIL(error, "the load's inertia is not finite");
-    if (!all_finite(gravity, 3)) return FAIL(error, "gravity is not finite");
+        return FAIL(error, "load.inertia", "the load's inertia is not finite");
+    if (!all_finite(gravity, 3)) return FAIL(error, "gravity", "gravity is not finite");
     return GOUGH_OK;
 }
 
@@ -121,21 +130,23 @@ static double magnitude_of(const double a[3]) {
 static gough_status check_joints(const gough_platform *p, gough_error *error) {
     const double span = mean_radius(p->base) + mean_radius(p->top);
     if (!real_finite(span))
-        return FAIL(error, "the joints are too far apart: their distances overflow");
-    if (on_a_line(p->base)) return FAIL(error, "all base joints lie on one line");
-    if (on_a_line(p->top)) return FAIL(error, "all top joints lie on one line");
+        return FAIL(error, "platform", "the joints are too far apart: their distances overflow");
+    if (on_a_line(p->base)) return FAIL(error, "platform.base", "all base joints lie on one line");
+    if (on_a_line(p->top)) return FAIL(error, "platform.top", "all top joints lie on one line");
     for (int m = 0; m < GOUGH_LEGS; m++) {
         for (int n = m + 1; n < GOUGH_LEGS; n++) {
             if (distance(p->base[m], p->base[n]) <= NO_DISTANCE * span &&
                 distance(p->top[m], p->top[n]) <= NO_DISTANCE * span)
-                return FAIL(error, "legs %d and %d share both joints: they may share one, not both",
-                            m + 1, n + 1);
+                return FAIL(error, "platform",
+                            "legs %d and %d share both joints: they may share one, not both", m + 1,
+                            n + 1);
         }
     }
     for (int n = 0; n < GOUGH_LEGS; n++) {
         const double top[3] = {p->top[n][0], p->top[n][1], p->top[n][2] + p->height};
         if (distance(top, p->base[n]) <= NO_DISTANCE * span)
-            return FAIL(error, "leg %d has zero length at home: its joints coincide", n + 1);
+            return FAIL(error, "platform.height",
+                        "leg %d has zero length at home: its joints coincide", n + 1);
     }
     return GOUGH_OK;
 }
@@ -152,7 +163,7 @@ static gough_status set_inertia(gough_machine *m, gough_error *error) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < i; j++) {
             if (fabs(J[i][j] - J[j][i]) > NO_DISTANCE * largest)
-                return FAIL(error,
+                return FAIL(error, "load.inertia",
                             "the inertia is not symmetric: row %d, column %d is %g, but row %d, "
                             "column %d is %g",
                             i + 1, j + 1, J[i][j], j + 1, i + 1, J[j][i]);
@@ -166,7 +177,7 @@ static gough_status set_inertia(gough_machine *m, gough_error *error) {
     const double greatest = fmax(moment[0], fmax(moment[1], moment[2]));
     for (int a = 0; a < 3; a++) {
         if (!(moment[a] > NO_MOMENT * greatest) || !real_finite(moment[a]))
-            return FAIL(error,
+            return FAIL(error, "load.inertia",
                         "no body has this inertia: its principal moments are %.6g, %.6g, %.6g, and "
                         "each must be positive",
                         moment[0], moment[1], moment[2]);
@@ -176,7 +187,7 @@ static gough_status set_inertia(gough_machine *m, gough_error *error) {
         m->second_moments[a] = (b - moment[a] + c) / 2;
         if (fabs(m->second_moments[a]) <= NO_MOMENT * greatest) m->second_moments[a] = 0;
         if (m->second_moments[a] < 0)
-            return FAIL(error,
+            return FAIL(error, "load.inertia",
                         "no body has this inertia: of its principal moments %.6g, %.6g, %.6g the "
                         "greatest exceeds the sum of the other two",
                         moment[0], moment[1], moment[2]);
@@ -250,7 +261,7 @@ static gough_status set_home(gough_machine *m, gough_error *error) {
     m->home_condition = condition < CONDITION_SINGULAR ? condition : INFINITY;
 
     if (singular_everywhere(&h, p->height, m->base_radius))
-        return FAIL(error,
+        return FAIL(error, "platform",
                     "the machine is singular in every pose, so its legs cannot hold the top: "
                     "this is so where base and top are similar hexagons on circles; "
                     "change the spacing of the joints of one of them");

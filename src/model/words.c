@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "gough/text.h"
 #include "model/program.h"
 
 static const gough_word_ WORDS[] = {
@@ -58,43 +59,14 @@ const gough_word_ *gough_word_of_(int code) {
     return NULL;
 }
 
-static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
-
-/* Fewest insertions, deletions and replacements that lead from a to b, capital letters counting
- * as small ones; b is at most NAME_MAX_LENGTH long. Row by row of the table of distances between
- * the beginnings of both. */
-static size_t edit_distance(const char *a, size_t a_length, const char *b, size_t b_length) {
-    size_t row[NAME_MAX_LENGTH + 1];
-    for (size_t j = 0; j <= b_length; j++) row[j] = j;
-    for (size_t i = 1; i <= a_length; i++) {
-        size_t diagonal = row[0];
-        row[0] = i;
-        for (size_t j = 1; j <= b_length; j++) {
-            const size_t replaced = diagonal + (lower(a[i - 1]) != lower(b[j - 1]));
-            const size_t shorter = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
-            diagonal = row[j];
-            row[j] = replaced < shorter ? replaced : shorter;
-        }
-    }
-    return row[b_length];
-}
-
 void gough_word_hint_(const char *name, size_t length, char hint[80]) {
-    const char *meant = NULL;
+    const char *names[WORD_COUNT], *meant = NULL;
     hint[0] = '\0';
     if (length > NAME_MAX_LENGTH) return;
 
-    /* half of the longer name may differ, but never all of it */
-    size_t least = 3;
-    for (int i = 0; i < WORD_COUNT; i++) {
-        const size_t word_length = strlen(WORDS[i].name);
-        const size_t distance = edit_distance(name, length, WORDS[i].name, word_length);
-        const size_t longer = length > word_length ? length : word_length;
-        if (distance < least && 2 * distance <= longer && distance < longer) {
-            least = distance;
-            meant = WORDS[i].name;
-        }
-    }
+    for (int i = 0; i < WORD_COUNT; i++) names[i] = WORDS[i].name;
+    const int nearest = gough_word_nearest(name, length, names, WORD_COUNT);
+    if (nearest >= 0) meant = names[nearest];
     for (size_t i = 0; i < sizeof ELSEWHERE / sizeof ELSEWHERE[0]; i++)
         if (equals(ELSEWHERE[i][0], name, length)) meant = ELSEWHERE[i][1];
     if (meant == NULL) return;

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "builder.h"
-#include "nearest.h"
+#include "gough/text.h"
 #include "palette.h"
 #include "ranges.h"
 
@@ -347,7 +347,8 @@ static void name_abscissa(builder *b, const char *name) {
 
 static void report_unknown_column(builder *b, const char *name) {
     const gough_table *table = b->tables[0];
-    const int near = nearest_name(name, (const char *const *)table->name, table->columns);
+    const int near =
+        gough_word_nearest(name, strlen(name), (const char *const *)table->name, table->columns);
     b->status = gough_fail(b->error, GOUGH_ERROR_INPUT, "no column '%.60s'%s%.60s%s", name,
                            near >= 0 ? "; did you mean " : "", near >= 0 ? table->name[near] : "",
                            near >= 0 ? "?" : "");
@@ -532,7 +533,7 @@ static int find_kind(builder *b, const char *name) {
         if (strcspn(kind_names[k], " ") == length && strncmp(kind_names[k], name, length) == 0)
             return k;
     }
-    const int near = nearest_name(name, kind_names, KINDS);
+    const int near = gough_word_nearest(name, strlen(name), kind_names, KINDS);
     const char *meant = near >= 0 ? kind_names[near] : "overview";
     b->status =
         gough_fail(b->error, GOUGH_ERROR_INPUT, "there is no kind of figure '%.60s'; %s %.*s", name,

@@ -1,6 +1,7 @@
 /* Pictures of stability maps: frame, abscissa, thresholds; the panels are in stability_plane.c (two axes) and stability_line.c. */
 #define _POSIX_C_SOURCE 200809L
 #include "stability.h"
+#include "gough/text.h"
 #include "ticks.h"
 
 #include <errno.h>
@@ -160,9 +161,9 @@ static int top_of_panel(const stability_pen *pen) {
     int longest = 0;
     for (int i = 0, next; rest && i < 6; i = next) {
         char text[GOUGH_MODE_NAME + 32];
-        int characters = 0;
+        int characters;
         next = name_threshold(rest, i, text);
-        for (const char *at = text; *at; at++) characters += ((unsigned char)*at & 0xC0) != 0x80;
+        characters = (int)gough_character_count(text);
         if (is_in_view(pen, rest->threshold[i].stiffness) && characters > longest)
             longest = characters;
     }

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gough/text.h"
 #include "stability.h"
 #include "ticks.h"
 
@@ -187,11 +188,7 @@ static bool is_free(const box *b, const box *placed, int count) {
     return true;
 }
 
-static int text_width(const char *text) {
-    int characters = 0;
-    for (; *text; text++) characters += ((unsigned char)*text & 0xC0) != 0x80;
-    return 7 * characters + 4;
-}
+static int text_width(const char *text) { return 7 * (int)gough_character_count(text) + 4; }
 
 /* Whether an interval lies in another tongue, where a name would be taken for that one's. */
 static bool lies_within(const field *f, size_t row, int number) {

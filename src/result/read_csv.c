@@ -103,24 +103,13 @@ static int read_cause(piece cell) {
     return -1;
 }
 
-/* Whether a name is well-formed UTF-8 (no overlong form, no surrogate) without control characters. */
+/* Whether a name is UTF-8 without control characters. */
 static bool is_clean_text(piece text) {
-    for (const unsigned char *at = (const unsigned char *)text.begin,
-                             *end = (const unsigned char *)text.end;
-         at < end;) {
-        const unsigned char lead = *at++;
-        if (lead < 0x80) {
-            if (lead < 0x20 || lead == 0x7f) return false;
-            continue;
-        }
-        const int more = lead >= 0xf0 ? 3 : lead >= 0xe0 ? 2 : 1;
-        if (lead < 0xc2 || lead > 0xf4 || end - at < more) return false;
-        if ((lead == 0xe0 && at[0] < 0xa0) || (lead == 0xed && at[0] > 0x9f) ||
-            (lead == 0xf0 && at[0] < 0x90) || (lead == 0xf4 && at[0] > 0x8f))
-            return false;
-        for (int i = 0; i < more; i++) {
-            if ((*at++ & 0xc0) != 0x80) return false;
-        }
+    unsigned code = 0;
+    for (const char *at = text.begin; at < text.end;) {
+        const size_t size = gough_character_read(at, (size_t)(text.end - at), &code);
+        if (size == 0 || code < 0x20 || code == 0x7f) return false;
+        at += size;
     }
     return true;
 }

@@ -7,7 +7,6 @@
 #include <errno.h>
 #include <math.h>
 #include <pthread.h>
-#include <sched.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
@@ -59,15 +58,6 @@ typedef struct hand {
 
 gough_sweep_options gough_sweep_options_default(void) {
     return (gough_sweep_options){.lanes = 0, .threads = 0};
-}
-
-static int threads_of(const gough_sweep_options *options) {
-    int threads = options->threads;
-    if (threads <= 0) {
-        cpu_set_t set;
-        threads = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-    }
-    return threads < 1 ? 1 : threads > MOST_THREADS ? MOST_THREADS : threads;
 }
 
 /* ---- the runs of a piece ----------------------------------------------------------------------------------------- */
@@ -345,7 +335,7 @@ static gough_status check_lanes(const gough_sweep_options *options, gough_error 
 
 gough_status gough_sweep_run(const gough_sweep *sweep, const gough_sweep_options *options,
                              gough_sweep_sink sink, void *context, gough_error *error) {
-    const int threads = threads_of(options);
+    const int threads = gough_batch_threads(options->threads);
     crew c = {.sweep = sweep,
               .options = options,
               .first = options->first ? options->first : 1,

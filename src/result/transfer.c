@@ -110,7 +110,7 @@ static _Noreturn void serve(int pipe, result_reader *read_table, const char *pat
     struct stat about;
     limit_child(stat(path, &about) == 0 ? (size_t)about.st_size : 0);
 
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     const gough_status status = read_table(path, table, &error);
     const bool good = put(pipe, &status, sizeof status) && put(pipe, &error, sizeof error) &&
                       (status != GOUGH_OK || put_table(pipe, table));
@@ -119,7 +119,7 @@ static _Noreturn void serve(int pipe, result_reader *read_table, const char *pat
 
 static gough_status receive(int pipe, const char *path, gough_table *table, gough_error *error) {
     gough_status status = GOUGH_ERROR_INPUT;
-    gough_error said = {GOUGH_OK, ""};
+    gough_error said = {.message = ""};
     const bool answered = get(pipe, &status, sizeof status) && get(pipe, &said, sizeof said);
     if (answered && status != GOUGH_OK) {
         said.message[sizeof said.message - 1] = '\0';

@@ -47,9 +47,6 @@ typedef struct {
 /* adaptive steps that a run may take: some minutes of work */
 static const long long drive_most_steps = 20000000;
 
-/* determinants that change by less than an eighth of themselves in a step do not pass zero within it */
-static const double drive_ease = 8;
-
 static inline void drive_project(const drive *d, number *y) {
     coordinates x, rate;
 
@@ -189,7 +186,7 @@ static inline void drive_remember(drive *d, const elimination *e) {
 /* Whether nothing can have happened within the step that is not seen at its ends: no limits of speed or force, lengths further
  * from their limits than the legs can go in a step, determinants far from zero */
 static inline int drive_comfortable(const drive *d, real program, const elimination *e) {
-    const real pose = e->determinant, ease = (real)drive_ease;
+    const real pose = e->determinant, ease = (real)determinant_ease;
 
     if (d->r.limited[1] || d->r.limited[2]) return 0;
     for (int v = 0; v < LEGS; v++) {

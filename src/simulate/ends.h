@@ -19,9 +19,6 @@ static inline void end_copy(gough_end *end, const gough_error *said) {
         end_copy(end, &said);                                                                      \
     } while (0)
 
-/* beyond this condition eight digits of the forces are gone */
-static const double greatest_condition = 1e8;
-
 /* signs of the determinants at the beginning: a run that changes them has passed a singular pose */
 typedef struct {
     real pose, program;

@@ -38,25 +38,28 @@ static bool positive(double x) { return x > 0 && isfinite(x); }
 
 static gough_status check_times(const gough_simulation *s, gough_error *error) {
     if (!positive(s->duration)) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.duration must be a finite number > 0, not %.9g", s->duration);
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.duration",
+                              "simulation.duration must be a finite number > 0, not %.9g",
+                              s->duration);
     }
     if (!positive(s->output_step)) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.output_step must be a finite number > 0, not %.9g",
-                          s->output_step);
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.output_step",
+                              "simulation.output_step must be a finite number > 0, not %.9g",
+                              s->output_step);
     }
     if (!(s->max_step >= 0) || !isfinite(s->max_step)) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.max_step must be a finite number > 0, or 0 for no limit, not "
-                          "%.9g",
-                          s->max_step);
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "simulation.max_step",
+            "simulation.max_step must be a finite number > 0, or 0 for no limit, not "
+            "%.9g",
+            s->max_step);
     }
     if (s->duration / s->output_step > most_rows) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.output_step %.9g makes more than 1e8 rows in %.9g; take a "
-                          "longer one",
-                          s->output_step, s->duration);
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "simulation.output_step",
+            "simulation.output_step %.9g makes more than 1e8 rows in %.9g; take a "
+            "longer one",
+            s->output_step, s->duration);
     }
     return GOUGH_OK;
 }
@@ -65,27 +68,29 @@ static gough_status check_step(const gough_simulation *s, gough_error *error) {
     const double ratio = s->output_step / s->step;
 
     if (s->max_step > 0 && s->step > s->max_step * (1 + division_slack)) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.step %.9g is longer than simulation.max_step %.9g", s->step,
-                          s->max_step);
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.step",
+                              "simulation.step %.9g is longer than simulation.max_step %.9g",
+                              s->step, s->max_step);
     }
 
     if (!positive(s->step)) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.step must be a finite number > 0 for the method %s",
-                          gough_method_name((int)s->method));
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.step",
+                              "simulation.step must be a finite number > 0 for the method %s",
+                              gough_method_name((int)s->method));
     }
     if (ratio < 1 - division_slack || fabs(ratio - round(ratio)) > division_slack * ratio) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.step %.9g does not divide simulation.output_step %.9g; the "
-                          "nearest that does is %.17g",
-                          s->step, s->output_step, s->output_step / fmax(1, round(ratio)));
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "simulation.step",
+            "simulation.step %.9g does not divide simulation.output_step %.9g; the "
+            "nearest that does is %.17g",
+            s->step, s->output_step, s->output_step / fmax(1, round(ratio)));
     }
     if (!(s->duration / s->step <= most_steps)) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.step %.9g makes more than 1e12 steps in %.9g; take a longer "
-                          "one",
-                          s->step, s->duration);
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "simulation.step",
+            "simulation.step %.9g makes more than 1e12 steps in %.9g; take a longer "
+            "one",
+            s->step, s->duration);
     }
     return GOUGH_OK;
 }
@@ -94,11 +99,11 @@ static gough_status check_tolerance(const gough_simulation *s, gough_error *erro
     const double least = s->precision == GOUGH_QUADRUPLE ? 1e-30 : 1e-15;
 
     if (!(s->tolerance >= least && s->tolerance <= 0.1)) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.tolerance must lie between %g and 0.1 in %s precision, not "
-                          "%.9g",
-                          least, s->precision == GOUGH_QUADRUPLE ? "quadruple" : "double",
-                          s->tolerance);
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "simulation.tolerance",
+            "simulation.tolerance must lie between %g and 0.1 in %s precision, not "
+            "%.9g",
+            least, s->precision == GOUGH_QUADRUPLE ? "quadruple" : "double", s->tolerance);
     }
     return GOUGH_OK;
 }
@@ -107,16 +112,17 @@ static gough_status check_constraints(const gough_simulation *s, gough_error *er
     if (s->constraints != GOUGH_BAUMGARTE) return GOUGH_OK;
     for (int i = 0; i < 2; i++) {
         if (!(s->baumgarte[i] >= 0) || !isfinite(s->baumgarte[i])) {
-            return gough_fail(error, GOUGH_ERROR_INPUT,
-                              "simulation.constraints.baumgarte takes two finite numbers >= 0, "
-                              "alpha and beta");
+            return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.constraints",
+                                  "simulation.constraints.baumgarte takes two finite numbers >= 0, "
+                                  "alpha and beta");
         }
     }
     if (s->method >= GOUGH_RATTLE2) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.constraints: the method %s keeps the constraints by "
-                          "construction and takes no Baumgarte terms; use dop853 or rk4 with them",
-                          gough_method_name((int)s->method));
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "simulation.constraints",
+            "simulation.constraints: the method %s keeps the constraints by "
+            "construction and takes no Baumgarte terms; use dop853 or rk4 with them",
+            gough_method_name((int)s->method));
     }
     return GOUGH_OK;
 }
@@ -131,10 +137,11 @@ static gough_status check_samples(const gough_motion *motion, const gough_simula
     last = samples->time[samples->count - 1];
     if (motion->scaled) first /= motion->frequency, last /= motion->frequency;
     if (first > 0 || last < s->duration * (1 - division_slack)) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.duration: the run from 0 to %.9g goes beyond the recorded "
-                          "motion, which is given from %.9g to %.9g",
-                          s->duration, first, last);
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "simulation.duration",
+            "simulation.duration: the run from 0 to %.9g goes beyond the recorded "
+            "motion, which is given from %.9g to %.9g",
+            s->duration, first, last);
     }
     return GOUGH_OK;
 }
@@ -145,10 +152,11 @@ gough_status gough_simulation_check(const gough_model *model, const gough_simula
     const bool noisy = noise->leg_force > 0 || noise->force > 0 || noise->moment > 0;
 
     if (noisy && !(simulation->duration / noise->interval <= most_knots)) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "disturbance.noise.interval %.9g makes more than 1e12 knots in a run of "
-                          "%.9g; take a longer one",
-                          noise->interval, simulation->duration);
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "disturbance.noise.interval",
+            "disturbance.noise.interval %.9g makes more than 1e12 knots in a run of "
+            "%.9g; take a longer one",
+            noise->interval, simulation->duration);
     }
     return simulate_check(&model->motion, simulation, error);
 }
@@ -160,20 +168,20 @@ gough_status simulate_check(const gough_motion *motion, const gough_simulation *
 
     if (status != GOUGH_OK) return status;
     if (gough_method_name((int)s->method) == NULL) {
-        return gough_fail(error, GOUGH_ERROR_INPUT, "simulation.method: %d is not a method",
-                          (int)s->method);
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.method",
+                              "simulation.method: %d is not a method", (int)s->method);
     }
     if (s->precision != GOUGH_DOUBLE && s->precision != GOUGH_QUADRUPLE) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.precision: %d is neither double nor quadruple precision",
-                          (int)s->precision);
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.precision",
+                              "simulation.precision: %d is neither double nor quadruple precision",
+                              (int)s->precision);
     }
     if (s->constraints != GOUGH_PROJECTION && s->constraints != GOUGH_NONE &&
         s->constraints != GOUGH_BAUMGARTE) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "simulation.constraints: %d is neither projection nor none nor "
-                          "Baumgarte's stabilisation",
-                          (int)s->constraints);
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.constraints",
+                              "simulation.constraints: %d is neither projection nor none nor "
+                              "Baumgarte's stabilisation",
+                              (int)s->constraints);
     }
     status = motion_check(motion, error);
     if (status != GOUGH_OK) return status;

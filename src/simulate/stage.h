@@ -3,6 +3,7 @@
 #ifndef GOUGH_SIMULATE_STAGE_H
 #define GOUGH_SIMULATE_STAGE_H
 
+#include "base/limits.h"
 #include "dynamics/forward.h"
 #include "dynamics/inverse.h"
 #include "dynamics/machine.h"
@@ -72,9 +73,6 @@ typedef struct run {
     int valid;
     stage_fault fault;
 } run;
-
-/* a shorter leg, in base radii, has no direction worth the name */
-static const double leg_no_length = 1e-9;
 
 /* gains, limits and disturbances of a lane */
 static inline void run_add_lane(run *r, int lane) {

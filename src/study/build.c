@@ -3,6 +3,7 @@
 #include "study/build.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "study/motion.h"
@@ -11,14 +12,6 @@
 static const double RADIANS = 3.14159265358979323846 / 180;
 
 static bool is_right(const study_node *node) { return !node || !node->wrong; }
-
-/* Says an error about the key `name` in `parent`, or about the parent where the key is not given. */
-static void say_at(study_build *build, study_node *parent, const char *name, const char *sentence) {
-    study_node *node = study_node_child(parent, name);
-    if (!node) node = parent;
-    study_node_say(build->messages, node, study_node_place(node, true), "%s",
-                   study_printable(build->messages->arena, sentence));
-}
 
 void study_numbers(const study_node *list, double *value) {
     for (const study_node *item = list ? list->first : NULL; item; item = item->next)
@@ -134,28 +127,21 @@ static bool read_inertia(study_build *build, study_node *node, double inertia[3]
     return true;
 }
 
-/* The word of a sentence that comes first, so that an error of the library finds the key that it is about. */
-static const char *first_word(const char *sentence, const char *const *words, size_t count) {
-    const char *first = NULL, *found = NULL;
-    for (size_t i = 0; i < count; i++) {
-        const size_t length = strlen(words[i]);
-        for (const char *at = strstr(sentence, words[i]); at; at = strstr(at + 1, words[i])) {
-            const bool inside =
-                (at > sentence && (at[-1] == '_' || (at[-1] | 32) >= 'a')) || at[length] == '_';
-            if (inside || (first && at >= first)) continue;
-            first = at;
-            found = words[i];
-        }
+/* an error of the library, at the key that it is about if the study has it, else at the nearest one around it */
+static void say_library(study_build *build, study_node *otherwise, const gough_error *error) {
+    const study_node *parent = build->root;
+    study_node *node = otherwise;
+    for (const char *at = error->key; at && *at;) {
+        char name[40];
+        const size_t length = strcspn(at, ".");
+        snprintf(name, sizeof name, "%.*s", (int)length, at);
+        study_node *child = study_node_child(parent, name);
+        if (!child) break;
+        parent = node = child;
+        at += length + (at[length] == '.');
     }
-    return found;
-}
-
-static void say_machine(study_build *build, study_node *platform, study_node *load,
-                        const char *sentence) {
-    static const char *const words[] = {"machine", "inertia", "mass", "height", "base", "top"};
-    const char *word = first_word(sentence, words, sizeof words / sizeof words[0]);
-    const bool of_load = word && (strcmp(word, "inertia") == 0 || strcmp(word, "mass") == 0);
-    say_at(build, of_load ? load : platform, word ? word : "", sentence);
+    study_node_say(build->messages, node, study_node_place(node, true), "%s",
+                   study_printable(build->messages->arena, error->message));
 }
 
 static bool build_machine(study_build *build) {
@@ -187,7 +173,7 @@ static bool build_machine(study_build *build) {
     gough_error error = {.message = ""};
     if (gough_machine_init(&build->study->model->machine, &made, &body, fall, &error) == GOUGH_OK)
         return true;
-    say_machine(build, platform, load, error.message);
+    say_library(build, platform, &error);
     return false;
 }
 
@@ -309,18 +295,13 @@ static void read_simulation(study_build *build, study_node *node) {
 }
 
 static void check_simulation(study_build *build, study_node *node) {
-    static const char *const words[] = {"duration",  "output_step", "max_step",    "step",
-                                        "tolerance", "baumgarte",   "constraints", "method"};
     gough_simulation run = build->study->simulation;
     gough_error error = {.message = ""};
     /* finer than double can give: for a run with --precision quad, and refused by any other */
     if (run.tolerance < 1e-15) run.precision = GOUGH_QUADRUPLE;
     if (gough_simulation_check(build->study->model, &run, &error) == GOUGH_OK) return;
-    const char *word = first_word(error.message, words, sizeof words / sizeof words[0]);
-    if (word && strcmp(word, "baumgarte") == 0) word = "constraints";
     study_node *about = node ? node : study_node_child(build->root, "motion");
-    if (!about) about = study_node_child(build->root, "platform");
-    say_at(build, about, word ? word : "", error.message);
+    say_library(build, about ? about : study_node_child(build->root, "platform"), &error);
 }
 
 void study_model_rebuild(study_build *build, unsigned parts) {

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "gough/text.h"
+
 #define NAME_MAPPING "mapping"
 #define NAME_MOVES "list of mappings"
 #define NAME_TEXT "text"
@@ -87,8 +89,6 @@ static const study_rule rules[] = {
 };
 #undef KEY
 
-enum { LONGEST_WORD = 40 };
-
 const gough_key *gough_study_keys(size_t *count) {
     if (count) *count = STUDY_RULES;
     return public_keys;
@@ -149,40 +149,7 @@ const study_rule *study_rule_find(const char *parent, const char *name) {
     return NULL;
 }
 
-static size_t least_of(size_t a, size_t b, size_t c) {
-    const size_t ab = a < b ? a : b;
-    return ab < c ? ab : c;
-}
-
-/* Letters to insert, delete, replace or swap with their neighbour to make one word of the other. */
-static size_t distance(const char *a, const char *b) {
-    const size_t m = strlen(a), n = strlen(b);
-    size_t before[LONGEST_WORD + 1], above[LONGEST_WORD + 1], row[LONGEST_WORD + 1];
-    if (m > LONGEST_WORD || n > LONGEST_WORD) return LONGEST_WORD;
-    for (size_t j = 0; j <= n; j++) above[j] = before[j] = j;
-    for (size_t i = 1; i <= m; i++) {
-        row[0] = i;
-        for (size_t j = 1; j <= n; j++) {
-            row[j] = least_of(above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] != b[j - 1]));
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                row[j] = least_of(row[j], row[j], before[j - 2] + 1);
-        }
-        memcpy(before, above, sizeof above);
-        memcpy(above, row, sizeof row);
-    }
-    return above[n];
-}
-
 const char *study_nearest(const char *word, const char *const *names, size_t count) {
-    const size_t length = strlen(word);
-    size_t nearest = length / 3 > 1 ? length / 3 + 1 : 2; /* farther is no misspelling */
-    const char *found = NULL;
-    for (size_t i = 0; i < count; i++) {
-        const size_t d = distance(word, names[i]);
-        if (d < nearest || (d == nearest && d < length && !found && length > 3)) {
-            nearest = d;
-            found = names[i];
-        }
-    }
-    return found;
+    const int nearest = gough_word_nearest(word, strlen(word), names, count);
+    return nearest < 0 ? NULL : names[nearest];
 }

@@ -24,23 +24,6 @@ enum {
     LONGEST_QUOTE = 40
 };
 
-size_t study_character(const char *text, size_t length, unsigned *code) {
-    const unsigned char *byte = (const unsigned char *)text;
-    static const unsigned least[] = {0, 0, 0x80, 0x800, 0x10000};
-    if (length == 0) return 0;
-    const unsigned lead = byte[0];
-    const size_t size = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-    if (size == 0 || lead > 0xF4 || size > length) return 0;
-    unsigned value = size == 1 ? lead : lead & (0x7FU >> size);
-    for (size_t i = 1; i < size; i++) {
-        if ((byte[i] & 0xC0U) != 0x80U) return 0;
-        value = value << 6 | (byte[i] & 0x3FU);
-    }
-    if (value < least[size] || value > 0x10FFFF || (value >= 0xD800 && value <= 0xDFFF)) return 0;
-    if (code) *code = value;
-    return size;
-}
-
 static const char *shown_text(study_arena *arena, const char *text, size_t length, size_t most) {
     size_t used = 0, at = 0, n = 0;
     char *copy = study_arena_take(arena, (most < length ? most : length) * GOUGH_SHOWN_CHARACTER +
@@ -107,7 +90,7 @@ static size_t mark_length(const study_source *source) {
 static size_t count_characters(const char *text, size_t length) {
     size_t count = 0;
     for (size_t at = 0; at < length; count++) {
-        const size_t size = study_character(text + at, length - at, NULL);
+        const size_t size = gough_character_read(text + at, length - at, NULL);
         at += size ? size : 1;
     }
     return count;

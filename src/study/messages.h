@@ -45,9 +45,6 @@ char *study_messages_write(const study_messages *messages);
 /* Line and column, from 1, of a place. */
 void study_place_find(study_place place, size_t *line, size_t *column);
 
-/* Length of the UTF-8 character at text, 0 if there is none (broken, overlong, surrogate, beyond U+10FFFF). */
-size_t study_character(const char *text, size_t length, unsigned *code);
-
 /* Text of the user for a sentence: at most 40 characters, in the form of gough_text_show(). */
 const char *study_quote(study_arena *arena, const char *text, size_t length);
 

@@ -1,6 +1,8 @@
 /* From a byte of a scalar's text to the character of the file that stands for it. */
 #include <string.h>
 
+#include "gough/text.h"
+
 #include "study/tree.h"
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -16,7 +18,7 @@ static size_t escape_length(const char *raw, size_t left) {
 static size_t raw_length(study_quoting quoting, const char *raw, size_t left) {
     if (quoting == STUDY_DOUBLE_QUOTED && raw[0] == '\\') return escape_length(raw, left);
     if (quoting == STUDY_SINGLE_QUOTED && raw[0] == '\'' && left > 1 && raw[1] == '\'') return 2;
-    const size_t size = study_character(raw, left, NULL);
+    const size_t size = gough_character_read(raw, left, NULL);
     return size ? size : 1;
 }
 
@@ -35,7 +37,8 @@ static size_t walk(const study_node *node, const char *raw, size_t size, size_t 
                  (is_blank(raw[at + 1]) || raw[at + 1] == 'n' || raw[at + 1] == 't'))))
             at += raw[at] == '\\' ? 2 : 1;
         if (at >= size) break;
-        const size_t character = study_character(node->text + value, node->length - value, NULL);
+        const size_t character =
+            gough_character_read(node->text + value, node->length - value, NULL);
         value += character ? character : 1;
         if (value > offset) return at;
         at += raw_length(node->quoting, raw + at, size - at);

@@ -11,6 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "gough/text.h"
+
 /* Reads until the end or one byte over the limit. */
 static char *read_all(int file, size_t most, size_t *length) {
     size_t capacity = 65536, used = 0;
@@ -161,7 +163,7 @@ bool study_source_guard(study_messages *messages, const study_source *source, si
     for (size_t at = begin; at < source->length;) {
         unsigned code = 0;
         const study_place place = {source, at};
-        const size_t size = study_character(source->text + at, source->length - at, &code);
+        const size_t size = gough_character_read(source->text + at, source->length - at, &code);
         if (!guard_character(messages, place, size, code)) return false;
         if (line_start && code == '%')
             return refuse(messages, place,

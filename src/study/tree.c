@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "gough/text.h"
+
 #include "study/comma.h"
 
 enum { DEEPEST = 12 };
@@ -276,7 +278,7 @@ static size_t offset_of_line(const builder *build, int line, int column) {
              !(at + 1 < source->length && source->text[at + 1] == '\n')))
             line--;
     for (; column > 1 && at < source->length && source->text[at] != '\n'; column--) {
-        const size_t size = study_character(source->text + at, source->length - at, NULL);
+        const size_t size = gough_character_read(source->text + at, source->length - at, NULL);
         at += size ? size : 1;
     }
     return at;

@@ -196,7 +196,7 @@ bool study_check_text(study_messages *messages, study_node *node, study_shape sh
     }
     unsigned code = 0;
     for (size_t at = 0, size; at < node->length; at += size ? size : 1) {
-        size = study_character(node->text + at, node->length - at, &code);
+        size = gough_character_read(node->text + at, node->length - at, &code);
         const bool blank = shape == SHAPE_TEXT && (code == '\n' || code == '\t');
         if (blank || (code >= 0x20 && code < 0x7F) || code >= 0xA0) continue;
         study_node_say(messages, node, study_scalar_place(node, at),

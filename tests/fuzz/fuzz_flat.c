@@ -49,7 +49,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     double *flat = malloc(count * sizeof(double) + 1);
     gough_model *model = malloc(sizeof *model);
     gough_simulation simulation;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     if (flat == NULL || model == NULL) abort();
     memcpy(flat, data, count * sizeof(double));
 

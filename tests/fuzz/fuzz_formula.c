@@ -14,7 +14,7 @@ static void require(int condition) {
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static const double TIMES[] = {0, 0.5, 1, -3, 1e300};
     gough_formula formula;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     size_t offset = 0;
     const gough_status status =
         gough_formula_compile(&formula, (const char *)data, size, &offset, &error);

@@ -12,7 +12,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     gough_table *table = calloc(1, sizeof *table);
     if (text == NULL || table == NULL) abort();
     memcpy(text, data, size);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     const gough_status status = result_read_csv("fuzz.csv", text, size, table, &error);
     if (status == GOUGH_OK && (table->columns == 0 || table->rows > size)) abort();
     if (status != GOUGH_OK && strncmp(error.message, "fuzz.csv:", 9) != 0) abort();

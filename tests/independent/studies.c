@@ -50,7 +50,7 @@ void general_disturbance(newton_real t, newton_real leg[6], newton_real *vertica
 static gough_formula sine(double size, double rate, double phase, const char *times) {
     char text[200];
     gough_formula f;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     sprintf(text, "%.17g*sin(%.17g*t + %.17g)%s", size, rate, phase, times);
     const gough_status status = gough_formula_compile(&f, text, strlen(text), NULL, &error);
     ck_assert_msg(status == GOUGH_OK, "%s: %s", text, error.message);
@@ -105,7 +105,7 @@ void general_study(gough_model *model, newton_euler *second, bool feedforward, d
     const gough_platform p = crooked_platform();
     const gough_load load = crooked_load();
     const double gravity[3] = {0.05, -0.02, -1};
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     const gough_status status = gough_machine_init(&model->machine, &p, &load, gravity, &error);
     ck_assert_msg(status == GOUGH_OK, "%s", error.message);
 

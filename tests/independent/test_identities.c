@@ -43,7 +43,7 @@ enum { RUN_COUNT = sizeof RUNS / sizeof RUNS[0] };
 
 static void simulate(int run) {
     gough_end end;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     general_study(&model, NULL, RUNS[run].feedforward, RUNS[run].stiffness, RUNS[run].damping);
     gough_simulation options = gough_simulation_default();
     options.duration = RUNS[run].duration;

@@ -57,7 +57,7 @@ static int compare_program(void *context, const gough_row *row) {
 START_TEST(program_forces_agree) {
     newton_euler second;
     gough_end end;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     general_study(&model, &second, true, 0, 0);
     comparison c = {.second = &second};
     const gough_simulation options = gough_simulation_default();
@@ -119,7 +119,7 @@ static const struct {
 START_TEST(simulated_motions_agree) {
     newton_euler second;
     gough_end end;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     general_study(&model, &second, RUNS[_i].feedforward, RUNS[_i].stiffness, RUNS[_i].damping);
     comparison c = {.second = &second};
     newton_euler_start(&second, c.state);
@@ -144,7 +144,7 @@ START_TEST(open_loop_ends_where_the_determinant_changes_sign) {
     newton_euler second;
     newton_real before[NEWTON_STATES], after[NEWTON_STATES];
     gough_end end;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     general_study(&model, &second, true, 0, 0);
     comparison c = {.second = &second};
     newton_euler_start(&second, c.state);

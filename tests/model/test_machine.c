@@ -20,7 +20,7 @@ static gough_platform plain_platform(void) {
 
 static gough_machine machine_of(const gough_platform *p, const gough_load *l) {
     gough_machine m;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     const gough_status status = gough_machine_init(&m, p, l, DOWN, &error);
     ck_assert_msg(status == GOUGH_OK, "%s", error.message);
     return m;
@@ -29,7 +29,7 @@ static gough_machine machine_of(const gough_platform *p, const gough_load *l) {
 static void refused(const gough_platform *p, const gough_load *l, const double gravity[3],
                     const char *sentence) {
     gough_machine m;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_machine_init(&m, p, l, gravity, &error) == GOUGH_ERROR_INPUT,
                   "accepted, for all that: %s", sentence);
     ck_assert_msg(strstr(error.message, sentence) != NULL, "%s", error.message);

@@ -99,7 +99,7 @@ static void record(size_t rows, const double *time, double (*f)(int component, d
             kept.value[i * GOUGH_COMPONENTS + (size_t)c] = f(c, time[i]);
     }
     ck_assert_uint_le(gough_samples_scratch(rows), sizeof kept.scratch / sizeof(double));
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_samples_prepare(&kept.motion.samples, kept.scratch, &error) == GOUGH_OK,
                   "%s", error.message);
 }
@@ -250,7 +250,7 @@ START_TEST(bad_samples_are_refused_with_their_row) {
     double value[4 * GOUGH_COMPONENTS] = {0}, curvature[4 * GOUGH_COMPONENTS], scratch[8];
     value[GOUGH_COMPONENTS + GOUGH_HEAVE] = BAD_SAMPLES[_i].value;
     const gough_samples samples = {BAD_SAMPLES[_i].rows, BAD_SAMPLES[_i].time, value, curvature};
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_int_eq(gough_samples_prepare(&samples, scratch, &error), GOUGH_ERROR_INPUT);
     ck_assert_msg(strstr(error.message, BAD_SAMPLES[_i].sentence) != NULL, "%s", error.message);
 }
@@ -357,7 +357,7 @@ END_TEST
 START_TEST(scaled_samples_are_rows_larger_and_later) {
     static double time[40], value[40 * GOUGH_COMPONENTS], curvature[40 * GOUGH_COMPONENTS];
     double scratch[80];
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     gough_motion written = {.kind = GOUGH_MOTION_SAMPLES, .samples = {40, time, value, curvature}};
     record_wave(40);
     for (int i = 0; i < 40; i++) time[i] = kept.time[i] * 2;

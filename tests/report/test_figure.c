@@ -62,7 +62,7 @@ static gough_table *gain_table(void) {
 
 static gough_status draw(const gough_figure *figure, const gough_table *table, const char *path,
                          gough_error *error) {
-    *error = (gough_error){GOUGH_OK, ""};
+    *error = (gough_error){.message = ""};
     return gough_figure_draw(figure, &table, NULL, 1, path, error);
 }
 
@@ -77,7 +77,7 @@ static char *svg_of(const gough_figure *figure, const gough_table *const *tables
     char folder[PATH_SIZE], path[PATH_SIZE];
     make_folder(folder);
     path_in(folder, "a.svg", path);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_figure_draw(figure, tables, labels, count, path, &error) == GOUGH_OK, "%s",
                   error.message);
     size_t length;

@@ -39,7 +39,7 @@ static char *draw(const gough_figure *figure, const gough_table *const *tables, 
     char folder[PATH_SIZE], path[PATH_SIZE];
     make_folder(folder);
     path_in(folder, "a.svg", path);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_figure_draw(figure, tables, NULL, count, path, &error) == GOUGH_OK, "%s",
                   error.message);
     size_t length;
@@ -54,7 +54,7 @@ static void expect_refused(const gough_figure *figure, const gough_table *const 
     char folder[PATH_SIZE], path[PATH_SIZE];
     make_folder(folder);
     path_in(folder, "a.svg", path);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_int_eq(gough_figure_draw(figure, tables, NULL, count, path, &error),
                      GOUGH_ERROR_INPUT);
     ck_assert_msg(strstr(error.message, sentence) != NULL, "%s", error.message);

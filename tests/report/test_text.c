@@ -1,7 +1,6 @@
 /* Text on figures: what can stand between gnuplot's single quotes, and units with prefixes. */
 #include <string.h>
 
-#include "report/nearest.h"
 #include "report/sheet.h"
 #include "support/suite.h"
 
@@ -76,20 +75,9 @@ START_TEST(units_take_prefixes_and_superscripts) {
 }
 END_TEST
 
-START_TEST(the_nearest_name_is_found_and_no_far_one) {
-    static const char *const names[] = {"forces — leg forces", "lengths", "f1", "f2"};
-    ck_assert_int_eq(nearest_name("force", names, 4), 0);
-    ck_assert_int_eq(nearest_name("lenghts", names, 4), 1);
-    ck_assert_int_eq(nearest_name("f11", names, 4), 2);
-    ck_assert_int_eq(nearest_name("nothing", names, 4), -1);
-    ck_assert_int_eq(
-        nearest_name("a text that is far longer than any name in any table of all", names, 4), -1);
-}
-END_TEST
-
 int main(void) {
-    return SUITE_RUN(
-        "report/text", 10, no_quote_is_left, line_ends_and_control_characters_are_replaced,
-        broken_utf8_is_replaced_and_sound_utf8_kept, long_text_is_cut_at_a_character,
-        units_take_prefixes_and_superscripts, the_nearest_name_is_found_and_no_far_one);
+    return SUITE_RUN("report/text", 10, no_quote_is_left,
+                     line_ends_and_control_characters_are_replaced,
+                     broken_utf8_is_replaced_and_sound_utf8_kept, long_text_is_cut_at_a_character,
+                     units_take_prefixes_and_superscripts);
 }

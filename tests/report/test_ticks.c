@@ -23,7 +23,7 @@ static char *svg_of(const gough_figure *figure, const gough_table *table) {
     char folder[PATH_SIZE], path[PATH_SIZE];
     make_folder(folder);
     path_in(folder, "a.svg", path);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_figure_draw(figure, &table, NULL, 1, path, &error) == GOUGH_OK, "%s",
                   error.message);
     size_t length;

@@ -65,7 +65,7 @@ static const gough_units own_units = {false, 1.0, 1.0, 1.0};
 static inline void write_by_hand(const char *path, size_t rows) {
     gough_study *study = study_by_hand("by hand", true);
     gough_result *result = result_by_hand(study, "simulate", rows, &own_units);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_result_write(result, path, &error) == GOUGH_OK, "%s", error.message);
     gough_result_free(result);
     free_study_by_hand(study);

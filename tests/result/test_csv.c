@@ -66,7 +66,7 @@ START_TEST(numbers_read_back_bit_for_bit) {
     make_folder(folder);
     write_by_hand(path_in(folder, "a.csv", path), 77);
     gough_table *table = NULL;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_table_read(path, &table, &error) == GOUGH_OK, "%s", error.message);
     ck_assert_uint_eq(table->rows, 77);
     ck_assert_uint_eq(table->columns, GOUGH_COLUMNS);
@@ -96,7 +96,7 @@ START_TEST(a_comma_locale_changes_no_byte) {
     free(other);
 
     gough_table *table = NULL;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_table_read(within, &table, &error) == GOUGH_OK, "%s", error.message);
     ck_assert(same_bits(gough_table_column(table, "t")[3], 0.375));
     gough_table_free(table);

@@ -12,7 +12,7 @@ START_TEST(numbers_and_attributes_come_back) {
     path_in(folder, "a.h5", path);
     gough_study *study = study_by_hand("Größe “quoted” `and` $(more)", true);
     gough_result *result = result_by_hand(study, "simulate", 321, &own_units);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_result_write(result, path, &error) == GOUGH_OK, "%s", error.message);
 
     gough_table *table = NULL;
@@ -64,7 +64,7 @@ START_TEST(a_table_without_rows_is_a_table) {
     for (int i = 0; i < 2; i++) {
         write_by_hand(path_in(folder, names[i], path), 0);
         gough_table *table = NULL;
-        gough_error error = {GOUGH_OK, ""};
+        gough_error error = {.message = ""};
         ck_assert_msg(gough_table_read(path, &table, &error) == GOUGH_OK, "%s", error.message);
         ck_assert_uint_eq(table->rows, 0);
         ck_assert_uint_eq(table->columns, GOUGH_COLUMNS);
@@ -86,7 +86,7 @@ START_TEST(a_long_study_is_kept_whole) {
     study->text[69999] = '!';
     study->text[70000] = '\0';
     gough_result *result = result_by_hand(study, "forces", 3, &own_units);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_result_write(result, path, &error) == GOUGH_OK, "%s", error.message);
     gough_table *table = NULL;
     ck_assert_msg(gough_table_read(path, &table, &error) == GOUGH_OK, "%s", error.message);
@@ -111,7 +111,7 @@ START_TEST(hdf5_is_told_by_its_content) {
     write_by_hand(path_in(folder, "a.h5", path), 5);
     ck_assert_int_eq(rename(path, path_in(folder, "a.csv", renamed)), 0);
     gough_table *table = NULL;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_table_read(renamed, &table, &error) == GOUGH_OK, "%s", error.message);
     ck_assert_str_eq(table->verb, "simulate");
     gough_table_free(table);
@@ -123,7 +123,7 @@ END_TEST
 static bool read_damaged(const char *path, const char *bytes, size_t length) {
     write_bytes(path, bytes, length);
     gough_table *table = NULL;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     const gough_status status = gough_table_read(path, &table, &error);
     if (status == GOUGH_OK) {
         ck_assert(table != NULL);

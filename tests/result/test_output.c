@@ -21,7 +21,7 @@ static void expect_text(const char *path, const char *text) {
 START_TEST(a_file_holds_what_was_written_and_nothing_stands_beside_it) {
     char folder[PATH_SIZE], path[PATH_SIZE];
     make_folder(folder);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     path_in(folder, "a.txt", path);
     ck_assert_msg(gough_write_file(path, "new\n", 4, &error) == GOUGH_OK, "%s", error.message);
     expect_text(path, "new\n");
@@ -40,7 +40,7 @@ START_TEST(a_file_holds_what_was_written_and_nothing_stands_beside_it) {
 END_TEST
 
 START_TEST(a_missing_folder_is_named) {
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_int_eq(gough_write_file("no/such/folder/a.csv", "x", 1, &error), GOUGH_ERROR_FILE);
     ck_assert_msg(strstr(error.message, "the folder no/such/folder does not exist") != NULL, "%s",
                   error.message);
@@ -50,7 +50,7 @@ END_TEST
 START_TEST(a_folder_is_no_file) {
     char folder[PATH_SIZE];
     make_folder(folder);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_int_eq(gough_write_file(folder, "x", 1, &error), GOUGH_ERROR_FILE);
     ck_assert(strstr(error.message, "folder") != NULL);
     ck_assert_int_eq(gough_write_file("", "x", 1, &error), GOUGH_ERROR_FILE);
@@ -68,7 +68,7 @@ START_TEST(a_full_device_is_an_error_and_stays_a_device) {
         ck_assert_int_eq(symlink("/dev/full", path_in(folder, names[i], path)), 0);
         gough_study *study = study_by_hand("", false);
         gough_result *result = result_by_hand(study, "forces", 2000, &own_units);
-        gough_error error = {GOUGH_OK, ""};
+        gough_error error = {.message = ""};
         ck_assert_int_eq(gough_result_write(result, path, &error), GOUGH_ERROR_FILE);
         ck_assert_msg(strstr(error.message, "No space left") != NULL, "%s", error.message);
         gough_result_free(result);
@@ -83,7 +83,7 @@ START_TEST(a_full_device_is_an_error_and_stays_a_device) {
 END_TEST
 
 START_TEST(the_null_device_takes_anything_and_stays) {
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_write_file("/dev/null", "x", 1, &error) == GOUGH_OK, "%s", error.message);
     struct stat about;
     ck_assert_int_eq(stat("/dev/null", &about), 0);
@@ -115,7 +115,7 @@ START_TEST(a_link_stays_a_link) {
     write_bytes(path_in(folder, "target", target), old_text, sizeof old_text - 1);
     chmod(target, 0640);
     ck_assert_int_eq(symlink("target", path_in(folder, "link", link)), 0);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_write_file(link, "new\n", 4, &error) == GOUGH_OK, "%s", error.message);
     struct stat about;
     ck_assert_int_eq(lstat(link, &about), 0);
@@ -139,7 +139,7 @@ static void expect_full_disk(const char *name, bool existed) {
     if (writer == 0) {
         signal(SIGXFSZ, SIG_IGN);
         setrlimit(RLIMIT_FSIZE, &(struct rlimit){100000, 100000});
-        gough_error error = {GOUGH_OK, ""};
+        gough_error error = {.message = ""};
         const gough_status status = gough_result_write(result, path, &error);
         _exit(status == GOUGH_ERROR_FILE && strstr(error.message, path) != NULL ? 0 : 1);
     }

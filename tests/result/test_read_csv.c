@@ -9,7 +9,7 @@
 static gough_status read_text(const char *text, size_t length, gough_table **table,
                               gough_error *error) {
     write_bytes("read.csv", text, length);
-    *error = (gough_error){GOUGH_OK, ""};
+    *error = (gough_error){.message = ""};
     const gough_status status = gough_table_read("read.csv", table, error);
     unlink("read.csv");
     return status;
@@ -154,7 +154,7 @@ START_TEST(a_stream_is_read_too) {
     close(ends[1]);
     snprintf(path, sizeof path, "/dev/fd/%d", ends[0]);
     gough_table *table = NULL;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_table_read(path, &table, &error) == GOUGH_OK, "%s", error.message);
     ck_assert_uint_eq(table->rows, 1);
     gough_table_free(table);

@@ -30,7 +30,7 @@ static gough_status run_into(const char *path, size_t shard, size_t shards,
     gough_sweep_options options = gough_sweep_options_default();
     const gough_sweep_output output = {.path = path, .shard = shard, .shards = shards};
     options.threads = 1;
-    *error = (gough_error){GOUGH_OK, ""};
+    *error = (gough_error){.message = ""};
     const gough_status status = gough_sweep_write(sweep, &options, &output, summary, error);
     gough_sweep_free(sweep);
     return status;

@@ -54,7 +54,7 @@ static gough_status runs_out_of_time(const char *path, gough_table *table, gough
 
 START_TEST(a_table_comes_through) {
     gough_table *table = calloc(1, sizeof *table);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_int_eq(result_read_in_child(reads_well, "file", table, &error), GOUGH_OK);
     ck_assert_uint_eq(table->rows, 3);
     ck_assert_uint_eq(table->columns, 2);
@@ -70,7 +70,7 @@ END_TEST
 
 static void expect_message(result_reader *reader, const char *message) {
     gough_table *table = calloc(1, sizeof *table);
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_int_eq(result_read_in_child(reader, "file", table, &error), GOUGH_ERROR_INPUT);
     ck_assert_str_eq(error.message, message);
     gough_table_free(table);

@@ -16,7 +16,7 @@ static gough_table *row_of_ones(const gough_units *units) {
     const gough_end end = {.cause = GOUGH_END_DONE, .time = 20.0};
     gough_result_set_end(result, &end);
 
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     gough_table *table = NULL;
     ck_assert_msg(gough_result_write(result, path, &error) == GOUGH_OK, "%s", error.message);
     ck_assert_msg(gough_table_read(path, &table, &error) == GOUGH_OK, "%s", error.message);
@@ -143,7 +143,7 @@ START_TEST(no_dimensionless_form_without_gravity) {
     gough_study *study = study_by_hand("", false);
     study->model->machine.gravity_magnitude = 0.0;
     gough_units units;
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_int_eq(gough_units_of_study(study, true, &units, &error), GOUGH_ERROR_INPUT);
     ck_assert(strstr(error.message, "gravity") != NULL);
     ck_assert_int_eq(gough_units_of_study(study, false, &units, &error), GOUGH_OK);

@@ -79,7 +79,7 @@ START_TEST(messages_of_sweeps_are_the_same) {
             if (comma) use_comma_locale();
             const gough_status status =
                 gough_sweep_parse("study.yaml", text, strlen(text), NULL, 0, &sweep, &said[comma]);
-            gough_error error = {GOUGH_OK, ""};
+            gough_error error = {.message = ""};
             if (status == GOUGH_OK) { /* the sentence comes with the run */
                 gough_sweep_maker *maker = gough_sweep_maker_new(sweep);
                 const gough_study *study;

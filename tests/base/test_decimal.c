@@ -1,5 +1,7 @@
 /* Decimal numbers are read as the nearest double, whatever the locale: against strtod in the C
  * locale, which glibc rounds correctly, bit for bit. */
+#include "support/comma_locale.h"
+
 #include <check.h>
 #include <math.h>
 #include <stdbool.h>
@@ -8,7 +10,7 @@
 #include <string.h>
 
 #include "gough/text.h"
-#include "model/helpers.h"
+#include "support/xorshift.h"
 
 static void same_as_strtod(const char *text) {
     double read = -1;

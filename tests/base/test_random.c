@@ -65,6 +65,6 @@ START_TEST(normal_numbers_are_quantiles_to_all_digits) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("model/random", 60, the_reference_agrees_with_tables,
+    return SUITE_RUN("base/random", 60, the_reference_agrees_with_tables,
                      normal_numbers_are_quantiles_to_all_digits);
 }

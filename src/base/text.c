@@ -20,20 +20,28 @@ static bool is_hidden(unsigned code) {
     return false;
 }
 
-/* Bytes of the UTF-8 character at text and its code; 0 for bytes that are not a character: cut, overlong, a surrogate, beyond U+10FFFF. */
-static size_t decode(const char *text, size_t length, unsigned *code) {
+size_t gough_character_read(const char *text, size_t length, unsigned *code) {
     static const unsigned least[] = {0, 0, 0x80, 0x800, 0x10000};
+    if (length == 0) return 0;
     const unsigned lead = (unsigned char)text[0];
     const size_t size = lead < 0x80 ? 1 : lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
     if (size == 0 || lead > 0xf4 || size > length) return 0;
-    *code = size == 1 ? lead : lead & (0x7fu >> size);
+    unsigned value = size == 1 ? lead : lead & (0x7fu >> size);
     for (size_t i = 1; i < size; i++) {
         const unsigned byte = (unsigned char)text[i];
         if ((byte & 0xc0u) != 0x80u) return 0;
-        *code = *code << 6 | (byte & 0x3fu);
+        value = value << 6 | (byte & 0x3fu);
     }
-    const bool surrogate = *code >= 0xd800 && *code <= 0xdfff;
-    return *code < least[size] || *code > 0x10ffff || surrogate ? 0 : size;
+    const bool surrogate = value >= 0xd800 && value <= 0xdfff;
+    if (value < least[size] || value > 0x10ffff || surrogate) return 0;
+    if (code) *code = value;
+    return size;
+}
+
+size_t gough_character_count(const char *text) {
+    size_t count = 0;
+    for (; *text; text++) count += ((unsigned char)*text & 0xc0u) != 0x80u;
+    return count;
 }
 
 static void escape(char *shown, char letter, int digits, unsigned code) {
@@ -45,7 +53,7 @@ static void escape(char *shown, char letter, int digits, unsigned code) {
 
 size_t gough_character_show(const char *text, size_t length, char shown[GOUGH_SHOWN_CHARACTER]) {
     unsigned code = 0;
-    const size_t size = decode(text, length, &code);
+    const size_t size = gough_character_read(text, length, &code);
     if (size == 0) {
         escape(shown, 'x', 2, (unsigned char)text[0]);
         return 1;

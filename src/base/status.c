@@ -117,6 +117,19 @@ gough_status gough_fail(gough_error *error, gough_status status, const char *for
     if (error == NULL) return status;
     va_list arguments;
     error->status = status;
+    error->key = NULL;
+    va_start(arguments, format);
+    gough_sentence(error->message, sizeof error->message, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+gough_status gough_fail_key(gough_error *error, gough_status status, const char *key,
+                            const char *format, ...) {
+    if (error == NULL) return status;
+    va_list arguments;
+    error->status = status;
+    error->key = key;
     va_start(arguments, format);
     gough_sentence(error->message, sizeof error->message, format, arguments);
     va_end(arguments);

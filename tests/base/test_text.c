@@ -78,7 +78,7 @@ START_TEST(a_text_that_does_not_fit_ends_before_a_whole_character) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("model/text", 60, printable_text_stays, controls_become_escapes,
+    return SUITE_RUN("base/text", 60, printable_text_stays, controls_become_escapes,
                      marks_of_direction_and_invisible_characters_become_escapes,
                      bytes_that_are_not_utf8_become_escapes, what_is_shown_is_printable_and_stays,
                      a_text_that_does_not_fit_ends_before_a_whole_character);

@@ -1,12 +1,14 @@
 /* Sentences for errors: complete, bounded, the same in every locale. */
+#include "support/comma_locale.h"
+
 #include <check.h>
 #include <math.h>
 #include <string.h>
 
-#include "model/helpers.h"
+#include "gough/status.h"
 
 START_TEST(sentences_are_formatted_like_printf) {
-    gough_error e = {GOUGH_OK, ""};
+    gough_error e = {.message = ""};
     ck_assert_int_eq(gough_fail(&e, GOUGH_ERROR_INPUT, "leg %d of %s: %.3g %% of %-6.2f|%5d|%c", 3,
                                 "six", 1.25, 0.5, -7, 'x'),
                      GOUGH_ERROR_INPUT);

@@ -1,0 +1,42 @@
+/* A crew: every member works once, each on what is its own, however many there are. */
+#include <stdatomic.h>
+#include <unistd.h>
+
+#include "base/crew.h"
+#include "support/suite.h"
+
+typedef struct {
+    atomic_int *sum;
+    int worked;
+} member;
+
+static void *work(void *context) {
+    member *m = context;
+    m->worked++;
+    atomic_fetch_add(m->sum, 1);
+    return NULL;
+}
+
+START_TEST(each_member_works_once) {
+    for (int count = 1; count <= 9; count += 4) {
+        member members[9] = {{NULL, 0}};
+        atomic_int sum;
+        atomic_init(&sum, 0);
+        for (int i = 0; i < count; i++) members[i].sum = &sum;
+        crew_work(members, sizeof members[0], count, work);
+        ck_assert_int_eq(atomic_load(&sum), count);
+        for (int i = 0; i < 9; i++) ck_assert_int_eq(members[i].worked, i < count);
+    }
+}
+END_TEST
+
+START_TEST(a_wish_has_bounds) {
+    ck_assert_int_eq(crew_threads(3), 3);
+    ck_assert_int_eq(crew_threads(1000000), CREW_MOST);
+    ck_assert_int_ge(crew_threads(0), 1);
+    ck_assert_int_le(crew_threads(0), (int)sysconf(_SC_NPROCESSORS_CONF));
+    ck_assert_int_eq(crew_threads(-5), crew_threads(0));
+}
+END_TEST
+
+int main(void) { return SUITE_RUN("base/crew", 60, each_member_works_once, a_wish_has_bounds); }
