@@ -9,7 +9,7 @@
 #include "simulate/vertex.h"
 
 /* columns of a look: of each leg |force|, |rate| and power, then the power that all legs deliver, the distance from the program
- * and the size of the turn between them */
+ * the size of the turn between them, and the largest |force|, |rate|, power and −power of any leg */
 enum {
     LOOKS_FORCE = 0,
     LOOKS_SPEED = LEGS,
@@ -17,13 +17,17 @@ enum {
     LOOKS_TOTAL = 3 * LEGS,
     LOOKS_DISTANCE,
     LOOKS_TURN,
+    LOOKS_MOST_FORCE,
+    LOOKS_MOST_SPEED,
+    LOOKS_MOST_POWER,
+    LOOKS_MOST_BRAKING,
     LOOKS_COLUMNS
 };
 _Static_assert((int)LOOKS_COLUMNS == (int)BATCH_LOOK, "a look, one lane of it");
 
-/* Peaks between looks are sought where a look comes so near to the largest: steps by which a peak exceeds its neighbours by more
- * than that are too long for any motion. */
-static const double looks_near = 0.05;
+/* Peaks between looks are sought where a look comes so near to the largest, besides by as much as neighbouring looks differ: one
+ * leg may have its peak between two looks at which another has more. */
+static const double looks_near = 0.005;
 
 typedef struct {
     double time[QUADRATURE_ROWS]; /* the last looks, the latest last */
@@ -35,10 +39,10 @@ typedef struct {
     number energy;
 } looks;
 
-/* an interval between two looks: its polynomial as quadrature_fit() makes it */
+/* an interval between two looks: its polynomial as quadrature_fit() makes it, once it is wanted */
 typedef struct {
     double c[QUADRATURE_ROWS][QUADRATURE_ROWS];
-    int count, a;
+    int count, a, fitted;
 } looks_interval;
 
 static inline void looks_begin(looks *l) {
@@ -68,7 +72,8 @@ static inline void looks_deviation(const coordinates *x, const coordinates *prog
 /* what is seen at one moment */
 static inline void looks_fill(const stage *s, const instant *m, vector center,
                               number look[LOOKS_COLUMNS]) {
-    number total = number_of(0);
+    number total = number_of(0), force = total, speed = total;
+    number power = number_of(-HUGE_VAL), braking = power;
 
     looks_deviation(&m->x, &s->x[0], center, look);
     for (int v = 0; v < LEGS; v++) {
@@ -77,8 +82,16 @@ static inline void looks_fill(const stage *s, const instant *m, vector center,
         look[LOOKS_SPEED + v] = number_magnitude(m->g.rate[v]);
         look[LOOKS_POWER + v] = p;
         total = total + p;
+        force = number_larger(force, look[LOOKS_FORCE + v]);
+        speed = number_larger(speed, look[LOOKS_SPEED + v]);
+        power = number_larger(power, p);
+        braking = number_larger(braking, -p);
     }
     look[LOOKS_TOTAL] = total;
+    look[LOOKS_MOST_FORCE] = force;
+    look[LOOKS_MOST_SPEED] = speed;
+    look[LOOKS_MOST_POWER] = power;
+    look[LOOKS_MOST_BRAKING] = braking;
 }
 
 static inline double looks_angle(double turn) {
@@ -104,15 +117,31 @@ static inline void looks_integrate(looks *l, number heard, const double weight[Q
     l->energy = number_select(number_greater(heard, number_of(0.5)), l->energy + sum, l->energy);
 }
 
-/* Raises a peak to those of some columns between look a and the next, where the larger of the two, `there`, is near the peak: in
+/* how high a quantity may be between look a and the next, judged by the looks at the largest of some columns */
+static inline number looks_reach(looks *l, int most, int count, int a) {
+    const number one = looks_back(l, QUADRATURE_ROWS - 1 - a)[most];
+    const number two = looks_back(l, QUADRATURE_ROWS - 2 - a)[most];
+    const number there = number_larger(one, two);
+    number reach = there + number_of(looks_near) * number_magnitude(there);
+
+    for (int i = QUADRATURE_ROWS - count; i + 1 < QUADRATURE_ROWS; i++) {
+        reach = reach + number_magnitude(looks_back(l, QUADRATURE_ROWS - 1 - i)[most] -
+                                         looks_back(l, QUADRATURE_ROWS - 2 - i)[most]);
+    }
+    return reach;
+}
+
+/* Raises a peak to those of some columns between look a and the next, where the largest of the columns, `most`, comes near to it: in
  * the lanes where that is so, whatever the others do */
-static inline void looks_peaks_of(looks *l, number heard, int column, int columns, number sign,
-                                  const looks_interval *f, number there, number *peak) {
-    const number reach = there + number_of(looks_near) * number_magnitude(there);
+static inline void looks_peaks_of(looks *l, number heard, int most, int column, int columns,
+                                  number sign, looks_interval *f, number *peak) {
+    const number reach = looks_reach(l, most, f->count, f->a);
     const number near = number_select(number_greater(reach, *peak), heard, number_of(0));
     number y[QUADRATURE_ROWS], s;
 
     if (!number_any(number_greater(near, number_of(0.5)))) return;
+    if (!f->fitted) quadrature_fit(l->time, f->count, f->a, f->c);
+    f->fitted = 1;
     for (int c = column; c < column + columns; c++) {
         for (int i = 0; i < QUADRATURE_ROWS; i++) {
             y[i] = sign * looks_back(l, QUADRATURE_ROWS - 1 - i)[c];
@@ -126,29 +155,15 @@ static inline void looks_peaks_of(looks *l, number heard, int column, int column
 
 /* peaks between look a and the next */
 static inline void looks_peaks(looks *l, number heard, int count, int a) {
-    const number *one = looks_back(l, QUADRATURE_ROWS - 1 - a);
-    const number *two = looks_back(l, QUADRATURE_ROWS - 2 - a), plus = number_of(1);
-    const number distance = number_larger(one[LOOKS_DISTANCE], two[LOOKS_DISTANCE]);
-    const number turn = number_larger(one[LOOKS_TURN], two[LOOKS_TURN]);
-    number force = number_of(0), speed = force, power = number_of(-HUGE_VAL), braking = power;
+    const number plus = number_of(1);
     looks_interval f = {.count = count, .a = a};
 
-    quadrature_fit(l->time, count, a, f.c);
-    for (int v = 0; v < LEGS; v++) {
-        for (int end = 0; end < 2; end++) {
-            const number *look = end ? two : one;
-            force = number_larger(force, look[LOOKS_FORCE + v]);
-            speed = number_larger(speed, look[LOOKS_SPEED + v]);
-            power = number_larger(power, look[LOOKS_POWER + v]);
-            braking = number_larger(braking, -look[LOOKS_POWER + v]);
-        }
-    }
-    looks_peaks_of(l, heard, LOOKS_FORCE, LEGS, plus, &f, force, &l->force);
-    looks_peaks_of(l, heard, LOOKS_SPEED, LEGS, plus, &f, speed, &l->speed);
-    looks_peaks_of(l, heard, LOOKS_POWER, LEGS, plus, &f, power, &l->power);
-    looks_peaks_of(l, heard, LOOKS_POWER, LEGS, -plus, &f, braking, &l->braking);
-    looks_peaks_of(l, heard, LOOKS_DISTANCE, 1, plus, &f, distance, &l->distance);
-    looks_peaks_of(l, heard, LOOKS_TURN, 1, plus, &f, turn, &l->turn);
+    looks_peaks_of(l, heard, LOOKS_MOST_FORCE, LOOKS_FORCE, LEGS, plus, &f, &l->force);
+    looks_peaks_of(l, heard, LOOKS_MOST_SPEED, LOOKS_SPEED, LEGS, plus, &f, &l->speed);
+    looks_peaks_of(l, heard, LOOKS_MOST_POWER, LOOKS_POWER, LEGS, plus, &f, &l->power);
+    looks_peaks_of(l, heard, LOOKS_MOST_BRAKING, LOOKS_POWER, LEGS, -plus, &f, &l->braking);
+    looks_peaks_of(l, heard, LOOKS_DISTANCE, LOOKS_DISTANCE, 1, plus, &f, &l->distance);
+    looks_peaks_of(l, heard, LOOKS_TURN, LOOKS_TURN, 1, plus, &f, &l->turn);
 }
 
 /* peaks and work between look a and the next, by the polynomial through the last `count` looks */
@@ -195,13 +210,10 @@ static inline void looks_take(looks *l, number heard, number drift, double t) {
     l->drift = looks_raise(heard, drift, l->drift);
     l->distance = looks_raise(heard, look[LOOKS_DISTANCE], l->distance);
     l->turn = looks_raise(heard, look[LOOKS_TURN], l->turn);
-    for (int v = 0; v < LEGS; v++) {
-        const number p = look[LOOKS_POWER + v];
-        l->force = looks_raise(heard, look[LOOKS_FORCE + v], l->force);
-        l->speed = looks_raise(heard, look[LOOKS_SPEED + v], l->speed);
-        l->power = looks_raise(heard, p, l->power);
-        l->braking = looks_raise(heard, -p, l->braking);
-    }
+    l->force = looks_raise(heard, look[LOOKS_MOST_FORCE], l->force);
+    l->speed = looks_raise(heard, look[LOOKS_MOST_SPEED], l->speed);
+    l->power = looks_raise(heard, look[LOOKS_MOST_POWER], l->power);
+    l->braking = looks_raise(heard, look[LOOKS_MOST_BRAKING], l->braking);
     if (l->count == QUADRATURE_ROWS) looks_sum_up(l, heard, QUADRATURE_ROWS, 0);
     if (l->count >= QUADRATURE_ROWS) looks_sum_up(l, heard, QUADRATURE_ROWS, 1);
 }

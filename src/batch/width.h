@@ -36,7 +36,7 @@ extern const struct batch_width batch_width_1, batch_width_2, batch_width_4, bat
 int batch_start(const batch_job *job, size_t run, double state[24], double side[2]);
 
 /* numbers of a look at a run (looks.h) */
-enum { BATCH_LOOK = 3 * GOUGH_LEGS + 3 };
+enum { BATCH_LOOK = 3 * GOUGH_LEGS + 7 };
 
 /* a step that may have broken something, as gough_simulate() would see it; side: signs of the determinants at the beginning */
 typedef struct {

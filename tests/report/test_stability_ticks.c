@@ -79,7 +79,7 @@ static char *draw(const hand_made *h) {
     path_in(folder, "a.svg", path);
     const gough_map_figure figure = {
         .title = "A map", .units = {.dimensionless = true, .length = 1, .mass = 1, .time = 1}};
-    gough_error error = {GOUGH_OK, ""};
+    gough_error error = {.message = ""};
     ck_assert_msg(gough_map_draw(&h->options, &h->map, &figure, path, &error) == GOUGH_OK, "%s",
                   error.message);
     size_t length;
