@@ -255,6 +255,7 @@ typedef struct gough_summary {
     double span_;                        /**< private: time since then */
     double between_[GOUGH_LEGS][3];      /**< private: lengths since the last row */
     double acceleration_;                /**< private: largest of a leg */
+    bool brief_;                         /**< private: no condition and no swings between rows */
 } gough_summary;
 
 /** An empty summary. */

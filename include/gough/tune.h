@@ -32,9 +32,12 @@ typedef struct gough_tuning_options {
      *  the least G known to meet the deviation (0: none yet), and `fails` the greatest below it known not to (NaN: none). */
     int (*progress)(void *context, double part);
     void *context; /**< passed to progress */
+    const char *length_unit;    /**< what follows a length in sentences, such as " m"; "": none */
+    const char *time_unit;      /**< what follows a time */
+    const char *stiffness_unit; /**< what follows a stiffness */
 } gough_tuning_options;
 
-/** A margin of 0.02, the model's damping, any angle; `deviation` is 0 and must be set. */
+/** A margin of 0.02, the model's damping, any angle, no units; `deviation` is 0 and must be set. */
 GOUGH_API gough_tuning_options gough_tuning_options_default(void);
 
 /** A point of the curve: deviation against G. */
@@ -50,8 +53,11 @@ typedef struct gough_tuning_point {
     double speed;              /**< largest |leg rate| */
     double
         growth; /**< largest |Floquet multiplier|; for a program without period e^{growth rate} at rest; NaN: not found */
-    bool stable;                /**< growth is at most 1 + 1e-7 */
-    bool regular;               /**< follows the trend, see gough_tuning.slope */
+    bool stable;  /**< growth is at most 1 + 1e-7 */
+    bool regular; /**< follows the trend, see gough_tuning.slope */
+    bool
+        small_steps; /**< run with fixed steps of at most a hundredth of the output step, which end at each corner
+                                     of program and disturbance; so is every point 100 times off the trend */
     char mode[GOUGH_MODE_NAME]; /**< the mode that grows fastest or decays slowest */
 } gough_tuning_point;
 
@@ -84,6 +90,7 @@ typedef struct gough_tuning_exception {
     double to;                        /**< greatest */
     gough_tuning_exception_kind kind; /**< why */
     gough_cause cause;                /**< of early ends; else GOUGH_END_DONE */
+    bool small_steps;                 /**< all of them were run with small steps */
     double worst;                     /**< largest ratio of deviation to trend; NaN: no trend */
     char mode[GOUGH_MODE_NAME];       /**< the mode that grows, if they are unstable; else "" */
 } gough_tuning_exception;

@@ -36,8 +36,13 @@ enum { MOST_LIFTS = 200, INSIDE = 3 };
 /* ---- what is asked ------------------------------------------------------------------------------------------------ */
 
 gough_tuning_options gough_tuning_options_default(void) {
-    return (gough_tuning_options){
-        .angle_deviation = INFINITY, .damping_ratio = NAN, .margin = 0.02, .greatest = INFINITY};
+    return (gough_tuning_options){.angle_deviation = INFINITY,
+                                  .damping_ratio = NAN,
+                                  .margin = 0.02,
+                                  .greatest = INFINITY,
+                                  .length_unit = "",
+                                  .time_unit = "",
+                                  .stiffness_unit = ""};
 }
 
 static gough_status check_options(const gough_tuning_options *o, gough_error *error) {
@@ -283,6 +288,7 @@ static gough_status prepare(tune *t, const gough_simulation *simulation, bool fe
     if (status == GOUGH_OK) status = find_range(t, error);
     if (status == GOUGH_OK) status = find_period(t, error);
     t->steady->control.feedforward = feedforward;
+    t->fine = status == GOUGH_OK && tune_is_stiff(t);
     return status;
 }
 
@@ -439,20 +445,34 @@ static gough_status go_on(tune *t, hunt *h, gough_error *error) {
 
 /* ---- the curve ---------------------------------------------------------------------------------------------------- */
 
+/* G of the curve's point i */
+static double place_of(const tune *t, size_t i) {
+    return t->least * pow(t->greatest / t->least, (double)i / (double)(t->whole - 1));
+}
+
+/* points of the next round: a decade, or up to where the curve is enough once a G is named */
+static size_t round_of(const tune *t) {
+    const gough_tuning *tuning = t->tuning;
+    const size_t left = t->last - tuning->points, most = left < TUNE_ROUND ? left : TUNE_ROUND;
+    size_t count = 1;
+
+    if (!(tuning->stiffness > 0)) return most;
+    while (count < most && place_of(t, tuning->points + count - 1) < beyond * tuning->stiffness)
+        count++;
+    return count;
+}
+
 static gough_status add_points(tune *t, gough_error *error) {
     gough_tuning *tuning = t->tuning;
     gough_tuning_point *point = &t->point[tuning->points];
-    const size_t left = t->last - tuning->points, count = left < TUNE_ROUND ? left : TUNE_ROUND;
+    const size_t count = round_of(t);
     const double before = tuning->points ? point[-1].stiffness : 0;
     tune_growth growth[TUNE_INTERVALS];
     double stiffness[TUNE_ROUND];
     size_t grown;
     gough_status status;
 
-    for (size_t i = 0; i < count; i++) {
-        const double place = (double)(tuning->points + i) / (double)(t->whole - 1);
-        stiffness[i] = t->least * pow(t->greatest / t->least, place);
-    }
+    for (size_t i = 0; i < count; i++) stiffness[i] = place_of(t, tuning->points + i);
     status = tune_evaluate(t, stiffness, count, point, error);
     if (status == GOUGH_OK)
         status = tune_growth_of(t, before, point, count, growth, TUNE_INTERVALS, &grown, error);

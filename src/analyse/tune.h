@@ -73,6 +73,10 @@ double tune_least_ratio(double matrix[GOUGH_LINEAR][GOUGH_LINEAR]);
 gough_status tune_evaluate(tune *t, const double *stiffness, size_t count,
                            gough_tuning_point *point, gough_error *error);
 
+/* Whether the stability of a fast decay would keep adaptive steps as short as the small fixed ones: those
+ * are then taken from the beginning, since they run in lanes. */
+bool tune_is_stiff(const tune *t);
+
 /* whether a run reached its end within what is asked */
 bool tune_meets(const tune *t, const gough_tuning_point *point);
 

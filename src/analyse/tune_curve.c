@@ -168,10 +168,15 @@ static void find_exceptions(tune *t) {
         if (follows) {
             last->to = p->stiffness;
             last->worst = fmax(last->worst, ratio);
+            last->small_steps &= p->small_steps;
             continue;
         }
-        found[count] = (gough_tuning_exception){
-            .from = p->stiffness, .to = p->stiffness, .kind = kind, .cause = cause, .worst = ratio};
+        found[count] = (gough_tuning_exception){.from = p->stiffness,
+                                                .to = p->stiffness,
+                                                .kind = kind,
+                                                .cause = cause,
+                                                .small_steps = p->small_steps,
+                                                .worst = ratio};
         snprintf(found[count].mode, sizeof found[count].mode, "%s", grows);
         count++;
     }
@@ -281,6 +286,7 @@ static const char *end_words(gough_cause cause) {
 
 static void say_ends(tune *t, gough_error *why) {
     const gough_tuning *tuning = t->tuning;
+    const gough_tuning_options *o = t->options;
     const gough_tuning_point *last = &t->point[tuning->points - 1];
     char leg[24] = "";
 
@@ -288,50 +294,55 @@ static void say_ends(tune *t, gough_error *why) {
     if (last->cause == GOUGH_END_INVALID)
         gough_fail(
             why, GOUGH_OK,
-            "home is unstable with every G up to %.6g, and damping cannot change that; search "
+            "home is unstable with every G up to %.6g%s, and damping cannot change that; search "
             "further with --stiffness",
-            last->stiffness);
+            last->stiffness, o->stiffness_unit);
     else
         gough_fail(
             why, GOUGH_OK,
-            "no run reaches its end: with G = %.6g, the greatest, it stops at t = %.6g because "
+            "no run reaches its end: with G = %.6g%s, the greatest, it stops at t = %.6g%s because "
             "%s%s; change the study's program, limits or initial state",
-            last->stiffness, last->end_time, end_words(last->cause), leg);
+            last->stiffness, o->stiffness_unit, last->end_time, o->time_unit,
+            end_words(last->cause), leg);
 }
 
 static void say_floor(const tune *t, const gough_tuning_point *best, gough_error *why) {
+    const gough_tuning_options *o = t->options;
     const bool damped = t->ratio ? t->options->damping_ratio > 0 : t->model->control.damping[0] > 0;
 
     if (!starts_off(&t->model->initial))
-        gough_fail(
-            why, GOUGH_OK,
-            "up to G = %.6g the least deviation is %.3g, at G = %.6g, and it hardly falls any more "
-            "there; search further with --stiffness, or look for a jump in the program",
-            t->point[t->tuning->points - 1].stiffness, best->position_deviation, best->stiffness);
+        gough_fail(why, GOUGH_OK,
+                   "up to G = %.6g%s the least deviation is %.3g%s, at G = %.6g%s, and it hardly "
+                   "falls any "
+                   "more there; search further with --stiffness, or look for a jump in the program",
+                   t->point[t->tuning->points - 1].stiffness, o->stiffness_unit,
+                   best->position_deviation, o->length_unit, best->stiffness, o->stiffness_unit);
     else if (damped)
         gough_fail(
             why, GOUGH_OK,
-            "the deviation does not fall with G, it stays at %.3g or more: the run starts off "
+            "the deviation does not fall with G, it stays at %.3g%s or more: the run starts off "
             "its program, and its first swing is as large with any G; start nearer, or allow a "
             "larger deviation",
-            best->position_deviation);
+            best->position_deviation, o->length_unit);
     else
         gough_fail(
             why, GOUGH_OK,
-            "the deviation does not fall with G, it stays at %.3g or more: the run starts off "
+            "the deviation does not fall with G, it stays at %.3g%s or more: the run starts off "
             "its program, and without damping that offset never dies out; start nearer, give "
             "--damping-ratio, or allow a larger deviation",
-            best->position_deviation);
+            best->position_deviation, o->length_unit);
 }
 
 static void say_far(const tune *t, const gough_tuning_point *best, double slope, gough_error *why) {
+    const gough_tuning_options *o = t->options;
     const double wanted =
         best->stiffness * pow(t->options->deviation / best->position_deviation, 1 / slope);
 
     gough_fail(why, GOUGH_OK,
-               "up to G = %.6g the least deviation is %.3g; it falls as G^%.2f, so that about "
-               "G = %.2g would be needed; %s",
-               t->point[t->tuning->points - 1].stiffness, best->position_deviation, slope, wanted,
+               "up to G = %.6g%s the least deviation is %.3g%s; it falls as G^%.2f, so that about "
+               "G = %.2g%s would be needed; %s",
+               t->point[t->tuning->points - 1].stiffness, o->stiffness_unit,
+               best->position_deviation, o->length_unit, slope, wanted, o->stiffness_unit,
                t->most_steps ? "a run with a larger G takes more than a million steps, so shorten "
                                "simulation.duration"
                              : "search further with --stiffness");
@@ -339,30 +350,31 @@ static void say_far(const tune *t, const gough_tuning_point *best, double slope,
 
 void tune_reason(tune *t) {
     gough_error sentence = {0}, *why = &sentence;
+    const gough_tuning_options *o = t->options;
     const gough_tuning_point *best = best_point(t), *where;
     const double offset = tune_initial_offset(t), slope = last_slope(t);
 
     if (offset > t->options->deviation)
         gough_fail(why, GOUGH_OK,
-                   "no feedback can do it: the run starts %.3g off the program, more than the "
+                   "no feedback can do it: the run starts %.3g%s off the program, more than the "
                    "deviation allowed; start nearer, or allow a larger deviation",
-                   offset);
+                   offset, o->length_unit);
     else if (!best)
         say_ends(t, why);
     else if (met_somewhere(t, &where))
         gough_fail(
             why, GOUGH_OK,
-            "the deviation is small enough from G = %.6g, but up to G = %.6g no G is %.3g %% away "
-            "from every range in which a mode (%s) grows, or a run with small steps does not "
+            "the deviation is small enough from G = %.6g%s, but up to G = %.6g%s no G is %.3g %% "
+            "away from every range in which a mode (%s) grows, or a run with small steps does not "
             "confirm it; allow a smaller --margin, or give --damping-ratio",
-            where->stiffness, t->point[t->tuning->points - 1].stiffness, 100 * t->options->margin,
-            where->mode[0] ? where->mode : "one of them");
+            where->stiffness, o->stiffness_unit, t->point[t->tuning->points - 1].stiffness,
+            o->stiffness_unit, 100 * o->margin, where->mode[0] ? where->mode : "one of them");
     else if (best->position_deviation <= t->options->deviation)
-        gough_fail(
-            why, GOUGH_OK,
-            "the position is within its limit with G = %.6g, but the angle is not: it deviates by "
-            "%.3g degrees",
-            best->stiffness, best->angle_deviation * 57.29577951308232);
+        gough_fail(why, GOUGH_OK,
+                   "the position is within its limit with G = %.6g%s, but the angle is not: it "
+                   "deviates by "
+                   "%.3g degrees",
+                   best->stiffness, o->stiffness_unit, best->angle_deviation * 57.29577951308232);
     else if (!(slope < flat))
         say_floor(t, best, why);
     else

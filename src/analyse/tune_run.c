@@ -17,6 +17,9 @@ static const double most_rows = 1e6;
 /* of the verdict on a G, or of a search that cannot do without */
 static const double most_small_steps = 2e6;
 
+/* small steps in an output step */
+static const double small_steps = 100;
+
 /* steps of the method of order 8 times the rate of a decay, well within its stability */
 static const double stable_step = 3;
 
@@ -40,16 +43,27 @@ static gough_simulation with_own_step(const tune *t, gough_simulation s, double 
     return s;
 }
 
+/* the longest step that the fastest decay, D times the square of the fastest mode at G = 1, leaves stable; INFINITY: D follows G */
+static double damped_step(const tune *t) {
+    double damping = 0;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) damping = fmax(damping, t->model->control.damping[v]);
+    if (t->ratio || !(damping > 0)) return INFINITY;
+    return stable_step / (damping * t->frequency * t->frequency);
+}
+
+bool tune_is_stiff(const tune *t) {
+    return !(t->simulation.step > 0) && damped_step(t) < t->simulation.output_step / small_steps;
+}
+
 /* Fixed steps of the method of order 8: a hundredth of the study's output step, less where the fastest mode or the damping asks for
  * it. */
 static gough_simulation with_small_steps(const tune *t, gough_simulation s, double stiffness) {
     const double rate = t->frequency * sqrt(stiffness);
-    double damping = 0, step, parts;
+    double step, parts;
 
-    for (int v = 0; v < GOUGH_LEGS; v++) damping = fmax(damping, t->model->control.damping[v]);
-    step = fmin(t->simulation.output_step / 100, turn_between_rows / rate);
-    if (damping > 0 && !t->ratio)
-        step = fmin(step, stable_step / (damping * t->frequency * t->frequency));
+    step = fmin(t->simulation.output_step / small_steps, turn_between_rows / rate);
+    step = fmin(step, damped_step(t));
     step = fmax(step, s.duration / most_small_steps);
     parts = ceil(s.output_step / step * (1 - 1e-12));
     s.method = GOUGH_DOP853;
@@ -57,12 +71,14 @@ static gough_simulation with_small_steps(const tune *t, gough_simulation s, doub
     return s;
 }
 
-/* the study's output times, and others between them */
-static gough_simulation simulation_for(const tune *t, double stiffness) {
+/* The study's output times, and others between them, which fixed steps need: their deviations are taken at rows. An adaptive run
+ * sums up the motion between its rows, and needs more of them only where the time of a peak is wanted. */
+static gough_simulation simulation_for(const tune *t, double stiffness, bool timed) {
     gough_simulation s = t->simulation;
     const double turn = t->frequency * sqrt(stiffness) * s.output_step;
     double parts = 1;
 
+    if (!t->fine && !(s.step > 0) && !timed) return s;
     while (turn / parts > turn_between_rows && s.duration / s.output_step * parts < most_rows)
         parts *= 2;
     s.output_step /= parts;
@@ -101,7 +117,7 @@ static int look(void *context, size_t done) {
 }
 
 static gough_status run_them(tune *t, double stiffness, size_t count, gough_error *error) {
-    const gough_simulation simulation = simulation_for(t, stiffness);
+    const gough_simulation simulation = simulation_for(t, stiffness, false);
     gough_status status;
 
     if (count == 0) return GOUGH_OK;
@@ -124,6 +140,7 @@ gough_status tune_evaluate(tune *t, const double *stiffness, size_t count,
         status = damping_for(t, stiffness[i], control->damping, error);
         point[i] = (gough_tuning_point){.stiffness = stiffness[i],
                                         .damping = control->damping[0],
+                                        .small_steps = t->fine,
                                         .cause = GOUGH_END_INVALID,
                                         .end_time = NAN,
                                         .position_deviation = NAN,
@@ -333,7 +350,7 @@ static void binding_leg(tune *t, const gough_summary *summary) {
 
 gough_status tune_detail(tune *t, gough_error *error) {
     gough_tuning *tuning = t->tuning;
-    gough_simulation simulation = simulation_for(t, tuning->stiffness);
+    gough_simulation simulation = simulation_for(t, tuning->stiffness, true);
     listener l = {.model = t->model, .position = -1, .angle = -1};
     gough_end end;
     gough_status status;

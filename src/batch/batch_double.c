@@ -43,6 +43,7 @@ static void listen_begin(listener *l, const batch_job *job, size_t which) {
     l->summed = 0;
     *l->outcome = (gough_outcome){.cause = GOUGH_END_DONE};
     gough_summary_begin(&l->summary);
+    l->summary.brief_ = true; /* an outcome has neither */
 }
 
 void batch_put_power(gough_outcome *outcome, double least, double greatest) {

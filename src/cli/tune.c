@@ -183,6 +183,13 @@ static int look(void *context, double part) {
     return 0;
 }
 
+/* The library's sentences have numbers in the study's own units. */
+static const unit_words *words_of_study(const gough_study *study) {
+    gough_units own = {.dimensionless = true};
+    (void)gough_units_of_study(study, false, &own, NULL);
+    return unit_words_of(&own);
+}
+
 static gough_status search(const command_line *line, tune_report *report, gough_error *error) {
     const gough_study *study = report->study;
     watch w = {.bar = progress_begin(line->verb, report->choices, line->quiet),
@@ -191,7 +198,11 @@ static gough_status search(const command_line *line, tune_report *report, gough_
                .all = report->choices,
                .fails = NAN};
     gough_tuning_options options = report->asked;
+    const unit_words *own = words_of_study(study);
     size_t bytes = 0;
+    options.length_unit = own->length;
+    options.time_unit = own->time;
+    options.stiffness_unit = own->stiffness;
     options.progress = look;
     options.context = &w;
     gough_status status = gough_tune_size(study->model, &options, &bytes, error);
@@ -230,23 +241,14 @@ static gough_tuning_options asked_of(const command_line *line) {
     return asked;
 }
 
-/* The library's sentences have numbers in the study's own units. */
-static const char *units_of_reason(const tune_report *report) {
-    gough_units own;
-    if (gough_units_of_study(report->study, false, &own, NULL) != GOUGH_OK) return "";
-    if (own.dimensionless) return "";
-    return " (lengths in m, times in s, G in N/m)";
-}
-
 /* Where none is found the reasons are on standard error, whatever else is printed. */
 static gough_status explain(const command_line *line, const tune_report *report) {
     gough_status status = GOUGH_OK;
     for (int c = 0; c < report->choices; c++) {
         const tune_choice *choice = &report->choice[c];
         if (choice->tuning.found) continue;
-        complain(line->verb, "%s: %s feed-forward: %s%s", report->study->name,
-                 choice->feedforward ? "with" : "without", choice->tuning.reason,
-                 units_of_reason(report));
+        complain(line->verb, "%s: %s feed-forward: %s", report->study->name,
+                 choice->feedforward ? "with" : "without", choice->tuning.reason);
         status = GOUGH_ERROR_NUMERICAL;
     }
     return status;

@@ -53,6 +53,7 @@ static json_t *exception_object(const gough_tuning_exception *e) {
                         e->kind == GOUGH_TUNING_ENDED ? json_string(gough_cause_name(e->cause))
                                                       : json_null());
     json_object_set_new(object, "ratio", json_number(e->worst));
+    json_object_set_new(object, "small_steps", json_boolean(e->small_steps));
     return object;
 }
 

@@ -122,6 +122,9 @@ static void print_legs(FILE *stream, const gough_tuning *tuning, const unit_word
                     speed);
 }
 
+/* so far off the trend a reader doubts the run */
+static const double far_off = 100;
+
 static void print_exception(FILE *stream, const gough_tuning_exception *e, const unit_words *unit) {
     if (e->to > e->from)
         fprintf(stream, "    G = %.6g to %.6g%s: ", e->from, e->to, unit->stiffness);
@@ -135,6 +138,9 @@ static void print_exception(FILE *stream, const gough_tuning_exception *e, const
         fprintf(stream, "the run ends early: %s", end_words(e->cause));
     else
         fprintf(stream, "%.3g times the trend", e->worst);
+    if (e->kind == GOUGH_TUNING_OFF_TREND && e->small_steps && fabs(log(e->worst)) > log(far_off))
+        fprintf(stream, ";\n      runs with small steps, which end at each corner of program and "
+                        "disturbance, confirm it");
     fputc('\n', stream);
 }
 

@@ -109,7 +109,7 @@ static inline void drive_look(drive *d, real t, const number *y) {
     if (summary == NULL) return;
     const stage *s = run_whole_stage(&d->r, t);
     run_instant(&d->r, t, y, &m);
-    row_fill(&d->r, s, t, &m, 1, d->drift, value);
+    row_fill(&d->r, s, t, &m, 1, !summary->brief_, d->drift, value);
     if (row_finite(&d->r, 1, value)) row_sum(value, summary, d->r.lane[0].machine, 0);
 }
 
@@ -122,7 +122,7 @@ static inline gough_status drive_row(drive *d, const number *y) {
 
     run_instant(&d->r, t, y, &m);
     if (d->r.fault.what) return limits_fault(&d->r, d->end);
-    row_fill(&d->r, s, t, &m, 1, d->drift, value);
+    row_fill(&d->r, s, t, &m, 1, 1, d->drift, value);
     if (!(value[GOUGH_CONDITION] <= (real)greatest_condition)) {
         limits_say_singular(0, (double)t, d->end);
         return GOUGH_ERROR_NUMERICAL;

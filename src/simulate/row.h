@@ -56,9 +56,10 @@ static inline void row_reactions(const run *r, const stage *s, const instant *m,
     body_reactions(&r->h.load, &m->x.q, &m->rate.q, &Q, value + GOUGH_RXX);
 }
 
-/* Fills a row. simulated: with deviation and drift, which the forces of a program do not have. */
+/* Fills a row. simulated: with deviation and drift, which the forces of a program do not have.
+ * conditioned: with the condition number, half of the work; else 0 stands there. */
 static inline void row_fill(const run *r, const stage *s, real t, const instant *m, int simulated,
-                            real drift, real value[GOUGH_COLUMNS]) {
+                            int conditioned, real drift, real value[GOUGH_COLUMNS]) {
     for (int c = 0; c < GOUGH_COLUMNS; c++) value[c] = (real)NAN;
     value[GOUGH_T] = t;
     row_pose(&r->h, &m->x, value, GOUGH_X, GOUGH_ROLL_ANGLE);
@@ -70,7 +71,7 @@ static inline void row_fill(const run *r, const stage *s, real t, const instant 
         value[GOUGH_F + v] = m->u[v];
         value[GOUGH_P + v] = m->u[v] * m->g.rate[v];
     }
-    value[GOUGH_CONDITION] = legs_condition(&r->h, &m->x, &m->g);
+    value[GOUGH_CONDITION] = conditioned ? legs_condition(&r->h, &m->x, &m->g) : 0;
     if (simulated) {
         row_deviation(r, s, value);
         value[GOUGH_DRIFT] = drift;

@@ -325,7 +325,7 @@ void gough_summary_look(gough_summary *summary, const gough_machine *machine, co
     }
     at_base = newest + LOOK_BASE;
     at_top = newest + LOOK_TOP;
-    if (!isnan(value[GOUGH_X])) find_swing(machine, value, at_base, at_top);
+    if (!summary->brief_ && !isnan(value[GOUGH_X])) find_swing(machine, value, at_base, at_top);
     newest[LOOK_CONDITION] = value[GOUGH_CONDITION];
     find_deviation(value, &newest[LOOK_POSITION], &angle);
     newest[LOOK_HALF] = sin(angle / 2);

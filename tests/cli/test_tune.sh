@@ -121,6 +121,15 @@ expect_code 1 "tune --json without a choice"
 [[ $(key '.choices[0].curve.exceptions[-1].cause') == leg_force ]] || fail "the exceptions lack the cause"
 [[ $(key '.choices[0].reason') == *"force exceeds its limit"* ]] || fail "JSON lacks the reason"
 
+# ---- damping that asks for short steps ------------------------------------------------------------------------------
+
+# fixed steps follow the program to round-off; adaptive ones, as short and one by one, would leave their tolerance of 1e-10
+"$GOUGH" example own-machine >own.yaml
+run tune own.yaml --deviation 1e-4 --feedforward program --stiffness 300:400 --set control.damping=20000 --json
+expect_code 0 "tune with a strong damping"
+less "$(key '.choices[0].deviation')" 1e-12 ||
+    fail "a strongly damped loop deviates by $(key '.choices[0].deviation'): its steps are not the small ones"
+
 # ---- refused -------------------------------------------------------------------------------------------------------
 
 refused() { # refused SENTENCE ARGUMENT…

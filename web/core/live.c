@@ -408,7 +408,7 @@ const double *live_row(void) {
 
     if (!live.begun) return NULL;
     run_instant(&d->r, d->t, d->y, &m);
-    row_fill(&d->r, run_stage(&d->r, d->t), d->t, &m, 1, d->drift, live.row);
+    row_fill(&d->r, run_stage(&d->r, d->t), d->t, &m, 1, 1, d->drift, live.row);
     live.seen = 1;
     return live.row;
 }
