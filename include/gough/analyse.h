@@ -133,7 +133,9 @@ typedef struct gough_floquet {
     double
         determinant_defect; /**< |det − 1| if D = 0, else |det / exp ∫tr A − 1|, Liouville's formula */
     double pair_defect; /**< largest |μ μ' − 1| over reciprocal pairs if D = 0; else NaN */
-    bool stable;        /**< no |μ| over 1 + 1e-7 */
+    int drifting; /**< how many deviations grow in proportion to time: multipliers 1 without an eigenvector of their own,
+                       (floquet-9) */
+    bool stable;  /**< no |μ| over 1 + 1e-7, and nothing drifts */
     size_t steps;       /**< number of integration steps in the period */
 } gough_floquet;
 

@@ -1,5 +1,6 @@
 /* Floquet multipliers of the loop about its periodic motion: the program where its forces are fed forward, else the motion that the
  * springs of the legs give. Theory: docs/theory/floquet.md. */
+#include <lapacke.h>
 #include <math.h>
 
 #include "analyse/mode.h"
@@ -10,6 +11,11 @@
 /* the steps' tolerance where none is given, and what double precision can be asked for */
 static const double usual_tolerance = 1e-13, least_tolerance = 1e-15, greatest_tolerance = 1e-3;
 
+
+/* error of the monodromy matrix, relative to its norm, in tolerances of the steps: hundreds of steps in 64 factors */
+static const double matrix_error = 100;
+
+enum { WORK = 34 * GOUGH_LINEAR };
 
 static gough_status check(const gough_period *period, double tolerance, gough_error *error) {
     if (period->resting)
@@ -57,6 +63,29 @@ static void fill_multipliers(const monodromy *m, const spectrum *s, gough_floque
         floquet->growth = fmax(floquet->growth, cabs(s->value[k]));
     }
     floquet->stable = floquet->growth <= 1 + GOUGH_GROWTH_LIMIT;
+}
+
+/* (floquet-9): multipliers within c of 1, less the singular values of M - 1 below c. An error of M of the relative size e moves
+ * the multipliers of a defective pair by up to the root of e times the norm of M, which is c. */
+static gough_status find_drift(const monodromy *m, const spectrum *s, gough_floquet *floquet,
+                               gough_error *error) {
+    double a[MONODROMY_SIZE], none[1], sigma[GOUGH_LINEAR], work[WORK], norm = 0;
+
+    monodromy_product(m, a);
+    for (int i = 0; i < MONODROMY_SIZE; i++) norm += a[i] * a[i];
+    for (int i = 0; i < GOUGH_LINEAR; i++) a[i * (GOUGH_LINEAR + 1)] -= 1;
+    if (LAPACKE_dgesvd_work(LAPACK_COL_MAJOR, 'N', 'N', GOUGH_LINEAR, GOUGH_LINEAR, a, GOUGH_LINEAR,
+                            sigma, none, 1, none, 1, work, WORK) != 0)
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "the deviations grow beyond the range of numbers within one period, so "
+                          "there are no multipliers");
+    const double near = sqrt(norm * matrix_error * fmax(m->tolerance, usual_tolerance));
+    floquet->drifting = 0;
+    for (int k = 0; k < GOUGH_LINEAR; k++)
+        floquet->drifting += (cabs(s->value[k] - 1) <= near) - (sigma[k] <= near);
+    if (floquet->drifting < 0) floquet->drifting = 0;
+    floquet->stable = floquet->stable && floquet->drifting == 0;
+    return GOUGH_OK;
 }
 
 /* (floquet-5): without damping the determinant is 1 and multipliers come in pairs; with it Liouville's formula is left */
@@ -111,5 +140,5 @@ gough_status gough_floquet_multipliers(const gough_model *model, const gough_per
     fill_matrix(&m, floquet);
     fill_multipliers(&m, &s, floquet);
     fill_defects(&m, &s, floquet);
-    return GOUGH_OK;
+    return find_drift(&m, &s, floquet, error);
 }

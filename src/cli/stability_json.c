@@ -95,6 +95,7 @@ static void set_program(json_t *object, const stability_report *report) {
     json_object_set_new(object, "determinant_defect",
                         json_number(is ? f->determinant_defect : NAN));
     json_object_set_new(object, "pair_defect", json_number(is ? f->pair_defect : NAN));
+    json_object_set_new(object, "drifting", is ? json_integer(f->drifting) : json_null());
 }
 
 json_t *stability_json(const stability_report *report, const stability_matrix *matrix) {

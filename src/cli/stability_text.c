@@ -404,11 +404,28 @@ static void print_floquet_checks(FILE *stream, const gough_floquet *f) {
                         f->determinant_defect, f->steps);
 }
 
+/* a drift and rounding together look like growth this slow */
+static const double near_one = 1e-4;
+
+static const gough_mode *nearest_one(const gough_floquet *f) {
+    int nearest = 0;
+    for (int i = 1; i < GOUGH_LINEAR; i++) {
+        const double *best = f->multiplier[nearest].value, *value = f->multiplier[i].value;
+        if (hypot(value[0] - 1, value[1]) < hypot(best[0] - 1, best[1])) nearest = i;
+    }
+    return &f->multiplier[nearest].mode;
+}
+
 static void print_floquet_verdict(FILE *stream, const stability_report *report) {
     const unit_words *unit = unit_words_of(&report->units);
     const gough_floquet *f = &report->floquet;
     const double tenfold = f->period * TENFOLD / fabs(log(f->growth));
-    if (!f->stable)
+    if (f->drifting > 0 && f->growth < 1 + near_one)
+        print_paragraph(stream, "  ", 2,
+                        "Unstable: a deviation in %s drifts, growing in proportion to time (a "
+                        "multiplier 1 without an eigenvector of its own).",
+                        nearest_one(f)->name);
+    else if (!f->stable)
         print_paragraph(stream, "  ", 2,
                         "Unstable: a deviation in %s grows %.6g-fold in each period, tenfold in "
                         "%.4g%s.",

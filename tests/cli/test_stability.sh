@@ -42,7 +42,7 @@ near "the trace" "$(jq .trace open.json)" -2 1e-13
 grep -q '^  Without feedback some mode always grows' <("$GOUGH" stability heave.yaml) || fail "the trace theorem is not told"
 
 # ---- JSON ----
-keys='["format","verb","title","pose","eigenvalues","modes","thresholds","growth_rate","trace","trace_theorem","asymmetry","drifts","decays","last","period","period_start","multipliers","multiplier_modes","growth_per_period","determinant","determinant_defect","pair_defect","stable"]'
+keys='["format","verb","title","pose","eigenvalues","modes","thresholds","growth_rate","trace","trace_theorem","asymmetry","drifts","decays","last","period","period_start","multipliers","multiplier_modes","growth_per_period","determinant","determinant_defect","pair_defect","drifting","stable"]'
 [[ $(jq -c keys_unsorted open.json) == "$keys" ]] || fail "keys $(jq -c keys_unsorted open.json)"
 jq -e '.verb == "stability" and .stable == false and ([.eigenvalues, .multipliers] | all(length == 12 and all(length == 2)))
     and (.modes | length) == 12 and .growth_rate == .eigenvalues[0][0]' open.json >/dev/null || fail "JSON: $(head -c 400 open.json)"
@@ -50,6 +50,19 @@ near "the period" "$(jq .period open.json)" 6.283185307179586 1e-12
 near "the determinant's defect" "$(jq .determinant_defect open.json)" 0 1e-9
 near "the pairs' defect" "$(jq .pair_defect open.json)" 0 1e-9
 near "growth per period" "$(jq '.growth_per_period - (.multipliers[0] | .[0] * .[0] + .[1] * .[1] | sqrt)' open.json)" 0 1e-9
+
+# ---- a drift along the program: nothing but momentum carries a weightless load ----
+free=(heave.yaml --set gravity=0 --set control.stiffness=0 --set control.damping=0)
+run stability "${free[@]}" --set 'motion.heave="1e-6*sin(t)"' --json
+jq -e '.stable == false and .drifting == 6 and .growth_per_period < 1.0001' out >/dev/null ||
+    fail "a weightless load drifts, but: $(jq -c '{stable, drifting, growth_per_period}' out)"
+grep -q 'drifts, growing in proportion to time' <("$GOUGH" stability "${free[@]}" --set 'motion.heave="1e-6*sin(t)"') ||
+    fail "the drift is not told"
+# with damping it stops, with springs it swings
+for held in control.damping=1 control.stiffness=5; do
+    run stability "${free[@]}" --set $held --set 'motion.heave="1e-6*sin(t)"' --json
+    jq -e '.stable and .drifting == 0' out >/dev/null || fail "$held: $(jq -c '{stable, drifting, growth_per_period}' out)"
+done
 
 # ---- along the program: the trace of heave's two multipliers ----
 while read -r G trace tolerance; do
