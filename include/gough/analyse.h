@@ -136,7 +136,7 @@ typedef struct gough_floquet {
     int drifting; /**< how many deviations grow in proportion to time: multipliers 1 without an eigenvector of their own,
                        (floquet-9) */
     bool stable;  /**< no |μ| over 1 + 1e-7, and nothing drifts */
-    size_t steps;       /**< number of integration steps in the period */
+    size_t steps; /**< number of integration steps in the period */
 } gough_floquet;
 
 /** Computes the multipliers over one period.

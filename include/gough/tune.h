@@ -31,7 +31,7 @@ typedef struct gough_tuning_options {
     /** Called occasionally with the part done, from 0 to 1; nonzero stops. May be NULL. Meanwhile `stiffness` of the result is
      *  the least G known to meet the deviation (0: none yet), and `fails` the greatest below it known not to (NaN: none). */
     int (*progress)(void *context, double part);
-    void *context; /**< passed to progress */
+    void *context;              /**< passed to progress */
     const char *length_unit;    /**< what follows a length in sentences, such as " m"; "": none */
     const char *time_unit;      /**< what follows a time */
     const char *stiffness_unit; /**< what follows a stiffness */
