@@ -131,8 +131,8 @@ static inline number looks_reach(looks *l, int most, int count, int a) {
     return reach;
 }
 
-/* Raises a peak to those of some columns between look a and the next, where the largest of the columns, `most`, comes near to it: in
- * the lanes where that is so, whatever the others do */
+/* Raises a peak to those of some columns between look a and the next, where the largest of the columns, `most`, comes near to
+ * it: in the lanes where that is so, whatever the others do */
 static inline void looks_peaks_of(looks *l, number heard, int most, int column, int columns,
                                   number sign, looks_interval *f, number *peak) {
     const number reach = looks_reach(l, most, f->count, f->a);

@@ -80,7 +80,7 @@ json tune-2.json tune own-machine.yaml --deviation 1e-4 --feedforward none --set
 hold '## tune' tune-1.json tune-2.json
 
 # the words for the end of a run are those of the library
-sed -n '/gough_cause_name/,/^}/s/.*return "\([a-z_]*\)";.*/\1/p' "$SOURCE/src/model/status.c" | grep -v unknown | sort >causes
+sed -n '/gough_cause_name/,/^}/s/.*return "\([a-z_]*\)";.*/\1/p' "$SOURCE/src/base/status.c" | grep -v unknown | sort >causes
 awk '/^\| word/ { inside = 1; next } /^## / { inside = 0 } inside' "$guide" | sed -n 's/^| \(`[^|]*\) |.*/\1/p' | grep -o '`[a-z_]*`' | tr -d '`' | sort >listed
 [[ $(wc -l <causes) -ge 11 ]] || fail "causes: $(tr '\n' ' ' <causes)"
 cmp -s causes listed || fail "words for the end of a run: $(diff causes listed | tr '\n' ' ')"
