@@ -8,7 +8,7 @@
 
 enum { N = GOUGH_LINEAR };
 
-/* Deviations are taken so often that the fastest mode turns by this angle in between: a peak is then missed by 2 % at most. */
+/* The fastest mode turns by this angle at most in a fixed step, so that a cubic through the ends of steps finds its peaks. */
 static const double turn_between_rows = 0.4;
 
 /* more rows than this are not taken, whatever the fastest mode */
@@ -71,8 +71,8 @@ static gough_simulation with_small_steps(const tune *t, gough_simulation s, doub
     return s;
 }
 
-/* The study's output times, and others between them, which fixed steps need: their deviations are taken at rows. An adaptive run
- * sums up the motion between its rows, and needs more of them only where the time of a peak is wanted. */
+/* The study's output times, and others between them where the time of a peak is wanted, since that is looked for in rows; fixed
+ * steps divide them. */
 static gough_simulation simulation_for(const tune *t, double stiffness, bool timed) {
     gough_simulation s = t->simulation;
     const double turn = t->frequency * sqrt(stiffness) * s.output_step;

@@ -42,6 +42,8 @@ interrupted() {
 for signal in INT TERM HUP; do
     interrupted $signal "gough simulate: stopped before the end; nothing was written" '' simulate own.yaml "${long[@]}" -o out/a.csv -o out/b.h5
     interrupted $signal "gough forces: stopped before the end; nothing was written" '' forces own.yaml "${long[@]}" -o out/a.csv
+    interrupted $signal "gough stability: stopped before the end; nothing was written" '' stability own.yaml --set 'motion={heave: 0.02*sin(9*t)}' \
+        --sweep-stiffness 100:50000:2001 --sweep-frequency 0.5:2:801 -o out/map.csv -o out/map.svg
     interrupted $signal "gough report: stopped before the end; nothing was written" '' report own.yaml "${long[@]}" -o out/a.html
 done
 
