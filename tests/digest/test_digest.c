@@ -100,6 +100,8 @@ static void hash_outcome(uint64_t *h, const gough_outcome *out) {
     hash_double(h, out->force);
     hash_double(h, out->speed);
     hash_double(h, out->power);
+    hash_double(h, out->power_least);
+    hash_double(h, out->power_greatest);
     hash_double(h, out->energy);
     hash_double(h, out->drift);
     hash_double(h, out->rows);
