@@ -81,7 +81,7 @@ set_target_properties(gough_analyse_shared PROPERTIES OUTPUT_NAME gough-analyse 
 set_target_properties(gough_files_shared PROPERTIES OUTPUT_NAME gough-files EXPORT_NAME files)
 foreach(library gough_shared gough_analyse_shared gough_files_shared)
     set_target_properties(${library} PROPERTIES
-        LINKER_LANGUAGE C VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+        LINKER_LANGUAGE C VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     target_include_directories(${library} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_link_options(${library} PRIVATE $<$<NOT:$<BOOL:${GOUGH_SANITIZE}>>:-Wl,--no-undefined>)
 endforeach()

@@ -9,7 +9,7 @@ file(MAKE_DIRECTORY ${GOUGH_PAGE_FOLDER})
 # and without wide registers nothing is made ready side by side.
 file(GLOB GOUGH_PAGE_CORE_SOURCES CONFIGURE_DEPENDS web/core/*.c
     src/base/*.c src/kernel/*.c src/model/*.c src/dynamics/*.c src/integrate/*.c src/simulate/*.c)
-list(FILTER GOUGH_PAGE_CORE_SOURCES EXCLUDE REGEX "(_quad|_complex|crew|(simulate_double|ahead)[^/]*)\\.c$")
+list(FILTER GOUGH_PAGE_CORE_SOURCES EXCLUDE REGEX "(_quad|_complex|crew|version|(simulate_double|ahead)[^/]*)\\.c$")
 file(GLOB GOUGH_PAGE_CORE_HEADERS CONFIGURE_DEPENDS web/core/*.h include/gough/*.h
     src/base/*.h src/kernel/*.h src/model/*.h src/dynamics/*.h src/integrate/*.h src/simulate/*.h)
 

@@ -17,6 +17,10 @@
 extern "C" {
 #endif
 
+/** Version of the library that is loaded, as in "0.1.0"; GOUGH_VERSION is that of the headers. Until 1.0 libraries of different
+ *  minor versions have different names, so that a program never runs with one that it was not built for. */
+GOUGH_API const char *gough_version(void);
+
 /** Status of a call. The values are the exit codes of the command. */
 typedef enum gough_status {
     GOUGH_OK = 0, /**< done */

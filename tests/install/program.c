@@ -2,6 +2,7 @@
 #include <gough/gough.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 int main(void) {
     const gough_platform platform = gough_platform_symmetric(1.0, 0.2, 0.6, 0.1, 1.0);
@@ -16,6 +17,7 @@ int main(void) {
     const gough_state home = gough_state_home(&machine);
     const gough_acceleration rest = {{0}, {0}};
     if (gough_inverse_dynamics(&machine, &home, &rest, NULL, force, NULL) != GOUGH_OK) return 1;
+    if (strcmp(gough_version(), GOUGH_VERSION) != 0) return 1;
     printf("%.12f\n", force[0] * 6.0 * machine.platform.height / machine.home_length[0]);
     return 0;
 }

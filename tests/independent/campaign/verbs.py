@@ -247,7 +247,8 @@ def summary_lines(meaning, units, simulated, title):
     text += [units_sentence(meaning, units),
              ("Motion under control and disturbance" if simulated else "Forces along the program") + ": {rows} rows, t = {first} to {last time}",
              "condition at most {condition .4}, at t = {condition_time time} (1 is best, 1e8 counts as singular)",
-             "legs massless here: their own weight and inertia come on top"]
+             "legs massless here: their own "
+             + ("weight and inertia come" if m.norm(meaning.machine.gravity) > 0 else "inertia comes") + " on top"]
     if limited:
         text.append("stroke {stroke length} available, from {stroke_low} to {stroke_high length}")
     if simulated:

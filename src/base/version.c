@@ -1,0 +1,6 @@
+/* The version of the library. */
+#include "gough/version.h"
+
+#include "gough/status.h"
+
+const char *gough_version(void) { return GOUGH_VERSION; }
