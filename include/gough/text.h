@@ -24,8 +24,8 @@ GOUGH_API size_t gough_decimal_read(const char *text, size_t length, double *val
 /** Reads one character of UTF-8.
  *  @param text,length  what is left of the text
  *  @param[out] code    of the character; may be NULL
- *  @return the bytes it takes; 0 if there are none, or they are not UTF-8: cut, overlong, a surrogate, beyond U+10FFFF. Safe to
- *  call concurrently. */
+ *  @return the number of bytes it takes; 0 if the text is empty or does not begin with valid UTF-8 (a character that is cut,
+ *  overlong, a surrogate or beyond U+10FFFF). Safe to call concurrently. */
 GOUGH_API size_t gough_character_read(const char *text, size_t length, unsigned *code);
 
 /** Characters of a terminated text. Bytes that are not UTF-8 count as one each where they could begin a character. */

@@ -1,5 +1,5 @@
 /* A group of runs side by side, one a lane: fixed steps, constraints kept, peaks of the motion,
- * each lane's own end. A lane that has ended goes on being computed, unheard. Text over the
+ * each lane's own end. A lane that has ended is still computed, but its results are ignored. Text over the
  * number type. */
 #ifndef GOUGH_BATCH_GROUP_H
 #define GOUGH_BATCH_GROUP_H

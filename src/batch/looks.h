@@ -5,8 +5,8 @@
 
 #include "batch/width.h"
 #include "simulate/limits.h"
+#include "simulate/peak.h"
 #include "simulate/quadrature.h"
-#include "simulate/vertex.h"
 
 /* columns of a look: of each leg |force|, |rate| and power, then the power that all legs deliver, the distance from the program
  * the size of the turn between them, and the largest |force|, |rate|, power and −power of any leg */

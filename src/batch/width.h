@@ -18,7 +18,7 @@ struct batch_width {
     int lanes;
     size_t group_size; /* bytes, a multiple of 64 */
 
-    /* puts `count` runs from `first` on into a group; lanes beyond repeat the last, unheard */
+    /* puts `count` runs from `first` on into a group; further lanes repeat the last, and their results are ignored */
     void (*begin)(void *group, const batch_job *job, size_t first, int count, stage_tape *tape);
 
     /* advances a group by the steps `from` … `to` − 1; returns how many of its runs go on */

@@ -193,8 +193,8 @@ gough_status read_study(const command_line *line, gough_study **study);
 /* The sweep of a study that was read so. */
 gough_status read_sweep(const command_line *line, const gough_study *study, gough_sweep **sweep);
 
-/* Finds what is wrong with the outputs before a long run: an unknown ending (known: .h5 and .csv, or one other), a
- * folder that does not exist, the same file twice, standard output for both a table and JSON. */
+/* Checks the outputs before a long run and refuses what would fail at its end: a file name that ends neither in .h5 nor in .csv nor
+ * in `other`, a folder that does not exist, the same file twice, standard output for both a table and JSON. */
 gough_status check_output(const command_line *line, const char *other);
 
 /* "studies/heave.yaml" gives "studies/heave" and the ending; `otherwise` for standard input and other pipes, which have no name.

@@ -30,7 +30,7 @@ typedef struct reader {
 
 static char *empty_text(void) { return calloc(1, 1); }
 
-/* The text of a scalar string attribute, "" if there is none; NULL if out of memory. */
+/* The text of a scalar string attribute, "" if the file does not have it; NULL if out of memory. */
 static char *read_text(hid_t object, const char *name) {
     if (H5Aexists(object, name) <= 0) return empty_text();
     const hid_t attribute = H5Aopen(object, name, H5P_DEFAULT);

@@ -6,8 +6,8 @@
 
 #include "gough/dynamics.h"
 #include "gough/simulate.h"
+#include "simulate/peak.h"
 #include "simulate/quadrature.h"
-#include "simulate/vertex.h"
 
 /* columns of the window: time, then per leg the square of the force and the power */
 enum { WINDOW = QUADRATURE_ROWS, SQUARE = 1, POWER = 1 + GOUGH_LEGS };
@@ -216,7 +216,7 @@ typedef struct {
     int count, a;
 } fitted;
 
-/* the extreme of a column between the two looks, and where it is; at look a if there is none */
+/* the extreme of a column between the two looks, and where it is; without one, the value at look a */
 static double extreme_of(const gough_summary *summary, const fitted *f, int column, double *s) {
     double y[WINDOW];
 

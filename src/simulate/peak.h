@@ -1,6 +1,6 @@
 /* The peak of a quantity between two looks at it. Text over the number type. */
-#ifndef GOUGH_SIMULATE_VERTEX_H
-#define GOUGH_SIMULATE_VERTEX_H
+#ifndef GOUGH_SIMULATE_PEAK_H
+#define GOUGH_SIMULATE_PEAK_H
 
 #include "kernel/number.h"
 #include "simulate/quadrature.h"
