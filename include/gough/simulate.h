@@ -102,6 +102,17 @@ typedef enum gough_precision { GOUGH_DOUBLE, GOUGH_QUADRUPLE } gough_precision;
 /** "dop853", "rk4", "rattle2" …; NULL outside the enumeration. */
 GOUGH_API const char *gough_method_name(int method);
 
+/** What a run of forward dynamics cost, and whether its steps were kept short by stability instead of accuracy. */
+typedef struct gough_statistics {
+    long long
+        steps; /**< steps that were kept; a fixed step that a corner divides counts as its parts */
+    long long rejected; /**< adaptive steps that were made again, shorter */
+    long long
+        evaluations;   /**< of the equations of motion; for rattle methods, of forces and moments */
+    double stiff_rate; /**< where the loop is stiff: rate of its fastest decay, in 1/time; else 0 */
+    double stiff_time; /**< when that was first found; 0 if stiff_rate is 0 */
+} gough_statistics;
+
 /** How to run; start from gough_simulation_default(): 20 units of time, a row every 0.05, dop853 with a
  *  tolerance of 1e-10, projection. */
 typedef struct gough_simulation {
@@ -121,6 +132,8 @@ typedef struct gough_simulation {
     bool reactions;                /**< fill the columns of Λ */
     struct gough_summary *summary; /**< filled by the run with peaks and time integrals of the
                                         motion itself, between rows too; NULL: not wanted */
+    gough_statistics *statistics;  /**< filled by gough_simulate(), however the run ends; NULL: not
+                                        wanted. gough_forces() makes no steps and fills zeros */
 } gough_simulation;
 
 /** 20 units of time, a row every 0.05, dop853 with a tolerance of 1e-10, projection, double precision. */

@@ -91,6 +91,20 @@ static json_t *legs_array(unsigned legs) {
     return array;
 }
 
+static json_t *statistics_object(const gough_statistics *s) {
+    json_t *object = json_object(), *stiff = json_null();
+    if (s->stiff_rate > 0) {
+        stiff = json_object();
+        json_object_set_new(stiff, "time", json_number(s->stiff_time));
+        json_object_set_new(stiff, "rate", json_number(s->stiff_rate));
+    }
+    json_object_set_new(object, "steps", json_integer(s->steps));
+    json_object_set_new(object, "rejected", json_integer(s->rejected));
+    json_object_set_new(object, "evaluations", json_integer(s->evaluations));
+    json_object_set_new(object, "stiff", stiff);
+    return object;
+}
+
 json_t *run_report_json(const run_report *report) {
     const gough_summary *s = &report->summary;
     const gough_end *ended = &report->end;
@@ -116,6 +130,8 @@ json_t *run_report_json(const run_report *report) {
     json_object_set_new(object, "deviation", deviation);
     json_object_set_new(object, "drift", json_number(report->simulated ? s->drift : NAN));
     json_object_set_new(object, "limits", limits_array(report));
+    json_object_set_new(object, "statistics",
+                        report->simulated ? statistics_object(&report->statistics) : json_null());
     return object;
 }
 

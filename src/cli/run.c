@@ -77,6 +77,7 @@ gough_status run_report_fill(run_report *report, const command_line *line, gough
     running run = {.report = report, .result = result};
     gough_summary_begin(&report->summary); /* where the run is refused */
     simulation.summary = &report->summary;
+    simulation.statistics = &report->statistics;
     run.progress = progress_begin(line->verb, simulation.duration, line->quiet);
     const gough_status status =
         report->simulated
@@ -127,6 +128,7 @@ static gough_status run_study(const command_line *line, const gough_study *study
         report->output = line->outputs;
         report->outputs = written ? 0 : line->output_count;
         const gough_status printed = print_summary(line, report);
+        if (!line->quiet) remark_stiffness(line->verb, report);
         explain_end(line, report);
         if (written || printed) status = written ? written : printed;
     } else {

@@ -9,6 +9,9 @@
 
 static const double DEGREES = 57.295779513082320877;
 
+/* a step of the stepper may be this long for a decay of rate 1, (step-8) */
+static const double stiff_reach = 6.1;
+
 static void scale_leg(gough_leg_summary *leg, const gough_units *u) {
     const double speed = u->length / u->time, force = u->mass * speed / u->time;
     leg->length_min /= u->length;
@@ -99,6 +102,8 @@ void run_report_scale(run_report *report) {
     s->drawing_step /= u->time;
     s->position_deviation /= u->length;
     s->angle_deviation *= DEGREES;
+    report->statistics.stiff_time /= u->time;
+    report->statistics.stiff_rate *= u->time;
     scale_end(&report->end, u);
     for (size_t i = 0; i < report->crossings.count; i++)
         scale_crossing(&report->crossings.list[i], u);
@@ -243,6 +248,24 @@ static void print_between(FILE *stream, const gough_summary *s, const unit_words
             s->between_leg, s->between_rows, unit->length, step, unit->time);
 }
 
+static void print_steps(FILE *stream, const gough_statistics *s, bool adaptive) {
+    fprintf(stream, "  steps       %lld", s->steps);
+    if (adaptive) fprintf(stream, ", and %lld rejected", s->rejected);
+    fprintf(stream, "; %lld evaluations of the equations of motion\n", s->evaluations);
+}
+
+void remark_stiffness(const char *verb, const run_report *report) {
+    const gough_statistics *s = &report->statistics;
+    const char *unit = unit_words_of(&report->units)->time;
+    if (!(s->stiff_rate > 0)) return;
+    remark(verb,
+           "the loop is stiff from t = %.4g%s on: its fastest decay, at a rate of %.3g%s%s, keeps "
+           "steps under %.2g%s whatever the tolerance (%lld steps in all); less control.damping "
+           "makes the run faster",
+           s->stiff_time, unit, s->stiff_rate, *unit ? " 1/" : "", *unit ? unit + 1 : "",
+           stiff_reach / s->stiff_rate, unit, s->steps);
+}
+
 static void print_end(FILE *stream, const run_report *report, const unit_words *unit) {
     const gough_end *end = &report->end;
     fprintf(stream, "  end         ");
@@ -290,6 +313,8 @@ void run_report_print(FILE *stream, const run_report *report) {
                 : "their own inertia comes");
     print_between(stream, s, unit);
     if (!report->simulated) print_left_out(stream, &report->study->model->disturbance);
+    if (report->simulated)
+        print_steps(stream, &report->statistics, !(report->study->simulation.step > 0));
     print_end(stream, report, unit);
     limits_print(stream, report, report->all);
     for (size_t i = 0; i < report->outputs; i++)

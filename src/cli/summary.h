@@ -18,11 +18,12 @@ typedef struct run_report {
     bool simulated;
     const gough_study *study;
     gough_units units;
-    gough_summary summary;     /* scaled to the output's units, angles in degrees */
-    gough_end end;             /* time, limit and sentence in the output's units */
-    crossing_list crossings;   /* scaled; forces only */
-    double stroke[2];          /* least and greatest leg length, scaled; 0 and INFINITY: none */
-    const char *const *output; /* where the tables went; "-" among them */
+    gough_summary summary;       /* scaled to the output's units, angles in degrees */
+    gough_end end;               /* time, limit and sentence in the output's units */
+    gough_statistics statistics; /* its rate and time in the output's units */
+    crossing_list crossings;     /* scaled; forces only */
+    double stroke[2];            /* least and greatest leg length, scaled; 0 and INFINITY: none */
+    const char *const *output;   /* where the tables went; "-" among them */
     size_t outputs;
     bool all; /* each excess of a limit is listed */
 } run_report;
@@ -42,6 +43,9 @@ gough_end run_report_end(const run_report *report);
 /* What a limit of this cause is multiplied by to be in units of the output. */
 double limit_factor(gough_cause cause, const gough_units *units);
 void run_report_print(FILE *stream, const run_report *report);
+
+/* Remarks, if it is so, that stability and not the tolerance kept the steps of a run short. */
+void remark_stiffness(const char *verb, const run_report *report);
 
 /* One JSON object on standard output. Returns 0, or -1 when out of memory or the output cannot be written. */
 int run_report_print_json(const run_report *report);

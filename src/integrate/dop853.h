@@ -83,6 +83,24 @@ static inline real dop853_error(const dop853 *s, int n, real h, const number *y,
     return real_magnitude(h) * fifth / real_root((fifth + third / 100) * n);
 }
 
+/* (step-8): the step times the rate of the fastest decay, from the last stage and the end of an accepted step, both of which lie at
+ * t + h. Above 6.1 the method is near the limit of its stability. rate: that of `out`; size: that of each component. For scalar
+ * number types. */
+static inline real dop853_stiffness(const dop853 *s, int n, real h, const number *y,
+                                    const number *out, const number *rate, const real *size) {
+    number z[STEPPER_SIZE];
+    real rates = 0, distances = 0;
+
+    dop853_point(s, n, DOP853_STAGES - 1, h, y, z);
+    for (int i = 0; i < n; i++) {
+        const real a = number_first(rate[i] - s->slope[DOP853_STAGES - 1][i]) / size[i];
+        const real b = number_first(out[i] - z[i]) / size[i];
+        rates = rates + a * a;
+        distances = distances + b * b;
+    }
+    return distances > 0 ? real_magnitude(h) * real_root(rates / distances) : 0;
+}
+
 /* (step-3): the polynomial of degree 7 through the step; four more evaluations */
 static inline void dop853_prepare(dop853 *s, rate_function f, void *context, int n, real t, real h,
                                   const number *y, const number *out) {

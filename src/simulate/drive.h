@@ -75,6 +75,32 @@ static inline real drive_limited(drive *d, real wish, real left) {
     return step > left / 2 ? left / 2 : step;
 }
 
+/* (step-8): a step is compared with the stability of the method so often, or always while that is near; so many such steps, with no
+ * more than a few others between them, are a stiff loop */
+enum { STIFF_EVERY = 100, STIFF_STEPS = 15, STIFF_OTHERS = 6 };
+static const double stiff_limit = 6.1;
+
+typedef struct {
+    int near, far; /* steps near the limit of stability so far, and others since */
+} stiffness_watch;
+
+/* after an accepted step, d->y and d->rate being its end */
+static inline void drive_watch_stiffness(drive *d, stiffness_watch *w, const real *size) {
+    gough_statistics *s = &d->statistics;
+    real reach;
+
+    if (s->stiff_rate > 0 || (w->near == 0 && s->steps % STIFF_EVERY != 0)) return;
+    reach = dop853_stiffness(d->dense, STATE, d->h, d->y0, d->y, d->rate, size);
+    if (!(reach > (real)stiff_limit)) {
+        if (++w->far == STIFF_OTHERS) *w = (stiffness_watch){0, 0};
+        return;
+    }
+    w->far = 0;
+    if (++w->near < STIFF_STEPS) return;
+    s->stiff_rate = (double)(reach / d->h);
+    s->stiff_time = (double)d->t;
+}
+
 /* adaptive dop853 */
 static inline gough_status drive_adaptive(drive *d) {
     const gough_machine *machine = d->r.lane[0].machine;
@@ -83,6 +109,7 @@ static inline gough_status drive_adaptive(drive *d) {
     const real unit = gravity > 0 ? real_root(length / gravity) : 1;
     real size[STATE], wish;
     dop853 work;
+    stiffness_watch watch = {0, 0};
     int rejected = 0;
     long long steps = 0;
 
@@ -115,12 +142,14 @@ static inline gough_status drive_adaptive(drive *d) {
         if (!(error <= 1)) {
             wish = step * (factor < 1 ? factor : 1);
             rejected = 1;
+            d->statistics.rejected++;
             continue;
         }
         d->r.fault.what = NULL;
         d->t = step < left ? d->t0 + step : stop;
         const gough_status status = drive_accept(d, 1);
         if (status != GOUGH_OK) return status;
+        drive_watch_stiffness(d, &watch, size);
         /* a step cut short says nothing against a longer one */
         const real next = step * (rejected && factor > 1 ? 1 : factor);
         if (!(step < wish) || factor < 1 || next > wish) wish = next;
@@ -214,6 +243,7 @@ static inline void drive_open(drive *d, const simulate_parts *parts,
     d->dense = NULL;
     d->prepared = 0;
     d->ahead = NULL;
+    d->statistics = (gough_statistics){.steps = 0};
     appointments_begin(&d->when, parts->motion, parts->disturbance, 0, options->duration,
                        options->output_step);
 }
@@ -234,6 +264,8 @@ static inline gough_status drive_run(const simulate_parts *parts, const gough_si
                                                                          : drive_fixed(&d);
     }
     if (status == GOUGH_OK) end->time = options->duration;
+    d.statistics.evaluations = d.r.evaluations;
+    if (options->statistics) *options->statistics = d.statistics;
     return status;
 }
 

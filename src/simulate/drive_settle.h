@@ -37,6 +37,7 @@ typedef struct {
     int prepared;
     lookahead *ahead;  /* stages made ready, or NULL */
     appointments when; /* times that no step may pass */
+    gough_statistics statistics;
 
     /* the end of the step, and how far from trouble its beginning was */
     instant now;
@@ -348,6 +349,7 @@ static inline gough_status drive_settle(drive *d, int inside, real *until) {
 /* the same with the rows that are due */
 static inline gough_status drive_accept(drive *d, int inside) {
     real until;
+    d->statistics.steps++;
     const gough_status ended = drive_settle(d, inside, &until);
     const gough_end end = *d->end;
     const gough_status status = drive_rows(d, until);

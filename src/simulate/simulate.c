@@ -216,6 +216,7 @@ gough_status gough_forces(const gough_model *model, const gough_simulation *simu
     const gough_status checked = gough_simulation_check(model, simulation, error);
 
     *end = (gough_end){.cause = GOUGH_END_DONE};
+    if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
     if (checked != GOUGH_OK) return checked;
     if (simulation->summary) gough_summary_begin(simulation->summary);
     const gough_status status =
@@ -230,6 +231,7 @@ gough_status gough_simulate(const gough_model *model, const gough_simulation *si
     const gough_status checked = gough_simulation_check(model, simulation, error);
 
     *end = (gough_end){.cause = GOUGH_END_DONE};
+    if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
     if (checked != GOUGH_OK) return checked;
     const simulate_parts parts = {&model->motion,  &model->machine,
                                   &model->control, &model->disturbance,

@@ -71,6 +71,7 @@ typedef struct run {
     stage now;      /* the stage at `time`, kept since steppers come back to it */
     real time;
     int valid;
+    long long evaluations; /* of the equations of motion */
     stage_fault fault;
 } run;
 
@@ -129,6 +130,7 @@ static inline void run_begin(run *r, const gough_motion *motion, const gough_sim
     r->tape = NULL;
     r->partial = 0;
     r->valid = 0;
+    r->evaluations = 0;
     r->fault = (stage_fault){NULL, 0};
 }
 
@@ -355,6 +357,7 @@ KERNEL_INLINE coordinates run_accelerations(const run *r, const stage *s, const 
 static inline void run_instant(run *r, real t, const number *y, instant *m) {
     const stage *s = run_stage(r, t);
 
+    r->evaluations++;
     m->x = coordinates_load(y);
     m->rate = coordinates_load(y + COORDINATES);
     legs_at(&r->h, &m->x, &m->g);
@@ -372,6 +375,7 @@ static inline void run_rates(void *context, real t, const number *y, number *rat
     coordinates a;
     legs g;
 
+    r->evaluations++;
     legs_at(&r->h, &x, &g);
     if (r->damped) legs_rates(&r->h, &v, &g);
     run_leg_forces(r, s, &g, u);
@@ -390,6 +394,7 @@ static inline void run_wrench(void *context, real t, const coordinates *x, numbe
     legs g;
     push p;
 
+    r->evaluations++;
     legs_at(&r->h, x, &g);
     for (int v = 0; v < LEGS; v++) g.rate[v] = number_of(0);
     run_leg_forces(r, s, &g, u);

@@ -53,6 +53,7 @@ json run-1.json forces own-machine.yaml
 json run-2.json forces own-machine.yaml --set platform.legs.max_speed=0.05
 json run-3.json simulate own-machine.yaml --set platform.legs.max_speed=0.05
 json run-4.json simulate paper-feedback.yaml --dimensionless
+json run-5.json simulate own-machine.yaml --set control.damping=20000 --set simulation.duration=1
 hold '## forces and simulate' run-*.json
 
 json sweep-1.json sweep gain-sweep.yaml --set 'sweep.keys.control.stiffness=[1, 2]'
