@@ -21,7 +21,7 @@ complete -c gough -n "__fish_seen_subcommand_from example check forces simulate 
 complete -c gough -n "__fish_seen_subcommand_from example forces simulate sweep merge stability tune plot report" -s o -l output -r -F -d "write the result to this file"
 complete -c gough -n "__fish_seen_subcommand_from check forces simulate sweep stability tune report" -l set -x -d "override a key of the study"
 complete -c gough -n "__fish_seen_subcommand_from forces simulate" -l precision -x -a "double quad" -d digits
-complete -c gough -n "__fish_seen_subcommand_from forces" -l all -d "list each time that a leg exceeds a limit"
+complete -c gough -n "__fish_seen_subcommand_from forces" -l all -d "list every interval in which a leg exceeds a limit"
 complete -c gough -n "__fish_seen_subcommand_from forces simulate" -l reactions -d "add the constraint reactions to the table"
 complete -c gough -n "__fish_seen_subcommand_from forces simulate sweep stability tune" -l dimensionless -d "in units of R_b, M and sqrt(R_b/g)"
 complete -c gough -n "__fish_seen_subcommand_from sweep stability tune" -l threads -x -d "number of threads"
@@ -39,7 +39,7 @@ complete -c gough -n "__fish_seen_subcommand_from tune" -l deviation -x -d "grea
 complete -c gough -n "__fish_seen_subcommand_from tune" -l angle-deviation -x -d "greatest angle from the program, degrees"
 complete -c gough -n "__fish_seen_subcommand_from tune" -l damping-ratio -x -d "damping ratio of the least damped mode at home"
 complete -c gough -n "__fish_seen_subcommand_from tune" -l feedforward -x -a "program none both" -d "with or without program forces"
-complete -c gough -n "__fish_seen_subcommand_from tune" -l margin -x -d "part of the stiffness free of instability"
+complete -c gough -n "__fish_seen_subcommand_from tune" -l margin -x -d "margin to instability, a fraction of G"
 complete -c gough -n "__fish_seen_subcommand_from tune" -l stiffness -x -d "range of the search: from:to"
 complete -c gough -n "__fish_seen_subcommand_from plot" -l figure -x -d "kind of figure"
 complete -c gough -n "__fish_seen_subcommand_from plot" -l columns -x -d "draw these columns"

@@ -12,19 +12,20 @@
 static const double DEGREES = 57.295779513082320877;
 
 static const struct argp_option option[] = {
-    {"json", OPTION_JSON, NULL, 0, "print it as JSON", 0},
+    {"json", OPTION_JSON, NULL, 0, "print the description as JSON", 0},
     {"set", OPTION_SET, "KEY=VALUE", 0,
      "override a key of the study, as in --set load.mass=2; may be repeated", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "only validate", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "validate the study and print errors only", 0},
     {0}};
 
 static const verb_usage usage = {
     .verb = "check",
     .option = option,
     .arguments = "STUDY",
-    .text = "Validate a study and describe its machine: leg lengths at home, condition and "
-            "distance to singularity, principal moments of inertia, dimensionless groups, program "
-            "and settings.\vSTUDY is a study file, or - for standard input.",
+    .text = "Validate a study and describe its machine: leg lengths, condition and least singular "
+            "value at home, principal moments of inertia, dimensionless groups, range of the "
+            "program, control and simulation settings. Suspicious values are reported as "
+            "warnings.\vSTUDY is a study file, or - for standard input.",
     .least_files = 1,
     .most_files = 1};
 

@@ -17,9 +17,9 @@ static const verb_usage usage = {
     .verb = "example",
     .option = option,
     .arguments = "[NAME]",
-    .text =
-        "Print a study file to start from; without NAME, list the examples.\vNAME may have an "
-        "ending: 'flight-simulator' is a study, 'ship-deck.awk' is the script that makes its data.",
+    .text = "Print an example study to start from; without NAME, list the examples.\vNAME without "
+            "an ending is a study, such as 'flight-simulator'; with one it is a file that belongs "
+            "to a study, such as 'ship-deck.awk', the script that computes its data.",
     .most_files = 1};
 
 /* The name to type: without the ending of a study file. */
@@ -87,7 +87,7 @@ static void complain_of_unknown(const char *name) {
     snprintf(full, sizeof full, "%.60s%s", name, strchr(name, '.') ? "" : ".yaml");
     const char *near = nearest_word(full, known, count);
     if (near)
-        complain("example", "there is no example '%s'; is '%s' meant?", name, near);
+        complain("example", "there is no example '%s'; did you mean '%s'?", name, near);
     else
         complain("example", "there is no example '%s'; 'gough example' lists them", name);
 }

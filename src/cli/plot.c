@@ -12,16 +12,17 @@ static const struct argp_option option[] = {
      "several "
      "times",
      0},
-    {"figure", OPTION_FIGURE, "KIND", 0, "kind of figure (default: chosen by the results)", 0},
-    {"columns", OPTION_COLUMNS, "A,B", 0, "draw these columns", 0},
-    {"from", OPTION_FROM, "T", 0, "from this time", 0},
-    {"to", OPTION_TO, "T", 0, "up to this time", 0},
-    {"log", OPTION_LOG, NULL, 0, "magnitudes on a logarithmic axis", 0},
+    {"figure", OPTION_FIGURE, "KIND", 0,
+     "kind of figure, one of those below (default: the one that suits the results)", 0},
+    {"columns", OPTION_COLUMNS, "A,B", 0, "draw these columns, separated by commas", 0},
+    {"from", OPTION_FROM, "T", 0, "start at this time", 0},
+    {"to", OPTION_TO, "T", 0, "end at this time", 0},
+    {"log", OPTION_LOG, NULL, 0, "draw magnitudes on a logarithmic axis", 0},
     {"label", OPTION_LABEL, "TEXT", 0,
-     "name of a result in the legend; once for each result, in order", 0},
+     "name of a result in the key; give one for each result, in order", 0},
     {"title", OPTION_TITLE, "TEXT", 0,
-     "heading of the figure (default: the results' title, if they have one in common)", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "print only errors", 0},
+     "heading of the figure (default: the title that the results share, if they do)", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
     {0}};
 
 /* --help ends with the kinds of figure there are. */

@@ -15,17 +15,18 @@ static const struct argp_option option[] = {
      0},
     {"set", OPTION_SET, "KEY=VALUE", 0,
      "override a key of every study, as in --set control.stiffness=50; may be repeated", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "print only errors", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
     {0}};
 
 static const verb_usage usage = {
     .verb = "report",
     .option = option,
     .arguments = "STUDY...",
-    .text = "Write studies as one HTML page: the machine moving in 3D, curves, numbers, and a live "
-            "simulation in the page.\vSTUDY is a study file, or - for standard input; several are "
-            "compared. The page is one file that needs no network, so it can be mailed and opened "
-            "anywhere. If a run ends early the page shows where and why, and the exit status is 1.",
+    .text =
+        "Write studies as one HTML page: the machine moving in 3D, curves, numbers, and a live "
+        "simulation.\vSTUDY is a study file, or - for standard input; several are compared. The "
+        "page is one file that needs no network, so it can be sent by e-mail and opened in any "
+        "browser. If a run ends early, the page shows when and why, and the exit status is 1.",
     .least_files = 1,
     .most_files = 64};
 

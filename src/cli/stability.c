@@ -11,10 +11,10 @@ static const double DEGREES = 57.295779513082320877;
 
 static const struct argp_option option[] = {
     {"output", OPTION_OUTPUT, "FILE", 0,
-     "write the data of a map (.csv, .h5; - is CSV on standard output) or its picture (.png, .svg, "
-     ".pdf) to FILE; may be given several times",
+     "write a map to FILE, as data (.csv, .h5; - is CSV on standard output) or as a picture (.png, "
+     ".svg, .pdf); may be given several times",
      0},
-    {"json", OPTION_JSON, NULL, 0, "print it as JSON", 0},
+    {"json", OPTION_JSON, NULL, 0, "print the results as JSON", 0},
     {"set", OPTION_SET, "KEY=VALUE", 0,
      "override a key of the study, as in --set control.stiffness=2; may be repeated", 0},
     {"pose", OPTION_POSE, "C=X,...", 0,
@@ -27,7 +27,8 @@ static const struct argp_option option[] = {
      0},
     {"at", OPTION_AT, "T", 0, "with --matrix: about the program at time T", 0},
     {"sweep-stiffness", OPTION_SWEEP_STIFFNESS, "A:B:N[:log]", 0,
-     "compute the stability map over the stiffness G, the same in all legs: N values from A to B",
+     "compute the stability map over the stiffness G, the same in all legs: N values from A to B "
+     "in equal steps, or in equal ratios with :log",
      0},
     {"sweep-amplitude", OPTION_SWEEP_AMPLITUDE, "A:B:N[:log]", 0,
      "second axis of the map: a factor on the motion", 0},
@@ -50,13 +51,13 @@ static const verb_usage usage = {
     .verb = "stability",
     .option = option,
     .arguments = "STUDY",
-    .text =
-        "Determine whether the control law holds the platform: eigenvalues and modes at rest, the "
-        "least stiffness G of each mode, Floquet multipliers along a periodic program.\vThe loop "
-        "is linearised exactly, about home or --pose, and about the program over one of its "
-        "periods, which is found from its formulas or given as motion.period. With "
-        "--sweep-stiffness it computes a map of where nothing grows, and of the resonance tongues "
-        "in which a stiffer loop fails again. An unstable loop is an answer: the exit status is 0.",
+    .text = "Determine whether the control law holds the platform: eigenvalues and modes at rest, "
+            "the least stiffness G that each mode needs, Floquet multipliers along a periodic "
+            "program.\vThe loop is linearised exactly: about rest at home or in --pose, and about "
+            "the program over one period, which is found from its formulas or given as "
+            "motion.period. With --sweep-stiffness it computes a map of stability and lists the "
+            "resonance tongues, in which a stiffer loop is unstable again. An unstable loop is a "
+            "valid result: the exit status is 0.",
     .least_files = 1,
     .most_files = 1};
 

@@ -20,29 +20,30 @@ static const struct argp_option sweep_option[] = {
      "override a key of the study, as in --set sweep.runs=100; may be repeated", 0},
     {"threads", OPTION_THREADS, "N", 0, "threads (default: one for each processor)", 0},
     {"lanes", OPTION_LANES, "N", 0,
-     "runs computed side by side by one thread: 1, 2, 4 or 8 (default: the most possible)", 0},
+     "runs computed side by side by one thread: 1, 2, 4 or 8 (default: as many as the processor "
+     "supports)",
+     0},
     {"shard", OPTION_SHARD, "I/N", 0,
      "run the I-th of N parts into a FILE whose name ends in .shard, for gough merge", 0},
     {"run", OPTION_RUN, "N", 0,
-     "print the settings of run N as options for gough simulate, and run nothing", 0},
+     "print the values of run N as options for gough simulate, without running anything", 0},
     {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
-     "table and summary in units of R_b, M and sqrt(R_b/g)", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "print only errors", 0},
+     "print table and summary in units of R_b, M and sqrt(R_b/g) of the study as written", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
     {0}};
 
 static const verb_usage sweep_usage = {
     .verb = "sweep",
     .option = sweep_option,
     .arguments = "STUDY",
-    .text =
-        "Run a study many times with different numbers: the section 'sweep' of STUDY says which "
-        "numbers vary, over grids, lists or distributions.\v"
-        "The table has one row for each run: the swept values, the final state, the largest "
-        "deviations, forces, speeds and powers, and how the run ended. Its bytes are the same for "
-        "any number of threads, lanes and shards. Finished runs are kept in FILE.part until the "
-        "sweep is complete; if it is stopped or killed, the same command continues from there. A "
-        "run that ends early ends only itself. Runs whose values make no valid study are marked "
-        "invalid, and the exit status is then 1.",
+    .text = "Run a study many times with different numbers: the section 'sweep' of STUDY lists the "
+            "numbers that vary, over grids, lists or distributions.\vThe table has one row for "
+            "each run: the swept values, the final state, the largest deviations, forces, speeds "
+            "and powers, and how the run ended. Its bytes are the same for any number of threads, "
+            "lanes and shards. Finished runs are kept in FILE.part until the sweep is complete; if "
+            "it is stopped or killed, the same command resumes it. A run that ends early does not "
+            "stop the others. Runs whose values do not make a valid study are marked invalid, and "
+            "the exit status is then 1.",
     .least_files = 1,
     .most_files = 1};
 
@@ -52,18 +53,16 @@ static const struct argp_option merge_option[] = {
      "given several times",
      0},
     {"json", OPTION_JSON, NULL, 0, "print the summary as JSON", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "print only errors", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
     {0}};
 
 static const verb_usage merge_usage = {
     .verb = "merge",
     .option = merge_option,
     .arguments = "SHARD...",
-    .text =
-        "Combine the shards of a sweep into one table, with the same bytes as the sweep run as a "
-        "whole.\v"
-        "The shards may be given in any order. All must be present and belong to the same "
-        "sweep.",
+    .text = "Join the shards of a sweep into one table, with the same bytes as that of the whole "
+            "sweep.\vThe shards may be given in any order. All must be present and belong to the "
+            "same sweep.",
     .least_files = 1,
     .most_files = (size_t)-1};
 

@@ -13,26 +13,29 @@ static const double DEGREES = 57.295779513082320877;
 
 static const struct argp_option option[] = {
     {"deviation", OPTION_DEVIATION, "X", 0,
-     "the greatest distance from the program that is allowed, in the study's unit of length", 0},
+     "greatest distance from the program allowed, in the study's unit of length (required)", 0},
     {"angle-deviation", OPTION_ANGLE_DEVIATION, "DEG", 0,
-     "besides, the greatest angle from it, in degrees", 0},
+     "greatest angle from the program allowed, in degrees (default: any)", 0},
     {"damping-ratio", OPTION_DAMPING_RATIO, "Z", 0,
      "choose the damping too, so that the least damped mode at home has this ratio, 0 <= Z < 1 "
      "(default: the study's damping)",
      0},
     {"feedforward", OPTION_FEEDFORWARD, "program|none|both", 0,
-     "with the program's forces fed forward, without, or each (default: both)", 0},
+     "tune with the program's forces fed forward, without them, or both ways (default: both); the "
+     "study's own choice is ignored",
+     0},
     {"margin", OPTION_MARGIN, "M", 0,
-     "no instability within this part of the stiffness below and above it (default: 0.02)", 0},
+     "margin to instability below and above G, as a fraction of G (default: 0.02)", 0},
     {"stiffness", OPTION_STIFFNESS, "A:B", 0,
-     "search between these; 0 for A: from a quarter of the threshold at rest (default: from "
-     "there to a million times F/R_b, F the largest force, and further if that can help)",
+     "range of G to search; A = 0 stands for a quarter of the threshold at rest (default: from "
+     "there to 1e6 F/R_b, where F is the largest force that weight, motion and disturbances cause, "
+     "and further if that can help)",
      0},
     {"output", OPTION_OUTPUT, "FILE", 0,
-     "write the curve of deviation against stiffness to FILE: its data (.csv, .h5; - is CSV on "
-     "standard output) or its picture (.png, .svg, .pdf); may be given several times",
+     "write the curve of deviation against stiffness to FILE, as data (.csv, .h5; - is CSV on "
+     "standard output) or as a picture (.png, .svg, .pdf); may be given several times",
      0},
-    {"json", OPTION_JSON, NULL, 0, "print the choice as JSON", 0},
+    {"json", OPTION_JSON, NULL, 0, "print the results as JSON", 0},
     {"set", OPTION_SET, "KEY=VALUE", 0,
      "override a key of the study, as in --set load.mass=2; may be repeated", 0},
     {"threads", OPTION_THREADS, "N", 0, "threads (default: one for each processor)", 0},
@@ -47,15 +50,14 @@ static const verb_usage usage = {
     .option = option,
     .arguments = "STUDY",
     .text =
-        "The least stiffness G of the feedback, the same in all legs, with which the platform "
+        "Find the least stiffness G of the feedback, the same in all legs, with which the platform "
         "stays within --deviation of its program under the study's own disturbances, initial state "
-        "and duration.\v"
-        "Each G is judged by a run of the whole nonlinear motion. The G named is stable, keeps the "
-        "margin to resonance tongues, and is confirmed by a run with small steps; a G smaller by "
-        "a ten-thousandth is not enough. Also printed: which mode and which leg limit it, the "
-        "force and the rate that the legs need, how the deviation falls with G and where it does "
-        "not. If no G is found, the reason is printed and the exit status is 1. Ctrl-C prints the "
-        "best so far.",
+        "and duration, and is stable.\vEach G is tested by a simulation of the nonlinear motion. "
+        "The G chosen is stable, keeps the margin to resonance tongues, and is confirmed by a run "
+        "with small steps; a G smaller by a ten-thousandth is not enough. The summary also gives "
+        "the mode that limits G, the force and rate that the legs need, and how the deviation "
+        "falls with G, with the exceptions. If no G is found, the reason is printed and the exit "
+        "status is 1. Ctrl-C prints the best G found so far.",
     .least_files = 1,
     .most_files = 1};
 

@@ -492,17 +492,17 @@ static void fill_gain(builder *b) {
 /* ---- the kinds ------------------------------------------------------------------------------------------------- */
 
 static const char *const kind_names[] = {
-    "overview — motion, leg lengths and forces, deviation or power on one sheet",
-    "motion — each moving component of the pose, with its program",
+    "overview — motion, leg lengths and forces, and deviation or power, on one sheet",
+    "motion — each component of the pose that moves, and its program",
     "forces — leg forces",
     "lengths — leg lengths",
-    "rates — rates of the leg lengths",
-    "power — power of the legs",
-    "deviation — deviation from the program; its magnitude if logarithmic or compared",
+    "rates — leg rates",
+    "power — leg powers",
+    "deviation — deviation from the program; its magnitude with --log or if compared",
     "drift — violation of the constraints before projection",
-    "condition — condition of the leg Jacobian",
-    "columns — any named columns",
-    "gain — deviation against the stiffness G (columns G, position_deviation, ended)",
+    "condition — condition number of the leg Jacobian",
+    "columns — the columns given by --columns",
+    "gain — deviation against the stiffness G, from columns G and position_deviation",
     "tuning — results of gough tune: deviation and leg force against the stiffness",
     "sweep — a sweep: a line over one swept key, a map over two, shares of the runs over more",
     NULL};

@@ -48,7 +48,7 @@ for number in +1 -1 1. .5 1e0 -1.5E-3 00001; do
 done
 refused "both write to standard output" forces "$study" -o - --json
 refused ".h5 or .csv" forces "$study" -o "$scratch/result.txt"
-refused "is 'paper-heave.yaml' meant?" example paper-heav
+refused "did you mean 'paper-heave.yaml'?" example paper-heav
 refused "a time as in column t" plot "$scratch/x.csv" --from=soon
 refused "a time as in column t" plot "$scratch/x.csv" --to=nan
 refused "2 labels for 1 result" plot "$scratch/x.csv" --label a --label b
