@@ -7,6 +7,7 @@
 #include "gough/analyse.h"
 #include "gough/batch.h"
 #include "gough/dynamics.h"
+#include "gough/fields.h"
 #include "gough/map.h"
 #include "gough/model.h"
 #include "gough/random.h"

@@ -4,6 +4,7 @@
 #ifndef GOUGH_STUDY_H
 #define GOUGH_STUDY_H
 
+#include "gough/fields.h"
 #include "gough/model.h"
 #include "gough/simulate.h"
 
@@ -106,17 +107,9 @@ GOUGH_API void gough_study_free(gough_study *study);
 GOUGH_API void gough_study_free_messages(char *messages);
 
 /** One key of a study file. The reader checks against this table, and the guide repeats it. */
-typedef struct gough_key {
-    const char
-        *path; /**< "platform.base.radius"; "motion.moves.N.start" for each element of a list */
-    const char *type;     /**< "number", "formula", "choice", … */
-    const char *unit;     /**< "length", "angle [degrees]", "force/length", "" … */
-    const char *range;    /**< "> 0" … */
-    const char *fallback; /**< default, "required", or "" */
-    const char *sentence; /**< what it is */
-} gough_key;
+typedef gough_field gough_key;
 
-/** The table of keys in the order of the guide; @p count receives their number. */
+/** The table of keys in the order of the guide; @p count receives their number. They are the first of gough_fields(). */
 GOUGH_API const gough_key *gough_study_keys(size_t *count);
 
 #ifdef __cplusplus

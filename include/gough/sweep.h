@@ -96,13 +96,14 @@ GOUGH_API void gough_sweep_maker_free(gough_sweep_maker *maker);
 
 /** Parts of a study changed by the swept values, as flags; the other parts are the same memory in all studies of a maker. */
 enum {
-    GOUGH_SWEEP_MACHINE = 1,     /**< platform, load, gravity */
-    GOUGH_SWEEP_HEIGHT = 2,      /**< the height at home; set together with GOUGH_SWEEP_MACHINE */
-    GOUGH_SWEEP_MOTION = 4,      /**< the program */
-    GOUGH_SWEEP_DISTURBANCE = 8, /**< the disturbances */
-    GOUGH_SWEEP_CONTROL = 16,    /**< the control law */
-    GOUGH_SWEEP_INITIAL = 32,    /**< where runs start */
-    GOUGH_SWEEP_SIMULATION = 64  /**< how they are run */
+    GOUGH_SWEEP_MACHINE = GOUGH_PART_MACHINE, /**< platform, load, gravity */
+    GOUGH_SWEEP_HEIGHT =
+        GOUGH_PART_HEIGHT, /**< the height at home; set together with GOUGH_SWEEP_MACHINE */
+    GOUGH_SWEEP_MOTION = GOUGH_PART_MOTION,           /**< the program */
+    GOUGH_SWEEP_DISTURBANCE = GOUGH_PART_DISTURBANCE, /**< the disturbances */
+    GOUGH_SWEEP_CONTROL = GOUGH_PART_CONTROL,         /**< the control law */
+    GOUGH_SWEEP_INITIAL = GOUGH_PART_INITIAL,         /**< where runs start */
+    GOUGH_SWEEP_SIMULATION = GOUGH_PART_SIMULATION    /**< how they are run */
 };
 
 /** The flags of one key, or of all together for @p key at or beyond the last. */

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "model/motion.h"
+#include "model/places.h"
 #include "simulate/ahead.h"
 #include "simulate/simulate.h"
 
@@ -27,11 +28,13 @@ const char *gough_method_name(int method) {
 }
 
 gough_simulation gough_simulation_default(void) {
-    return (gough_simulation){.duration = 20,
-                              .output_step = 0.05,
-                              .method = GOUGH_DOP853,
-                              .tolerance = 1e-10,
-                              .constraints = GOUGH_PROJECTION};
+    gough_simulation simulation = {.summary = NULL};
+    size_t count;
+    const gough_place *place = gough_places(&count);
+
+    for (size_t i = 0; i < count; i++)
+        if (place[i].owner == GOUGH_OWNER_SIMULATION) gough_place_reset(&place[i], &simulation);
+    return simulation;
 }
 
 static bool positive(double x) { return x > 0 && isfinite(x); }

@@ -306,25 +306,26 @@ static void check_simulation(study_build *build, study_node *node) {
 
 void study_model_rebuild(study_build *build, unsigned parts) {
     study_node *simulation = study_node_child(build->root, "simulation");
-    const bool machine = !(parts & STUDY_MACHINE) || build_machine(build);
-    const bool motion = !(parts & STUDY_MOTION) || study_motion_build(build);
-    if (parts & STUDY_DISTURBANCE) build_disturbance(build);
-    if (parts & STUDY_CONTROL) build_control(build);
-    if (parts & STUDY_INITIAL) build_initial(build);
-    if (parts & STUDY_SIMULATION) {
+    const bool machine = !(parts & GOUGH_PART_MACHINE) || build_machine(build);
+    const bool motion = !(parts & GOUGH_PART_MOTION) || study_motion_build(build);
+    if (parts & GOUGH_PART_DISTURBANCE) build_disturbance(build);
+    if (parts & GOUGH_PART_CONTROL) build_control(build);
+    if (parts & GOUGH_PART_INITIAL) build_initial(build);
+    if (parts & GOUGH_PART_SIMULATION) {
         build->study->simulation = gough_simulation_default();
         if (simulation && simulation->kind == STUDY_MAPPING && !simulation->wrong) {
             check_method(build, simulation);
             if (!simulation->wrong) read_simulation(build, simulation);
         }
     }
-    if (machine && motion && is_right(simulation) && parts & (STUDY_MOTION | STUDY_SIMULATION))
+    if (machine && motion && is_right(simulation) &&
+        parts & (GOUGH_PART_MOTION | GOUGH_PART_SIMULATION))
         check_simulation(build, simulation);
 }
 
 void study_model_build(study_build *build) {
     const study_node *units = study_node_child(build->root, "units");
     build->study->dimensionless = units && strcmp(units->text, "dimensionless") == 0;
-    study_model_rebuild(build, STUDY_MACHINE | STUDY_MOTION | STUDY_DISTURBANCE | STUDY_CONTROL |
-                                   STUDY_INITIAL | STUDY_SIMULATION);
+    study_model_rebuild(build, GOUGH_PART_MACHINE | GOUGH_PART_MOTION | GOUGH_PART_DISTURBANCE |
+                                   GOUGH_PART_CONTROL | GOUGH_PART_INITIAL | GOUGH_PART_SIMULATION);
 }

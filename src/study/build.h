@@ -16,17 +16,7 @@ typedef struct study_build {
     gough_record *record;     /* the study's memory for what is found out about recorded motion */
 } study_build;
 
-/* Parts of a study that can be filled by themselves, as flags; those of gough_sweep_touches(). */
-enum {
-    STUDY_MACHINE = 1,
-    STUDY_MOTION = 4,
-    STUDY_DISTURBANCE = 8,
-    STUDY_CONTROL = 16,
-    STUDY_INITIAL = 32,
-    STUDY_SIMULATION = 64
-};
-
-/* Fills these parts of the model once more, from a tree in which only numbers have changed. */
+/* Fills these parts of the model, flags of gough_part, once more, from a tree in which only numbers have changed. */
 void study_model_rebuild(study_build *build, unsigned parts);
 
 /* Fills the model and the simulation from the tree's parts that have no errors, and says what only then can be found:

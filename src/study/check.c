@@ -9,13 +9,15 @@
 
 static void check_mapping(study_messages *messages, study_node *node, const char *parent);
 
-/* The names known in a mapping. */
-static size_t names_in(const char *parent, const char *names[STUDY_RULES]) {
-    size_t rules, count = 0;
-    const study_rule *rule = study_rules(&rules);
-    for (size_t i = 0; i < rules && count < STUDY_RULES; i++)
-        if (study_rule_in(&rule[i], parent, &names[count])) count++;
-    return count;
+/* The names known in a mapping, in memory of the arena. */
+static const char **names_in(study_arena *arena, const char *parent, size_t *count) {
+    size_t keys;
+    const gough_key *key = gough_study_keys(&keys);
+    const char **names = study_arena_take(arena, keys * sizeof *names);
+    *count = 0;
+    for (size_t i = 0; names && i < keys; i++)
+        if (study_key_in(&key[i], parent, &names[*count])) ++*count;
+    return names;
 }
 
 static const char *join(study_arena *arena, const char *const *names, size_t count) {
@@ -32,12 +34,12 @@ static const char *join(study_arena *arena, const char *const *names, size_t cou
 
 /* The paths of all keys of that name, for one in a mapping that does not have it: "`load.mass`"; NULL if there are none. */
 static const char *elsewhere(study_arena *arena, const char *name) {
-    size_t rules, count = 0, length = 1;
-    const study_rule *rule = study_rules(&rules);
-    const char *path[STUDY_RULES];
-    for (size_t i = 0; i < rules && count < STUDY_RULES; i++) {
-        const char *dot = strrchr(rule[i].path, '.');
-        if (strcmp(dot ? dot + 1 : rule[i].path, name) == 0) path[count++] = rule[i].path;
+    size_t keys, count = 0, length = 1;
+    const gough_key *key = gough_study_keys(&keys);
+    const char **path = study_arena_take(arena, keys * sizeof *path);
+    for (size_t i = 0; path && i < keys; i++) {
+        const char *dot = strrchr(key[i].path, '.');
+        if (strcmp(dot ? dot + 1 : key[i].path, name) == 0) path[count++] = key[i].path;
     }
     for (size_t i = 0; i < count; i++) length += strlen(path[i]) + sizeof "``, ";
     char *list = count ? study_arena_take(arena, length) : NULL;
@@ -54,8 +56,8 @@ static bool follows_cut(const study_node *before, const study_node *node) {
 
 static void say_unknown(study_messages *messages, const study_node *before, study_node *node,
                         const char *path) {
-    const char *names[STUDY_RULES];
-    const size_t count = names_in(path, names);
+    size_t count;
+    const char **names = names_in(messages->arena, path, &count);
     const char *key = study_quote(messages->arena, node->key->text, node->key->length);
     const char *nearest = study_nearest(node->key->text, names, count);
     const char *others = elsewhere(messages->arena, node->key->text);
@@ -89,7 +91,7 @@ static bool check_count(study_messages *messages, study_node *node, size_t count
 }
 
 static bool check_numbers(study_messages *messages, study_node *node, size_t count,
-                          const study_bound *bound, const char *phrase) {
+                          const gough_bound *bound, const char *phrase) {
     if (!check_count(messages, node, count, phrase)) return false;
     bool good = true;
     for (study_node *item = node->first; item; item = item->next)
@@ -99,7 +101,7 @@ static bool check_numbers(study_messages *messages, study_node *node, size_t cou
 
 static void check_rows(study_messages *messages, study_node *node, size_t count,
                        const char *phrase) {
-    static const study_bound any = {"", "", -INFINITY, INFINITY, false};
+    static const gough_bound any = {"", -INFINITY, INFINITY, false};
     if (!check_count(messages, node, count, phrase)) return;
     for (study_node *row = node->first; row; row = row->next)
         check_numbers(messages, row, 3, &any, "a list of three numbers");
@@ -121,7 +123,7 @@ static void check_formulas(study_messages *messages, study_node *node, size_t co
 
 static void check_moves(study_messages *messages, study_node *node) {
     if (node->kind != STUDY_LIST || node->count == 0) {
-        study_say_shape(messages, node, study_shape_phrase(SHAPE_MOVES));
+        study_say_shape(messages, node, study_shape_phrase(GOUGH_SHAPE_MOVES));
         return;
     }
     for (study_node *move = node->first; move; move = move->next)
@@ -134,7 +136,7 @@ static void check_moves(study_messages *messages, study_node *node) {
 
 static void say_duplicate(study_messages *messages, study_node *node, const study_node *first);
 
-static void check_whole(study_messages *messages, study_node *node, const study_bound *bound) {
+static void check_whole(study_messages *messages, study_node *node, const gough_bound *bound) {
     if (!study_check_number(messages, node, bound)) return;
     const double value = study_number(node);
     if (value - floor(value) > 0)
@@ -144,9 +146,9 @@ static void check_whole(study_messages *messages, study_node *node, const study_
 
 /* What each path varies over; whether there is such a path is found with the plan. */
 static void check_swept(study_messages *messages, study_node *node) {
-    static const study_bound any = {"", "", -INFINITY, INFINITY, false};
+    static const gough_bound any = {"", -INFINITY, INFINITY, false};
     if (node->kind != STUDY_MAPPING || node->count == 0) {
-        study_say_shape(messages, node, study_shape_phrase(SHAPE_SWEPT));
+        study_say_shape(messages, node, study_shape_phrase(GOUGH_SHAPE_SWEPT));
         return;
     }
     for (study_node *swept = node->first; swept; swept = swept->next) {
@@ -164,82 +166,82 @@ static void check_swept(study_messages *messages, study_node *node) {
     }
 }
 
-static void check_value(study_messages *messages, study_node *node, const study_rule *rule) {
-    static const study_bound any = {"", "", -INFINITY, INFINITY, false};
-    const char *phrase = study_shape_phrase(rule->shape);
+static void check_value(study_messages *messages, study_node *node, const gough_key *key) {
+    static const gough_bound any = {"", -INFINITY, INFINITY, false};
+    const char *phrase = study_shape_phrase(key->shape);
     const bool single = node->kind == STUDY_SCALAR && node->length > 0;
-    switch (rule->shape) {
-    case SHAPE_MAPPING:
+    switch (key->shape) {
+    case GOUGH_SHAPE_MAPPING:
         if (node->kind == STUDY_MAPPING)
-            check_mapping(messages, node, rule->path);
+            check_mapping(messages, node, key->path);
         else
             study_say_shape(messages, node, phrase);
         break;
-    case SHAPE_CONSTRAINTS:
-    case SHAPE_SMOOTH:
+    case GOUGH_SHAPE_CONSTRAINTS:
+    case GOUGH_SHAPE_SMOOTH:
         if (node->kind == STUDY_MAPPING)
-            check_mapping(messages, node, rule->path);
+            check_mapping(messages, node, key->path);
         else if (single)
-            study_check_choice(messages, node, &rule->bound);
+            study_check_choice(messages, node, key->range);
         else
             study_say_shape(messages, node, phrase);
         break;
-    case SHAPE_MOVES:
+    case GOUGH_SHAPE_MOVES:
         check_moves(messages, node);
         break;
-    case SHAPE_TEXT:
-    case SHAPE_FILE:
-        study_check_text(messages, node, rule->shape);
+    case GOUGH_SHAPE_TEXT:
+    case GOUGH_SHAPE_FILE:
+        study_check_text(messages, node, key->shape);
         break;
-    case SHAPE_CHOICE:
-        study_check_choice(messages, node, &rule->bound);
+    case GOUGH_SHAPE_CHOICE:
+        study_check_choice(messages, node, key->range);
         break;
-    case SHAPE_NUMBER:
-        study_check_number(messages, node, &rule->bound);
+    case GOUGH_SHAPE_NUMBER:
+        study_check_number(messages, node, &key->bound);
         break;
-    case SHAPE_WHOLE:
-        check_whole(messages, node, &rule->bound);
+    case GOUGH_SHAPE_WHOLE:
+        check_whole(messages, node, &key->bound);
         break;
-    case SHAPE_SWEPT:
+    case GOUGH_SHAPE_SWEPT:
         check_swept(messages, node);
         break;
-    case SHAPE_PAIR:
-        check_numbers(messages, node, 2, &rule->bound, phrase);
+    case GOUGH_SHAPE_PAIR:
+        check_numbers(messages, node, 2, &key->bound, phrase);
         break;
-    case SHAPE_VECTOR:
-        check_numbers(messages, node, 3, &rule->bound, phrase);
+    case GOUGH_SHAPE_VECTOR:
+        check_numbers(messages, node, 3, &key->bound, phrase);
         break;
-    case SHAPE_GRAVITY:
+    case GOUGH_SHAPE_GRAVITY:
         if (single)
-            study_check_number(messages, node, &rule->bound);
+            study_check_number(messages, node, &key->bound);
         else
             check_numbers(messages, node, 3, &any, phrase);
         break;
-    case SHAPE_NUMBER_OR_SIX:
+    case GOUGH_SHAPE_NUMBER_OR_SIX:
         if (single)
-            study_check_number(messages, node, &rule->bound);
+            study_check_number(messages, node, &key->bound);
         else
-            check_numbers(messages, node, GOUGH_LEGS, &rule->bound, phrase);
+            check_numbers(messages, node, GOUGH_LEGS, &key->bound, phrase);
         break;
-    case SHAPE_POINTS:
+    case GOUGH_SHAPE_POINTS:
         check_rows(messages, node, GOUGH_LEGS, phrase);
         break;
-    case SHAPE_INERTIA:
+    case GOUGH_SHAPE_INERTIA:
         if (node->first && node->first->kind == STUDY_LIST)
             check_rows(messages, node, 3, phrase);
         else
             check_numbers(messages, node, 3, &any, phrase);
         break;
-    case SHAPE_FORMULA:
+    case GOUGH_SHAPE_FORMULA:
         study_check_formula(messages, node);
         break;
-    case SHAPE_FORMULA_OR_SIX:
+    case GOUGH_SHAPE_FORMULA_OR_SIX:
         if (single)
             study_check_formula(messages, node);
         else
             check_formulas(messages, node, GOUGH_LEGS, phrase);
         break;
-    case SHAPE_FORMULA_VECTOR:
+    case GOUGH_SHAPE_FORMULA_VECTOR:
         check_formulas(messages, node, 3, phrase);
         break;
     }
@@ -247,16 +249,16 @@ static void check_value(study_messages *messages, study_node *node, const study_
 
 /* Says which required keys a mapping lacks. */
 static void check_missing(study_messages *messages, study_node *node, const char *parent) {
-    size_t rules;
-    const study_rule *rule = study_rules(&rules);
-    for (size_t i = 0; i < rules; i++) {
+    size_t keys;
+    const gough_key *key = gough_study_keys(&keys);
+    for (size_t i = 0; i < keys; i++) {
         const char *name;
-        if (!study_rule_required(&rule[i]) || !study_rule_in(&rule[i], parent, &name)) continue;
+        if (!study_key_required(&key[i]) || !study_key_in(&key[i], parent, &name)) continue;
         if (study_node_child(node, name) || study_node_meant(node, name)) continue;
         const bool top = !node->parent;
         study_node_say(messages, node, study_node_place(node, true), "`%s%s%s` is missing: %s",
                        top ? "" : study_node_path(messages->arena, node), top ? "" : ".", name,
-                       study_rule_key(&rule[i])->sentence);
+                       key[i].sentence);
     }
 }
 
@@ -269,21 +271,16 @@ static void say_duplicate(study_messages *messages, study_node *node, const stud
 }
 
 static void check_mapping(study_messages *messages, study_node *node, const char *parent) {
-    size_t count;
-    const study_rule *rules = study_rules(&count);
-    const study_node *seen[STUDY_RULES] = {NULL}, *before = NULL;
+    const study_node *before = NULL;
     for (study_node *child = node->first; child; before = child, child = child->next) {
-        const study_rule *rule = study_rule_find(parent, child->key->text);
-        if (!rule) {
+        const gough_key *key = study_key_find(parent, child->key->text);
+        const study_node *first = study_node_child(node, child->key->text);
+        if (!key)
             say_unknown(messages, before, child, parent);
-            continue;
-        }
-        const study_node **first = &seen[rule - rules];
-        if (*first)
-            say_duplicate(messages, child, *first);
+        else if (first != child)
+            say_duplicate(messages, child, first);
         else
-            check_value(messages, child, rule);
-        if (!*first) *first = child;
+            check_value(messages, child, key);
     }
     check_missing(messages, node, parent);
 }

@@ -127,7 +127,7 @@ static void check_smoothing(study_build *build, const study_node *motion) {
         study_node_say(build->messages, cutoff, study_node_place(cutoff, true),
                        "`motion` has `cutoff` beside `smooth`; give one of them");
     if (smooth && !smooth->wrong && smooth->kind == STUDY_MAPPING && !smooth->first)
-        study_say_shape(build->messages, smooth, study_shape_phrase(SHAPE_SMOOTH));
+        study_say_shape(build->messages, smooth, study_shape_phrase(GOUGH_SHAPE_SMOOTH));
     if (either && !study_node_child(motion, "samples") && !study_node_meant(motion, "samples"))
         study_node_say(build->messages, either, study_node_place(either, true),
                        "`motion.%s` smooths recorded motion; there is no `motion.samples`",

@@ -9,7 +9,7 @@
 typedef struct study_axis {
     gough_sweep_key key;
     unsigned touches;         /* flags of gough_sweep_touches() */
-    const study_bound *bound; /* of a number; NULL: a formula, here a constant one */
+    const gough_bound *bound; /* of a number; NULL: a formula, here a constant one */
     const double *list;       /* of a list */
     size_t draw;              /* of a distribution: its number among them, from 0 */
     study_node *node;         /* where the sweep asks for it */

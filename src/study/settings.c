@@ -115,7 +115,7 @@ static bool is_known(study_arena *arena, const study_node *node) {
     const char *path = !parent->parent ? ""
                        : parent->key   ? study_node_path(arena, parent)
                                        : "motion.moves.N";
-    return study_rule_find(path, node->key->text) != NULL;
+    return study_key_find(path, node->key->text) != NULL;
 }
 
 /* Puts the new value where the old one is; no value takes the key away. */

@@ -233,7 +233,7 @@ static void rebuild(gough_sweep_maker *maker, study_messages *said) {
                          .study = study,
                          .record = &memory->record};
     study_model_rebuild(&build, maker->touches);
-    if (!(maker->touches & STUDY_MOTION)) return;
+    if (!(maker->touches & GOUGH_PART_MOTION)) return;
     free(memory->moves);
     free(memory->samples);
     memory->moves = build.moves;
@@ -252,7 +252,7 @@ gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run, const gough_
     if (said.count) gough_fail(error, status, "%s", study_messages_first(&said));
     if (arena.exhausted) status = gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
     study_arena_free(&arena);
-    if (status == GOUGH_OK && maker->touches & (STUDY_MOTION | STUDY_SIMULATION))
+    if (status == GOUGH_OK && maker->touches & (GOUGH_PART_MOTION | GOUGH_PART_SIMULATION))
         status = gough_simulation_check(maker->study->model, &maker->study->simulation, error);
     *study = maker->study;
     return status;

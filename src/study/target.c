@@ -1,4 +1,4 @@
-/* From the path of a swept key to the rule that its number keeps, and to its place in the tree. */
+/* From the path of a swept key to the key of the table, and to its place in the tree. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,36 +14,36 @@ typedef struct makeup {
     size_t list[2]; /* elements of its list and of the lists in it; 0: none */
 } makeup;
 
-static makeup makeup_of(study_shape shape) {
+static makeup makeup_of(gough_shape shape) {
     switch (shape) {
-    case SHAPE_NUMBER:
+    case GOUGH_SHAPE_NUMBER:
         return (makeup){.number = true, .alone = true};
-    case SHAPE_PAIR:
+    case GOUGH_SHAPE_PAIR:
         return (makeup){.number = true, .list = {2}};
-    case SHAPE_VECTOR:
+    case GOUGH_SHAPE_VECTOR:
         return (makeup){.number = true, .list = {3}};
-    case SHAPE_GRAVITY:
+    case GOUGH_SHAPE_GRAVITY:
         return (makeup){.number = true, .alone = true, .list = {3}};
-    case SHAPE_NUMBER_OR_SIX:
+    case GOUGH_SHAPE_NUMBER_OR_SIX:
         return (makeup){.number = true, .alone = true, .list = {GOUGH_LEGS}};
-    case SHAPE_POINTS:
+    case GOUGH_SHAPE_POINTS:
         return (makeup){.number = true, .list = {GOUGH_LEGS, 3}};
-    case SHAPE_INERTIA:
+    case GOUGH_SHAPE_INERTIA:
         return (makeup){.number = true, .list = {3, 3}};
-    case SHAPE_FORMULA:
+    case GOUGH_SHAPE_FORMULA:
         return (makeup){.formula = true, .alone = true};
-    case SHAPE_FORMULA_OR_SIX:
+    case GOUGH_SHAPE_FORMULA_OR_SIX:
         return (makeup){.formula = true, .alone = true, .list = {GOUGH_LEGS}};
-    case SHAPE_FORMULA_VECTOR:
+    case GOUGH_SHAPE_FORMULA_VECTOR:
         return (makeup){.formula = true, .list = {3}};
     default:
         return (makeup){.number = false};
     }
 }
 
-static bool is_mapping(study_shape shape) {
-    return shape == SHAPE_MAPPING || shape == SHAPE_CONSTRAINTS || shape == SHAPE_SMOOTH ||
-           shape == SHAPE_MOVES;
+static bool is_mapping(gough_shape shape) {
+    return shape == GOUGH_SHAPE_MAPPING || shape == GOUGH_SHAPE_CONSTRAINTS ||
+           shape == GOUGH_SHAPE_SMOOTH || shape == GOUGH_SHAPE_MOVES;
 }
 
 /* The next part of a path, cut off; NULL at its end. */
@@ -64,38 +64,38 @@ static size_t number_of(const char *part) {
 }
 
 /* The paths that can vary, without those of lists' elements. */
-static const char *nearest_path(const char *path) {
-    const char *known[STUDY_RULES];
-    size_t rules, count = 0;
-    const study_rule *rule = study_rules(&rules);
-    for (size_t i = 0; i < rules && count < STUDY_RULES; i++) {
-        const makeup made = makeup_of(rule[i].shape);
-        if ((made.number || made.formula) && strncmp(rule[i].path, "sweep.", 6) != 0)
-            known[count++] = rule[i].path;
+static const char *nearest_path(study_arena *arena, const char *path) {
+    size_t keys, count = 0;
+    const gough_key *key = gough_study_keys(&keys);
+    const char **known = study_arena_take(arena, keys * sizeof *known);
+    for (size_t i = 0; known && i < keys; i++) {
+        const makeup made = makeup_of(key[i].shape);
+        if ((made.number || made.formula) && strncmp(key[i].path, "sweep.", 6) != 0)
+            known[count++] = key[i].path;
     }
     return study_nearest(path, known, count);
 }
 
-/* Follows the mappings of a path to the rule of a value; what is left are numbers of elements. */
-static const study_rule *walk_rules(char **rest) {
-    const study_rule *rule = NULL;
+/* Follows the mappings of a path to the key of a value; what is left are numbers of elements. */
+static const gough_key *walk_keys(char **rest) {
+    const gough_key *key = NULL;
     const char *parent = "";
-    while (*rest && (!rule || is_mapping(rule->shape))) {
+    while (*rest && (!key || is_mapping(key->shape))) {
         char *part = take_part(rest);
-        if (rule && rule->shape == SHAPE_MOVES) {
+        if (key && key->shape == GOUGH_SHAPE_MOVES) {
             if (number_of(part) == 0) return NULL;
             parent = "motion.moves.N";
             part = take_part(rest);
         }
-        rule = part ? study_rule_find(parent, part) : NULL;
-        if (!rule) return NULL;
-        parent = rule->path;
+        key = part ? study_key_find(parent, part) : NULL;
+        if (!key) return NULL;
+        parent = key->path;
     }
-    return rule;
+    return key;
 }
 
 static bool say_unknown(study_messages *messages, study_node *node, const char *path) {
-    const char *nearest = nearest_path(path);
+    const char *nearest = nearest_path(messages->arena, path);
     study_node_say(
         messages, node, study_node_place(node, true), "`%s` is not a key of a study; %s%s%s", path,
         nearest ? "did you mean `" : "a path such as ",
@@ -104,13 +104,13 @@ static bool say_unknown(study_messages *messages, study_node *node, const char *
 }
 
 static bool say_no_number(study_messages *messages, study_node *node, const char *path,
-                          const study_rule *rule, const makeup *made) {
-    const char *type = study_rule_key(rule)->type;
+                          const gough_key *key, const makeup *made) {
+    const char *type = key->type;
     if (made->list[0])
         study_node_say(messages, node, study_node_place(node, true),
                        "`%s` is not one number but %s: vary its elements, numbered from 1, as in "
                        "`%s.%s`",
-                       path, type, rule->path, made->list[1] ? "1.1" : "1");
+                       path, type, key->path, made->list[1] ? "1.1" : "1");
     else
         study_node_say(messages, node, study_node_place(node, true),
                        "`%s` is not a number (%s) and cannot vary", path, type);
@@ -124,25 +124,6 @@ static bool check_elements(char *rest, const makeup *made, size_t *depth) {
         if (*depth == 2 || number == 0 || number > made->list[*depth]) return false;
     }
     return true;
-}
-
-static unsigned touches_of(const char *path) {
-    static const struct {
-        const char *start;
-        unsigned flags;
-    } parts[] = {{"platform.height", GOUGH_SWEEP_MACHINE | GOUGH_SWEEP_HEIGHT},
-                 {"platform.", GOUGH_SWEEP_MACHINE},
-                 {"load.", GOUGH_SWEEP_MACHINE},
-                 {"gravity", GOUGH_SWEEP_MACHINE},
-                 {"motion.", GOUGH_SWEEP_MOTION},
-                 {"disturbance.noise.interval", GOUGH_SWEEP_DISTURBANCE | GOUGH_SWEEP_SIMULATION},
-                 {"disturbance.", GOUGH_SWEEP_DISTURBANCE},
-                 {"control.", GOUGH_SWEEP_CONTROL},
-                 {"initial.", GOUGH_SWEEP_INITIAL},
-                 {"simulation.", GOUGH_SWEEP_SIMULATION}};
-    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
-        if (strncmp(path, parts[i].start, strlen(parts[i].start)) == 0) return parts[i].flags;
-    return 0;
 }
 
 /* The node that a path leads to in the tree; the last one met where it leads nowhere, with what is left in *rest. */
@@ -164,7 +145,7 @@ static study_node *walk_tree(study_node *root, char **rest, char **missing) {
 
 /* Elements vary only in lists that the study gives; a number alone may be left out of the file. */
 static bool check_place(study_messages *messages, study_node *root, study_node *node,
-                        const char *path, const study_rule *rule, size_t depth) {
+                        const char *path, const gough_key *key, size_t depth) {
     char *copy = study_arena_copy(messages->arena, path, strlen(path)), *rest = copy, *missing;
     if (!copy) return false;
     const bool move = strncmp(path, "motion.moves.", 13) == 0;
@@ -179,7 +160,7 @@ static bool check_place(study_messages *messages, study_node *root, study_node *
     if (depth == 0 && found->parent && !found->key && found->kind == STUDY_MAPPING) return true;
     study_node_say(messages, node, study_node_place(node, true),
                    "`%s`: the study has no list `%s` with such an element; add it to the study",
-                   path, move ? "motion.moves" : rule->path);
+                   path, move ? "motion.moves" : key->path);
     return false;
 }
 
@@ -187,20 +168,19 @@ bool study_target_find(study_messages *messages, study_node *root, study_axis *a
     const char *path = axis->key.path;
     char *copy = study_arena_copy(messages->arena, path, strlen(path)), *rest = copy;
     if (!copy) return false;
-    static const study_bound any = {"", "", -INFINITY, INFINITY, false};
-    const study_rule *rule = walk_rules(&rest);
-    if (!rule || strncmp(path, "sweep", 5) == 0) return say_unknown(messages, axis->node, path);
-    const makeup made = makeup_of(rule->shape);
+    static const gough_bound any = {"", -INFINITY, INFINITY, false};
+    const gough_key *key = walk_keys(&rest);
+    if (!key || strncmp(path, "sweep", 5) == 0) return say_unknown(messages, axis->node, path);
+    const makeup made = makeup_of(key->shape);
     size_t depth;
-    if (!made.number && !made.formula)
-        return say_no_number(messages, axis->node, path, rule, &made);
+    if (!made.number && !made.formula) return say_no_number(messages, axis->node, path, key, &made);
     if (!check_elements(rest, &made, &depth)) return say_unknown(messages, axis->node, path);
-    if (depth == 0 && !made.alone) return say_no_number(messages, axis->node, path, rule, &made);
-    const bool free = depth > 0 && rule->shape == SHAPE_GRAVITY;
-    axis->bound = made.formula ? NULL : free ? &any : &rule->bound;
-    axis->key.unit = study_rule_key(rule)->unit;
-    axis->touches = touches_of(path);
-    return check_place(messages, root, axis->node, path, rule, depth);
+    if (depth == 0 && !made.alone) return say_no_number(messages, axis->node, path, key, &made);
+    const bool free = depth > 0 && key->shape == GOUGH_SHAPE_GRAVITY;
+    axis->bound = made.formula ? NULL : free ? &any : &key->bound;
+    axis->key.unit = key->unit;
+    axis->touches = key->place.part | key->place.also;
+    return check_place(messages, root, axis->node, path, key, depth);
 }
 
 static study_node *make_child(study_arena *arena, study_node *parent, const char *name,

@@ -90,7 +90,7 @@ static void say_no_number(study_messages *messages, study_node *node, size_t res
                        path, study_quote(messages->arena, more, strlen(more)));
 }
 
-bool study_check_number(study_messages *messages, study_node *node, const study_bound *bound) {
+bool study_check_number(study_messages *messages, study_node *node, const gough_bound *bound) {
     if (node->kind != STUDY_SCALAR || node->length == 0) {
         study_say_shape(messages, node, "a number");
         return false;
@@ -163,12 +163,12 @@ bool study_check_formula(study_messages *messages, study_node *node) {
     return false;
 }
 
-bool study_check_choice(study_messages *messages, study_node *node, const study_bound *bound) {
+bool study_check_choice(study_messages *messages, study_node *node, const char *choices) {
     if (node->kind == STUDY_SCALAR) {
         const char *words[16];
         char all[200];
         size_t count = 0;
-        snprintf(all, sizeof all, "%s", bound->text);
+        snprintf(all, sizeof all, "%s", choices);
         for (char *word = all, *end; word; word = end) {
             end = strstr(word, ", ");
             if (end) *end = '\0', end += 2;
@@ -178,26 +178,26 @@ bool study_check_choice(study_messages *messages, study_node *node, const study_
         const char *nearest = study_nearest(node->text, words, count);
         study_node_say(messages, node, study_node_place(node, node->empty),
                        "`%s` must be one of %s, found %s%s%s%s",
-                       study_node_path(messages->arena, node), bound->text,
+                       study_node_path(messages->arena, node), choices,
                        found(messages->arena, node), nearest ? "; did you mean `" : "",
                        nearest ? nearest : "", nearest ? "`?" : "");
         return false;
     }
     char phrase[240];
-    snprintf(phrase, sizeof phrase, "one of %s", bound->text);
+    snprintf(phrase, sizeof phrase, "one of %s", choices);
     study_say_shape(messages, node, phrase);
     return false;
 }
 
-bool study_check_text(study_messages *messages, study_node *node, study_shape shape) {
-    if (node->kind != STUDY_SCALAR || (shape == SHAPE_FILE && node->length == 0)) {
+bool study_check_text(study_messages *messages, study_node *node, gough_shape shape) {
+    if (node->kind != STUDY_SCALAR || (shape == GOUGH_SHAPE_FILE && node->length == 0)) {
         study_say_shape(messages, node, study_shape_phrase(shape));
         return false;
     }
     unsigned code = 0;
     for (size_t at = 0, size; at < node->length; at += size ? size : 1) {
         size = gough_character_read(node->text + at, node->length - at, &code);
-        const bool blank = shape == SHAPE_TEXT && (code == '\n' || code == '\t');
+        const bool blank = shape == GOUGH_SHAPE_TEXT && (code == '\n' || code == '\t');
         if (blank || (code >= 0x20 && code < 0x7F) || code >= 0xA0) continue;
         study_node_say(messages, node, study_scalar_place(node, at),
                        "control character U+%04X in `%s`", code,

@@ -24,10 +24,10 @@ double study_number(const study_node *node);
 const char *study_node_path(study_arena *arena, const study_node *node);
 
 /* Checks say what is wrong and mark the node. */
-bool study_check_number(study_messages *messages, study_node *node, const study_bound *bound);
+bool study_check_number(study_messages *messages, study_node *node, const gough_bound *bound);
 bool study_check_formula(study_messages *messages, study_node *node);
-bool study_check_choice(study_messages *messages, study_node *node, const study_bound *bound);
-bool study_check_text(study_messages *messages, study_node *node, study_shape shape);
+bool study_check_choice(study_messages *messages, study_node *node, const char *choices);
+bool study_check_text(study_messages *messages, study_node *node, gough_shape shape);
 
 /* Says that a node is not of the shape that its key asks for. */
 void study_say_shape(study_messages *messages, study_node *node, const char *phrase);
