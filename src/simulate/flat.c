@@ -1,23 +1,35 @@
 /* A model and how to run it as one array of doubles, and back: what is handed to a program that shares no memory layout
  * with this one, such as the page's core.
  *
- * The array is what exchange_all() visits, in its order: one text writes it and reads it. What follows from a field is not
- * in it (the machine's constants, the spline of recorded motion, which operands of a formula are constant) and is found
+ * The array is what exchange_all() visits: the places of the table of fields in its order, then moves or recorded motion. One
+ * text writes it and reads it. What follows from a field is not in it (the machine's constants, the spline of recorded motion, which operands of a formula are constant) and is found
  * anew by the functions that found it first, so that it has the same bits. */
 #define NUMBER_DOUBLE
 #include <math.h>
 #include <string.h>
 
 #include "gough/simulate.h"
+#include "model/places.h"
 #include "model/program.h"
 
 enum {
-    FORMAT = 2,
-    HEAD = 4, /* format, doubles in all, moves, rows of recorded motion */
-    /* least that a move and a row take: their counts cannot exceed the array's */
-    MOVE = 2 + 2 * GOUGH_COMPONENTS,
+    FORMAT = 3, /* changes if the same fields are written in another way */
+    HEAD = 4,   /* format, doubles in all, moves, rows of recorded motion */
     ROW = 1 + GOUGH_COMPONENTS
 };
+
+/* The format of the array's head: FORMAT and the table's places, FNV-1a in 32 bits. With another field it is another number. */
+static double format_number(void) {
+    size_t count;
+    const gough_place *place = gough_places(&count);
+    uint32_t sum = 2166136261u ^ FORMAT;
+
+    for (size_t i = 0; i < count; i++) {
+        const unsigned part[3] = {place[i].owner, place[i].kind, (unsigned)place[i].count};
+        for (int k = 0; k < 3; k++) sum = (sum ^ part[k]) * 16777619u;
+    }
+    return sum;
+}
 
 /* One pass over the array: reading where `from` is set, else writing, else (neither set) counting. */
 typedef struct {
@@ -43,6 +55,12 @@ static void refuse(pass *p, const char *wanted) {
                            wanted, p->from[p->at - 1]);
 }
 
+/* fields that have been read do not go together */
+static void deny(pass *p, const char *sentence) {
+    if (p->status != GOUGH_OK) return;
+    p->status = gough_fail(p->error, GOUGH_ERROR_INPUT, "the flat model is damaged: %s", sentence);
+}
+
 /* any number at all; after a failure nothing is read any more and 0 stands for it */
 static double exchange(pass *p, double x) {
     if (p->from == NULL) {
@@ -59,21 +77,15 @@ static double exchange(pass *p, double x) {
     return p->from[p->at++];
 }
 
-static void exchange_numbers(pass *p, double *x, int count) {
-    for (int i = 0; i < count; i++) {
+/* finite numbers; INFINITY stands for no limit if that is the default */
+static void exchange_numbers(pass *p, double *x, const gough_place *place) {
+    for (size_t i = 0; i < place->count; i++) {
         const double taken = exchange(p, x[i]);
+        const bool limit = isinf(place->usual[i > 0]);
         if (p->from == NULL) continue;
-        if (!isfinite(taken)) refuse(p, "finite");
+        if (isnan(taken) || (isinf(taken) && !limit)) refuse(p, limit ? "a limit" : "finite");
         x[i] = taken;
     }
-}
-
-/* INFINITY stands for no limit */
-static void exchange_limit(pass *p, double *x) {
-    const double taken = exchange(p, *x);
-    if (p->from == NULL) return;
-    if (isnan(taken)) refuse(p, "a limit");
-    *x = taken;
 }
 
 /* a whole number from 0 to `most`, below 2^53 */
@@ -88,8 +100,8 @@ static int exchange_choice(pass *p, int x, int count) {
     return (int)exchange_whole(p, x, count - 1);
 }
 
-static void exchange_flags(pass *p, bool *x, int count) {
-    for (int i = 0; i < count; i++) {
+static void exchange_flags(pass *p, bool *x, size_t count) {
+    for (size_t i = 0; i < count; i++) {
         const double taken = exchange_whole(p, x[i] ? 1 : 0, 1);
         if (p->from) x[i] = taken > 0;
     }
@@ -140,7 +152,10 @@ static void exchange_formula(pass *p, gough_formula *f) {
     for (int i = 0; i < count; i++) {
         const int code = exchange_choice(p, f->operation[i].code, FORMULA_RAMP + 1);
         if (p->from) f->operation[i].code = code;
-        exchange_numbers(p, &f->operation[i].value, 1);
+        const double value = exchange(p, f->operation[i].value);
+        if (p->from == NULL) continue;
+        if (!isfinite(value)) refuse(p, "finite");
+        f->operation[i].value = value;
     }
     if (p->from == NULL || p->status != GOUGH_OK || complete_formula(f)) return;
     p->status = gough_fail(p->error, GOUGH_ERROR_INPUT,
@@ -149,32 +164,48 @@ static void exchange_formula(pass *p, gough_formula *f) {
                            p->at + 1);
 }
 
-static void exchange_formulas(pass *p, gough_formula *f, int count) {
-    for (int i = 0; i < count; i++) exchange_formula(p, &f[i]);
+/* ---- the fields ---- */
+
+static void exchange_place(pass *p, const gough_place *place, void *owner) {
+    void *const value = (char *)owner + place->offset;
+
+    switch (place->kind) {
+    case GOUGH_KIND_NUMBER:
+        exchange_numbers(p, value, place);
+        break;
+    case GOUGH_KIND_FORMULA:
+        for (size_t i = 0; i < place->count; i++) exchange_formula(p, (gough_formula *)value + i);
+        break;
+    case GOUGH_KIND_FLAG:
+        exchange_flags(p, value, place->count);
+        break;
+    case GOUGH_KIND_CHOICE: {
+        const int taken = exchange_choice(p, *(int *)value, place->choices);
+        if (p->from) *(int *)value = taken;
+        break;
+    }
+    case GOUGH_KIND_WHOLE:
+        exchange_bits(p, value);
+        break;
+    }
 }
 
-/* ---- the parts of a model ---- */
+/* all fields of one struct, in the order of the table */
+static void exchange_fields(pass *p, gough_owner owner, void *of) {
+    size_t count;
+    const gough_place *place = gough_places(&count);
 
-static void exchange_machine(pass *p, gough_machine *m) {
-    gough_platform platform = m->platform;
-    gough_load load = m->load;
-    double gravity[3] = {m->gravity[0], m->gravity[1], m->gravity[2]};
+    for (size_t i = 0; i < count; i++)
+        if (place[i].owner == owner) exchange_place(p, &place[i], of);
+}
 
-    exchange_numbers(p, platform.base[0], GOUGH_LEGS * 3);
-    exchange_numbers(p, platform.top[0], GOUGH_LEGS * 3);
-    exchange_numbers(p, &platform.height, 1);
-    exchange_numbers(p, &platform.base_radius, 1);
-    exchange_limit(p, &platform.length_min);
-    exchange_limit(p, &platform.length_max);
-    exchange_limit(p, &platform.speed_max);
-    exchange_limit(p, &platform.force_max);
-    exchange_numbers(p, &load.mass, 1);
-    exchange_numbers(p, load.center_of_mass, 3);
-    exchange_numbers(p, load.inertia[0], 9);
-    exchange_numbers(p, gravity, 3);
-    if (p->from && p->status == GOUGH_OK) {
-        p->status = gough_machine_init(m, &platform, &load, gravity, p->error);
-    }
+/* doubles of one move; fields of moves have no formulas */
+static size_t move_size(void) {
+    gough_move move = {.start = 0};
+    pass p = {.status = GOUGH_OK};
+
+    exchange_fields(&p, GOUGH_OWNER_MOVE, &move);
+    return p.at;
 }
 
 /* those read go into `moves`, one after the other in time */
@@ -184,12 +215,9 @@ static void exchange_moves(pass *p, gough_motion *motion, size_t count, gough_mo
     for (size_t i = 0; i < count && p->status == GOUGH_OK; i++) {
         gough_move move = {.start = 0};
         if (p->from == NULL) move = motion->move[i];
-        exchange_numbers(p, &move.start, 1);
-        if (p->from && move.start < before) refuse(p, "no earlier than the end of the move before");
-        exchange_numbers(p, &move.duration, 1);
-        if (p->from && !(move.duration > 0)) refuse(p, "a duration > 0");
-        exchange_numbers(p, move.target, GOUGH_COMPONENTS);
-        exchange_flags(p, move.given, GOUGH_COMPONENTS);
+        exchange_fields(p, GOUGH_OWNER_MOVE, &move);
+        if (p->from && move.start < before) deny(p, "moves must follow one another in time");
+        if (p->from && !(move.duration > 0)) deny(p, "the duration of a move must be > 0");
         before = move.start + move.duration;
         if (p->from) moves[i] = move;
     }
@@ -217,91 +245,41 @@ static void exchange_samples(pass *p, gough_samples *samples, size_t rows, doubl
     p->status = gough_samples_prepare(samples, curvature + values, p->error);
 }
 
-static void exchange_motion(pass *p, gough_motion *m, const extent *e) {
-    const int kind = exchange_choice(p, (int)m->kind, GOUGH_MOTION_SAMPLES + 1);
+/* Rules between fields that no other check of the library knows. */
+static void check_fields(pass *p, const gough_model *model, double duration, const extent *e) {
+    const gough_motion *m = &model->motion;
+    const gough_noise *n = &model->disturbance.noise;
 
-    if (p->from) {
-        m->kind = (gough_motion_kind)kind;
-        if ((e->moves > 0 && kind != GOUGH_MOTION_MOVES) ||
-            (e->rows > 0) != (kind == GOUGH_MOTION_SAMPLES)) {
-            refuse(p, "the kind of motion that has the moves or rows of the head");
-        }
+    if ((e->moves > 0 && m->kind != GOUGH_MOTION_MOVES) ||
+        (e->rows > 0) != (m->kind == GOUGH_MOTION_SAMPLES)) {
+        deny(p, "its motion must be of the kind that has the moves or rows of its head");
     }
-    exchange_numbers(p, m->about, 3);
-    exchange_numbers(p, &m->angle_unit, 1);
-    exchange_numbers(p, &m->period, 1);
-    exchange_flags(p, &m->scaled, 1);
-    exchange_numbers(p, &m->amplitude, 1);
-    exchange_numbers(p, &m->frequency, 1);
-    if (p->from && m->scaled && !(m->frequency > 0)) refuse(p, "a factor > 0");
-    exchange_formulas(p, m->formula, GOUGH_COMPONENTS);
-    exchange_moves(p, m, e->moves, e->move);
-    exchange_samples(p, &m->samples, e->rows, e->curvature);
-}
-
-static void exchange_noise(pass *p, gough_noise *n, double duration) {
-    exchange_numbers(p, &n->leg_force, 1);
-    exchange_numbers(p, &n->force, 1);
-    exchange_numbers(p, &n->moment, 1);
-    exchange_numbers(p, &n->interval, 1);
+    if (m->scaled && !(m->frequency > 0)) deny(p, "the frequency of its motion must be > 0");
     /* knots are counted; more than these are a mistake, and another million runs of them end below 2^63 */
-    if (p->from && (n->leg_force > 0 || n->force > 0 || n->moment > 0) &&
+    if ((n->leg_force > 0 || n->force > 0 || n->moment > 0) &&
         !(n->interval > 0 && duration / n->interval < 0x1p40)) {
-        refuse(p, "an interval > 0 and no tiny part of the run");
+        deny(p, "the interval of its noise must be > 0 and not a tiny part of the run");
     }
-    exchange_bits(p, &n->seed);
-    exchange_bits(p, &n->run);
 }
 
-static void exchange_disturbance(pass *p, gough_disturbance *d, double duration) {
-    exchange_formulas(p, d->leg_force, GOUGH_LEGS);
-    exchange_formula(p, &d->vertical_force);
-    exchange_formulas(p, d->force, 3);
-    exchange_formulas(p, d->moment, 3);
-    exchange_noise(p, &d->noise, duration);
-}
+static void complete_machine(pass *p, gough_machine *machine) {
+    const gough_machine read = *machine;
 
-static void exchange_control(pass *p, gough_control *c) {
-    exchange_flags(p, &c->feedforward, 1);
-    exchange_numbers(p, c->stiffness, GOUGH_LEGS);
-    exchange_numbers(p, c->damping, GOUGH_LEGS);
-}
-
-static void exchange_initial(pass *p, gough_initial *i) {
-    exchange_numbers(p, i->component, GOUGH_COMPONENTS);
-    exchange_flags(p, i->given, GOUGH_COMPONENTS);
-    exchange_numbers(p, i->velocity, 3);
-    exchange_numbers(p, i->angular_velocity, 3);
-    exchange_flags(p, &i->velocity_given, 1);
-    exchange_flags(p, &i->angular_velocity_given, 1);
-}
-
-static void exchange_simulation(pass *p, gough_simulation *s) {
-    exchange_numbers(p, &s->duration, 1);
-    exchange_numbers(p, &s->output_step, 1);
-    const int method = exchange_choice(p, (int)s->method, GOUGH_METHODS);
-    exchange_numbers(p, &s->step, 1);
-    exchange_numbers(p, &s->max_step, 1);
-    exchange_numbers(p, &s->tolerance, 1);
-    const int constraints = exchange_choice(p, (int)s->constraints, GOUGH_BAUMGARTE + 1);
-    exchange_numbers(p, s->baumgarte, 2);
-    const int precision = exchange_choice(p, (int)s->precision, GOUGH_QUADRUPLE + 1);
-    exchange_flags(p, &s->reactions, 1);
-    if (p->from == NULL) return;
-    s->method = (gough_method)method;
-    s->constraints = (gough_constraints)constraints;
-    s->precision = (gough_precision)precision;
+    if (p->status != GOUGH_OK) return;
+    p->status = gough_machine_init(machine, &read.platform, &read.load, read.gravity, p->error);
 }
 
 /* Everything, after the head. Where the pass does not read, it changes nothing. */
 static void exchange_all(pass *p, gough_model *model, gough_simulation *simulation,
                          const extent *e) {
-    exchange_simulation(p, simulation);
-    exchange_machine(p, &model->machine);
-    exchange_motion(p, &model->motion, e);
-    exchange_control(p, &model->control);
-    exchange_disturbance(p, &model->disturbance, simulation->duration);
-    exchange_initial(p, &model->initial);
+    exchange_fields(p, GOUGH_OWNER_MODEL, model);
+    exchange_fields(p, GOUGH_OWNER_SIMULATION, simulation);
+    if (p->from) {
+        check_fields(p, model, simulation->duration, e);
+        complete_machine(p, &model->machine);
+    }
+    exchange_moves(p, &model->motion, e->moves, e->move);
+    exchange_samples(p, &model->motion.samples, e->rows, e->curvature);
 }
 
 /* ---- the public face ---- */
@@ -330,7 +308,7 @@ void gough_model_flatten(const gough_model *model, const gough_simulation *simul
     pass p = {.to = flat, .at = HEAD, .status = GOUGH_OK};
 
     exchange_all(&p, (gough_model *)model, (gough_simulation *)simulation, &e);
-    flat[0] = FORMAT;
+    flat[0] = format_number();
     flat[1] = (double)p.at;
     flat[2] = (double)e.moves;
     flat[3] = (double)e.rows;
@@ -339,19 +317,20 @@ void gough_model_flatten(const gough_model *model, const gough_simulation *simul
 /* the head of an array to be read */
 static gough_status read_head(const double *flat, size_t count, extent *e, gough_error *error) {
     pass p = {.from = flat, .count = count, .status = GOUGH_OK, .error = error};
+    const double known = format_number();
     const double format = exchange(&p, 0), all = exchange(&p, 0);
 
-    if (p.status == GOUGH_OK && !(format >= FORMAT && format <= FORMAT)) {
+    if (p.status == GOUGH_OK && !(format >= known && format <= known)) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the flat model has the format %.9g; this program reads format %d",
-                          format, FORMAT);
+                          "the flat model has the format %.10g; this program reads format %.10g",
+                          format, known);
     }
     if (p.status == GOUGH_OK && !(all >= (double)count && all <= (double)count)) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "the flat model is damaged: it has %zu numbers and claims %.9g", count,
                           all);
     }
-    e->moves = (size_t)exchange_whole(&p, 0, floor((double)count / MOVE));
+    e->moves = (size_t)exchange_whole(&p, 0, floor((double)count / (double)move_size()));
     e->rows = (size_t)exchange_whole(&p, 0, floor((double)count / ROW));
     return p.status;
 }

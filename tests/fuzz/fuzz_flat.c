@@ -44,6 +44,21 @@ static void settle(const gough_model *model, const gough_simulation *simulation,
     free(once);
 }
 
+/* The number of the format in the head changes with the table of fields; inputs whose head begins with 0 mean that of this build,
+ * so that they are read further. The corpus is what tests/web/flat.c writes of tests/digest, with this 0. */
+static double own_format(void) {
+    gough_model *empty = calloc(1, sizeof *empty);
+    const gough_simulation any = gough_simulation_default();
+    if (empty == NULL) abort();
+    double *flat = malloc(gough_model_flat_size(empty) * sizeof *flat);
+    if (flat == NULL) abort();
+    gough_model_flatten(empty, &any, flat);
+    const double format = flat[0];
+    free(flat);
+    free(empty);
+    return format;
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const size_t count = size / sizeof(double);
     double *flat = malloc(count * sizeof(double) + 1);
@@ -52,6 +67,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     gough_error error = {.message = ""};
     if (flat == NULL || model == NULL) abort();
     memcpy(flat, data, count * sizeof(double));
+    if (count > 0 && !(flat[0] < 0) && !(flat[0] > 0)) flat[0] = own_format();
 
     const size_t bytes = gough_model_flat_memory(flat, count);
     if (bytes > 2 * size) abort();
