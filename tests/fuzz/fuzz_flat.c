@@ -44,8 +44,8 @@ static void settle(const gough_model *model, const gough_simulation *simulation,
     free(once);
 }
 
-/* The number of the format in the head changes with the table of fields; inputs whose head begins with 0 mean that of this build,
- * so that they are read further. The corpus is what tests/web/flat.c writes of tests/digest, with this 0. */
+/* The number of the format in the head changes with the table of fields. A 0 in its place means the format of this build, so
+ * that the rest is read too. The corpus is what tests/web/flat.c writes for the studies in tests/digest, with this 0. */
 static double own_format(void) {
     gough_model *empty = calloc(1, sizeof *empty);
     const gough_simulation any = gough_simulation_default();
