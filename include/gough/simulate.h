@@ -200,7 +200,8 @@ GOUGH_API size_t gough_model_flat_size(const gough_model *model);
 /** Writes a model and its options as an array of doubles, for another process, another machine or a page.
  *
  *  The array begins with the number of its format, which changes with the table of fields (fields.h), and the number of its
- *  doubles. It contains what the model was made from; gough_model_unflatten() derives the rest again, with the same bits. Safe to call concurrently on one model.
+ *  doubles. It contains what the model was made from; gough_model_unflatten() derives the rest again, with the same bits. Safe to
+ *  call concurrently on one model.
  *  @param model       validated
  *  @param simulation  how to run it
  *  @param[out] flat   gough_model_flat_size() doubles */
