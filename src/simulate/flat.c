@@ -3,7 +3,7 @@
  *
  * The array is what exchange_all() visits: the places of the table of fields in its order, then moves or recorded motion. One
  * text writes it and reads it. What follows from a field is not in it (the machine's constants, the spline of recorded motion,
- * which operands of a formula are constant) and is found anew by the functions that found it first, so that it has the same bits. */
+ * which operands of a formula are constant); it is found anew by the functions that found it first, with the same bits. */
 #define NUMBER_DOUBLE
 #include <math.h>
 #include <string.h>
