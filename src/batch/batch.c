@@ -9,7 +9,7 @@
 #include "batch/width.h"
 #include "model/appointments.h"
 #include "simulate/ahead.h"
-#include "simulate/fixed.h"
+#include "integrate/fixed.h"
 #include "simulate/simulate.h"
 
 /* groups that a thread walks together; steps of a block; records of its tape: at most 18 stages a step */

@@ -91,7 +91,7 @@ void batch_alone(const batch_job *job, size_t which) {
 
 /* ---- beginnings and ends ---- */
 
-int batch_start(const batch_job *job, size_t which, double state[24], double side[2]) {
+int batch_start(const batch_job *job, size_t which, double state[STATE], double side[2]) {
     const simulate_parts parts = parts_of(job, which);
     gough_end end = {.cause = GOUGH_END_DONE};
     listener l;
@@ -116,10 +116,10 @@ static void look_at_end(drive *d, real until, batch_step *step) {
     instant m;
 
     step->until = until;
-    step->looked = until > d->t0;
+    step->looked = until > d->m.t0;
     if (!step->looked) return;
     for (int i = 0; i < STATE; i++) y[i] = d->y[i];
-    if (until < d->t) drive_inside(d, (until - d->t0) / d->h, y);
+    if (until < d->t) drive_inside(d, (until - d->m.t0) / d->m.h, y);
     const stage *s = run_whole_stage(&d->r, until);
     run_instant(&d->r, until, y, &m);
     looks_fill(s, &m, onto(&d->r.h.axes, d->r.h.center), step->look);
@@ -135,9 +135,9 @@ int batch_locate(const batch_job *job, size_t which, batch_step *step) {
 
     drive_open(&d, &parts, job->simulation, NULL, NULL, &end);
     d.side = (limits_side){step->side[0], step->side[1]};
-    d.t0 = step->t0;
+    d.m.t0 = step->t0;
     d.t = step->t;
-    d.h = step->h;
+    d.m.h = step->h;
     d.row = d.rows = 0;
     d.drift = 0;
     for (int i = 0; i < STATE; i++) {
@@ -153,7 +153,7 @@ int batch_locate(const batch_job *job, size_t which, batch_step *step) {
     return 1;
 }
 
-void batch_last_row(const batch_job *job, size_t which, const double state[24]) {
+void batch_last_row(const batch_job *job, size_t which, const double state[STATE]) {
     gough_outcome *out = &job->outcomes[which];
     const coordinates x = coordinates_load(state), rate = coordinates_load(state + COORDINATES);
     real value[GOUGH_COLUMNS];

@@ -6,14 +6,11 @@
 
 #include "batch/looks.h"
 #include "batch/width.h"
-#include "integrate/dop853.h"
-#include "integrate/rk4.h"
-#include "model/appointments.h"
-#include "simulate/fixed.h"
 
 typedef struct {
     run r;
     appointments when; /* the same in all lanes */
+    march m;
     size_t first;
     int count;
     int going[NUMBER_WIDTH]; /* lanes still under way */
@@ -201,37 +198,30 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
     group_look(g, run_stage(&g->r, 0), &m, 0);
     g->rows = 1;
     g->determinant = limits_pose(&g->r, &m).determinant;
-    if (job->simulation->method >= GOUGH_RATTLE2) {
-        const rattle method = {&g->r.h.load, run_wrench, &g->r, g->r.damped};
+    g->m = run_march(job->simulation, &g->when);
+    if (g->m.method >= MARCH_RATTLE) {
+        const march_problem problem = run_problem(&g->r);
         g->body.x = coordinates_load(g->at[0].y);
         g->body.velocity = m.rate.rho;
         g->body.omega = onto(&g->body.x.q, triad_angular_velocity(&g->body.x.q, &m.rate.q));
-        rattle_begin(&method, 0, &g->body);
+        rattle_begin(&problem.rule, 0, &g->body);
     }
 }
 
 /* the stepper's step; returns the residual of an implicit one */
-static inline number group_step(group *g, real t, real h, number raw[STATE]) {
-    const gough_method method = g->r.options->method;
-    const number *y = g->at[g->now].y, *rate = g->at[g->now].rate;
+static inline number group_step(group *g, number raw[STATE]) {
+    const march_problem problem = run_problem(&g->r);
+    dop853 work;
+    const number residual =
+        march_step(&g->m, &problem, &work, &g->body, g->at[g->now].y, g->at[g->now].rate, raw);
 
-    if (method == GOUGH_RK4) {
-        rk4_step(run_rates, &g->r, STATE, t, h, y, rate, raw);
-    } else if (method == GOUGH_DOP853) {
-        dop853 work;
-        for (int i = 0; i < STATE; i++) work.slope[0][i] = rate[i];
-        dop853_step(&work, run_rates, &g->r, STATE, t, h, y, raw);
-    } else {
-        const rattle rule = {&g->r.h.load, run_wrench, &g->r, g->r.damped};
-        const number residual =
-            rattle_compose(&rule, (int)method - (int)GOUGH_RATTLE2, t, h, &g->body);
+    if (g->m.method >= MARCH_RATTLE) {
         const coordinates turning = {g->body.velocity,
                                      triad_rate(&g->body.x.q, out_of(&g->body.x.q, g->body.omega))};
         coordinates_store(&g->body.x, raw);
         coordinates_store(&turning, raw + COORDINATES);
-        return residual;
     }
-    return number_of(0);
+    return residual;
 }
 
 /* 1 in lanes where something may have ended the run; cheap, and never wrong on the safe side */
@@ -285,12 +275,12 @@ static inline void group_end_within(group *g, const batch_job *job, const batch_
 }
 
 /* looks at the lanes in trouble one by one, as gough_simulate() would */
-static inline void group_inspect(group *g, const batch_job *job, number trouble, real t0, real h,
-                                 real t, number residual, const number *raw) {
+static inline void group_inspect(group *g, const batch_job *job, number trouble, number residual,
+                                 const number *raw) {
     for (int i = 0; i < NUMBER_WIDTH; i++) {
-        batch_step step = {.t0 = t0,
-                           .h = h,
-                           .t = t,
+        batch_step step = {.t0 = g->m.t0,
+                           .h = g->m.h,
+                           .t = g->m.t1,
                            .residual = number_lane(residual, i),
                            .side = {number_lane(g->side_pose, i), number_lane(g->side_program, i)}};
         if (!(number_lane(trouble, i) > 0)) continue;
@@ -309,30 +299,6 @@ static inline int group_going(const group *g) {
     return sum;
 }
 
-/* one step, or part of one, from t0, as long as h, to t in all lanes; *m is its end */
-static inline void group_move(group *g, const batch_job *job, double t0, double h, double t,
-                              instant *m) {
-    const int projecting = job->simulation->constraints == GOUGH_PROJECTION;
-    number raw[STATE];
-    const number residual = group_step(g, t0, h, raw);
-    coordinates x = coordinates_load(raw), v = coordinates_load(raw + COORDINATES);
-
-    g->drift =
-        number_larger(g->drift, projecting ? coordinates_project(&x, &v) : triad_violation(&x.q));
-    g->now = 1 - g->now;
-    coordinates_store(&x, g->at[g->now].y);
-    coordinates_store(&v, g->at[g->now].y + COORDINATES);
-    run_instant(&g->r, t, g->at[g->now].y, m);
-    coordinates_store(&m->rate, g->at[g->now].rate);
-    coordinates_store(&m->acceleration, g->at[g->now].rate + COORDINATES);
-
-    const number trouble = group_trouble(g, run_stage(&g->r, t), m, residual);
-    double sum = 0;
-    for (int i = 0; i < NUMBER_WIDTH; i++) sum += number_lane(trouble, i);
-    if (sum > 0) group_inspect(g, job, trouble, t0, h, t, residual, raw);
-    if (group_going(g) > 0) group_look(g, run_stage(&g->r, t), m, t);
-}
-
 /* a row, and whether determinants must be watched at each step up to the next */
 static inline void group_row_due(group *g, const instant *m) {
     const number before = g->determinant;
@@ -348,24 +314,57 @@ static inline void group_row_due(group *g, const instant *m) {
     }
 }
 
+/* whether a row is due at the end of the part of step k under way */
+static inline int group_row_ends(const group *g, const batch_job *job, long long k) {
+    return (k + 1) % job->per_row == 0 && !(g->m.t1 < (double)(k + 1) * g->m.length) &&
+           !fixed_is_short(k, g->m.length, g->m.until);
+}
+
+/* a loop of fixed steps */
+typedef struct {
+    group *g;
+    const batch_job *job;
+    instant end; /* of the last part of a step */
+} group_loop;
+
+/* one part of a step in all lanes; 1 where none goes on */
+static inline int group_move(void *context, long long k, int part) {
+    group_loop *l = context;
+    group *g = l->g;
+    const batch_job *job = l->job;
+    const int projecting = job->simulation->constraints == GOUGH_PROJECTION;
+    instant *m = &l->end;
+    number raw[STATE];
+    const number residual = group_step(g, raw);
+    const double t = g->m.t1;
+
+    (void)part;
+    coordinates x = coordinates_load(raw), v = coordinates_load(raw + COORDINATES);
+
+    g->drift =
+        number_larger(g->drift, projecting ? coordinates_project(&x, &v) : triad_violation(&x.q));
+    g->now = 1 - g->now;
+    coordinates_store(&x, g->at[g->now].y);
+    coordinates_store(&v, g->at[g->now].y + COORDINATES);
+    run_instant(&g->r, t, g->at[g->now].y, m);
+    coordinates_store(&m->rate, g->at[g->now].rate);
+    coordinates_store(&m->acceleration, g->at[g->now].rate + COORDINATES);
+
+    const number trouble = group_trouble(g, run_stage(&g->r, t), m, residual);
+    double sum = 0;
+    for (int i = 0; i < NUMBER_WIDTH; i++) sum += number_lane(trouble, i);
+    if (sum > 0) group_inspect(g, job, trouble, residual, raw);
+    if (group_going(g) == 0) return 1;
+    group_look(g, run_stage(&g->r, t), m, t);
+    if (group_row_ends(g, job, k)) group_row_due(g, m);
+    return 0;
+}
+
 static inline int group_advance(void *memory, const batch_job *job, long long from, long long to) {
     group *g = memory;
-    const double h = job->simulation->step;
-    instant m;
+    group_loop l = {.g = g, .job = job};
 
-    for (long long k = from; k < to && group_going(g) > 0; k++) {
-        const int cut = fixed_is_short(k, h, job->simulation->duration);
-        const double end = cut ? job->simulation->duration : (double)(k + 1) * h;
-        double t0 = (double)k * h, t = appointments_part(&g->when, t0, end, h);
-
-        group_move(g, job, t0, t < end || cut ? t - t0 : h, t, &m);
-        while (t < end && group_going(g) > 0) { /* as drive_part() divides a step */
-            t0 = t;
-            t = appointments_part(&g->when, t0, end, h);
-            group_move(g, job, t0, t - t0, t, &m);
-        }
-        if (!cut && (k + 1) % job->per_row == 0 && group_going(g) > 0) group_row_due(g, &m);
-    }
+    if (group_going(g) > 0) (void)march_fixed(&g->m, from, to, group_move, &l);
     return group_going(g);
 }
 

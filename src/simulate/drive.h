@@ -3,7 +3,6 @@
 #define GOUGH_SIMULATE_DRIVE_H
 
 #include "simulate/drive_settle.h"
-#include "simulate/fixed.h"
 
 /* (step-2): a first step from the size of the rates and of their change over a small explicit step */
 static inline real drive_first_step(drive *d, const real *size, real tolerance, real longest) {
@@ -39,7 +38,7 @@ static inline void drive_look_ahead(drive *d) {
     if (d->ahead == NULL) return;
     lookahead_clear(d->ahead);
     for (int row = 1; row < DOP853_STAGES; row++) {
-        lookahead_announce(d->ahead, d->t0 + dop853_c[row] * d->h);
+        lookahead_announce(d->ahead, d->m.t0 + dop853_c[row] * d->m.h);
     }
     lookahead_ready(d->ahead);
 }
@@ -90,83 +89,18 @@ static inline void drive_watch_stiffness(drive *d, stiffness_watch *w, const rea
     real reach;
 
     if (s->stiff_rate > 0 || (w->near == 0 && s->steps % STIFF_EVERY != 0)) return;
-    reach = dop853_stiffness(d->dense, STATE, d->h, d->y0, d->y, d->rate, size);
+    reach = dop853_stiffness(d->dense, STATE, d->m.h, d->y0, d->y, d->rate, size);
     if (!(reach > (real)stiff_limit)) {
         if (++w->far == STIFF_OTHERS) *w = (stiffness_watch){0, 0};
         return;
     }
     w->far = 0;
     if (++w->near < STIFF_STEPS) return;
-    s->stiff_rate = (double)(reach / d->h);
+    s->stiff_rate = (double)(reach / d->m.h);
     s->stiff_time = (double)d->t;
 }
 
-/* adaptive dop853 */
-static inline gough_status drive_adaptive(drive *d) {
-    const gough_machine *machine = d->r.lane[0].machine;
-    const real tolerance = d->r.options->tolerance, duration = d->r.options->duration;
-    const real length = machine->base_radius, gravity = machine->gravity_magnitude;
-    const real unit = gravity > 0 ? real_root(length / gravity) : 1;
-    real size[STATE], wish;
-    dop853 work;
-    stiffness_watch watch = {0, 0};
-    int rejected = 0;
-    long long steps = 0;
-
-    for (int i = 0; i < COORDINATES; i++) {
-        size[i] = i < 3 ? length : 1;
-        size[COORDINATES + i] = size[i] / unit;
-    }
-    d->dense = &work;
-    run_rates(&d->r, 0, d->y, d->rate);
-    wish = drive_first_step(d, size, tolerance, duration);
-    while (d->t < duration) {
-        const real corner = (real)appointments_corner(&d->when, (double)d->t);
-        const real stop = corner < duration ? corner : duration, left = stop - d->t;
-        real error, factor, step;
-
-        if (wish < 16 * REAL_EPSILON * (d->t > unit ? d->t : unit)) return drive_stuck(d, unit);
-        if (steps++ == drive_most_steps) return drive_stiff(d);
-        step = drive_limited(d, wish, left);
-        for (int i = 0; i < STATE; i++) {
-            d->y0[i] = d->y[i];
-            d->rate0[i] = work.slope[0][i] = d->rate[i];
-        }
-        d->t0 = d->t;
-        d->h = step;
-        d->prepared = 0;
-        drive_look_ahead(d);
-        dop853_step(&work, run_rates, &d->r, STATE, d->t0, step, d->y0, d->raw);
-        error = dop853_error(&work, STATE, step, d->y0, d->raw, size, tolerance);
-        factor = dop853_factor(error);
-        if (!(error <= 1)) {
-            wish = step * (factor < 1 ? factor : 1);
-            rejected = 1;
-            d->statistics.rejected++;
-            continue;
-        }
-        d->r.fault.what = NULL;
-        d->t = step < left ? d->t0 + step : stop;
-        const gough_status status = drive_accept(d, 1);
-        if (status != GOUGH_OK) return status;
-        drive_watch_stiffness(d, &watch, size);
-        /* a step cut short says nothing against a longer one */
-        const real next = step * (rejected && factor > 1 ? 1 : factor);
-        if (!(step < wish) || factor < 1 || next > wish) wish = next;
-        rejected = 0;
-    }
-    return GOUGH_OK;
-}
-
-/* steps of dop853 and rk4 of a given length */
-static inline void drive_explicit_step(drive *d, dop853 *work) {
-    if (d->r.options->method == GOUGH_RK4) {
-        rk4_step(run_rates, &d->r, STATE, d->t0, d->h, d->y0, d->rate0, d->raw);
-        return;
-    }
-    for (int i = 0; i < STATE; i++) work->slope[0][i] = d->rate0[i];
-    dop853_step(work, run_rates, &d->r, STATE, d->t0, d->h, d->y0, d->raw);
-}
+/* ---- one step ---- */
 
 /* rattle: the state goes on as velocities, and is read out as rates of the triad */
 static inline void drive_rattle_read(const rattle_state *s, number *y) {
@@ -176,56 +110,138 @@ static inline void drive_rattle_read(const rattle_state *s, number *y) {
     coordinates_store(&rate, y + COORDINATES);
 }
 
-/* The next part of fixed step k: from d->t0, as long as d->h, to d->t1. A step is made in one part where no corner lies in it and
- * nothing is stepped over. 0 where the step is complete. */
-static inline int drive_part(drive *d, long long k, int part) {
-    const real h = d->r.options->step;
-    const int cut = fixed_is_short(k, (double)h, d->r.options->duration);
-    const real end = cut ? (real)d->r.options->duration : (real)(k + 1) * h;
+/* makes the part of a step whose times are set, up to d->raw; returns what an implicit step leaves of its equation */
+static inline number drive_go(drive *d, dop853 *work, rattle_state *carried) {
+    const march_problem problem = run_problem(&d->r);
 
-    if (part > 0 && !(d->t < end)) return 0;
-    d->t0 = part == 0 ? (real)k * h : d->t;
-    const double to = appointments_part(&d->when, (double)d->t0, (double)end, (double)h);
-    d->t1 = to < (double)end ? (real)to : end;
-    d->h = part == 0 && !cut && !(to < (double)end) ? h : d->t1 - d->t0;
-    return 1;
+    for (int i = 0; i < STATE; i++) d->y0[i] = d->y[i], d->rate0[i] = d->rate[i];
+    const number residual = march_step(&d->m, &problem, work, carried, d->y0, d->rate0, d->raw);
+    if (d->m.method >= MARCH_RATTLE) drive_rattle_read(carried, d->raw);
+    return residual;
+}
+
+/* ---- adaptive steps ---- */
+
+/* dop853 with steps of its own choice */
+typedef struct {
+    drive *d;
+    dop853 work;
+    stiffness_watch watch;
+    real size[STATE], unit; /* of the state's numbers; the unit of time */
+    real stop;              /* no step goes beyond */
+    long long steps;
+    gough_status status; /* why the loop ends */
+} adaptation;
+
+/* the next step; 0 at the end, and where no step will do */
+static inline real drive_length(void *context, real wish, int rejected) {
+    adaptation *a = context;
+    drive *d = a->d;
+    const real duration = d->r.options->duration;
+
+    if (!(d->t < duration)) return 0;
+    const real corner = (real)appointments_corner(&d->when, (double)d->t);
+    d->statistics.rejected += rejected;
+    a->stop = corner < duration ? corner : duration;
+    if (wish < 16 * REAL_EPSILON * (d->t > a->unit ? d->t : a->unit)) {
+        a->status = drive_stuck(d, a->unit);
+        return 0;
+    }
+    if (a->steps++ == drive_most_steps) {
+        a->status = drive_stiff(d);
+        return 0;
+    }
+    return drive_limited(d, wish, a->stop - d->t);
+}
+
+static inline real drive_attempt(void *context, real length) {
+    adaptation *a = context;
+    drive *d = a->d;
+
+    d->m.t0 = d->t;
+    d->m.h = length;
+    d->prepared = 0;
+    drive_look_ahead(d);
+    (void)drive_go(d, &a->work, NULL);
+    return dop853_error(&a->work, STATE, length, d->y0, d->raw, a->size, d->r.options->tolerance);
+}
+
+static inline int drive_keep(void *context) {
+    adaptation *a = context;
+    drive *d = a->d;
+
+    d->r.fault.what = NULL; /* what a trial met is not the run's fault */
+    d->t = d->m.h < a->stop - d->m.t0 ? d->m.t0 + d->m.h : a->stop;
+    a->status = drive_accept(d, 1);
+    if (a->status == GOUGH_OK) drive_watch_stiffness(d, &a->watch, a->size);
+    return a->status != GOUGH_OK;
+}
+
+static inline gough_status drive_adaptive(drive *d) {
+    static const march_rules rules = {drive_length, drive_attempt, drive_keep};
+    const gough_machine *machine = d->r.lane[0].machine;
+    const real length = machine->base_radius, gravity = machine->gravity_magnitude;
+    adaptation a;
+    real wish;
+
+    a.d = d;
+    a.unit = gravity > 0 ? real_root(length / gravity) : 1;
+    a.watch = (stiffness_watch){0, 0};
+    a.steps = 0;
+    a.status = GOUGH_OK;
+    for (int i = 0; i < COORDINATES; i++) {
+        a.size[i] = i < 3 ? length : 1;
+        a.size[COORDINATES + i] = a.size[i] / a.unit;
+    }
+    d->dense = &a.work;
+    d->m.method = MARCH_DOP853;
+    run_rates(&d->r, 0, d->y, d->rate);
+    wish = drive_first_step(d, a.size, d->r.options->tolerance, d->r.options->duration);
+    march_adaptive(&rules, &a, &wish);
+    return a.status;
+}
+
+/* ---- fixed steps ---- */
+
+/* what a loop of fixed steps works with */
+typedef struct {
+    drive *d;
+    dop853 work;
+    rattle_state body;
+    gough_status status; /* why the loop ends */
+} fixed_loop;
+
+/* one part of fixed step k */
+static inline int drive_move(void *context, long long k, int part) {
+    fixed_loop *f = context;
+    drive *d = f->d;
+
+    drive_look_far(d, k, part);
+    const number residual = drive_go(d, &f->work, &f->body);
+    if (d->m.method >= MARCH_RATTLE) f->status = drive_converged(d, residual);
+    if (f->status != GOUGH_OK) return 1;
+    d->t = d->m.t1;
+    f->status = drive_accept(d, 0);
+    return f->status != GOUGH_OK;
 }
 
 static inline gough_status drive_fixed(drive *d) {
     const gough_simulation *o = d->r.options;
-    const int rattling = o->method >= GOUGH_RATTLE2;
-    const long long steps = fixed_steps(o->duration, o->step);
-    const rattle method = {&d->r.h.load, run_wrench, &d->r, d->r.damped};
-    rattle_state state;
-    dop853 work;
+    const march_problem problem = run_problem(&d->r);
+    fixed_loop f;
 
-    if (rattling) {
+    f.d = d;
+    f.status = GOUGH_OK;
+    if (d->m.method >= MARCH_RATTLE) {
         const coordinates rate = coordinates_load(d->y + COORDINATES);
-        state.x = coordinates_load(d->y);
-        state.velocity = rate.rho;
-        state.omega = onto(&state.x.q, triad_angular_velocity(&state.x.q, &rate.q));
-        rattle_begin(&method, 0, &state);
+        f.body.x = coordinates_load(d->y);
+        f.body.velocity = rate.rho;
+        f.body.omega = onto(&f.body.x.q, triad_angular_velocity(&f.body.x.q, &rate.q));
+        rattle_begin(&problem.rule, 0, &f.body);
     }
     run_rates(&d->r, 0, d->y, d->rate);
-    for (long long k = 0; k < steps; k++) {
-        for (int part = 0; drive_part(d, k, part); part++) {
-            for (int i = 0; i < STATE; i++) d->y0[i] = d->y[i], d->rate0[i] = d->rate[i];
-            if (rattling) {
-                const real residual = rattle_compose(&method, (int)o->method - (int)GOUGH_RATTLE2,
-                                                     d->t0, d->h, &state);
-                drive_rattle_read(&state, d->raw);
-                const gough_status converged = drive_converged(d, residual);
-                if (converged != GOUGH_OK) return converged;
-            } else {
-                drive_look_far(d, k, part);
-                drive_explicit_step(d, &work);
-            }
-            d->t = d->t1;
-            const gough_status status = drive_accept(d, 0);
-            if (status != GOUGH_OK) return status;
-        }
-    }
-    return GOUGH_OK;
+    (void)march_fixed(&d->m, 0, fixed_steps(o->duration, o->step), drive_move, &f);
+    return f.status;
 }
 
 /* a run that is ready to begin */
@@ -243,6 +259,7 @@ static inline void drive_open(drive *d, const simulate_parts *parts,
     d->dense = NULL;
     d->prepared = 0;
     d->ahead = NULL;
+    d->m = run_march(options, &d->when);
     d->statistics = (gough_statistics){.steps = 0};
     appointments_begin(&d->when, parts->motion, parts->disturbance, 0, options->duration,
                        options->output_step);

@@ -3,8 +3,7 @@
 #ifndef GOUGH_SIMULATE_DRIVE_SETTLE_H
 #define GOUGH_SIMULATE_DRIVE_SETTLE_H
 
-#include "integrate/dop853.h"
-#include "integrate/rk4.h"
+#include "integrate/march.h"
 #include "model/appointments.h"
 #include "simulate/ends.h"
 #include "simulate/lookahead.h"
@@ -30,8 +29,8 @@ typedef struct {
     number y[STATE]; /* at t, constraints kept */
     real t;
 
-    /* the step that is being looked at: from (t0, y0) to (t0 + h, y1), their rates, and the dense output if any */
-    real t0, h, t1; /* t1: its end, where it is known before */
+    /* the step that is being looked at: from (m.t0, y0) to m.h later, their rates, and the dense output if any */
+    march m;
     number y0[STATE], rate0[STATE], raw[STATE], rate[STATE];
     dop853 *dense;
     int prepared;
@@ -145,14 +144,14 @@ static inline void drive_inside(const drive *d, real theta, number *y) {
     if (d->prepared) {
         dop853_dense(d->dense, STATE, theta, y);
     } else {
-        interpolate_cubic(STATE, d->h, theta, d->y0, d->rate0, d->y, d->rate, y);
+        interpolate_cubic(STATE, d->m.h, theta, d->y0, d->rate0, d->y, d->rate, y);
     }
     drive_project(d, y);
 }
 
 /* the margins at a point of the step; e: of the pose at its end. Returns the first that is gone, or -1. */
 static inline int drive_broken(drive *d, real theta, const elimination *e, real margin[MARGINS]) {
-    const real t = d->t0 + theta * d->h;
+    const real t = d->m.t0 + theta * d->m.h;
     number y[STATE];
     instant m;
 
@@ -170,7 +169,7 @@ static inline int drive_broken(drive *d, real theta, const elimination *e, real 
 /* makes the dense output of the step, once */
 static inline void drive_prepare(drive *d) {
     if (d->dense == NULL || d->prepared) return;
-    dop853_prepare(d->dense, run_rates, &d->r, STATE, d->t0, d->h, d->y0, d->raw);
+    dop853_prepare(d->dense, run_rates, &d->r, STATE, d->m.t0, d->m.h, d->y0, d->raw);
     d->prepared = 1;
 }
 
@@ -192,7 +191,7 @@ static inline int drive_comfortable(const drive *d, real program, const eliminat
     if (d->r.limited[1] || d->r.limited[2]) return 0;
     for (int v = 0; v < LEGS; v++) {
         const real after = real_magnitude(d->now.g.rate[v]), before = d->speed[v];
-        const real way = d->h * (after > before ? after : before);
+        const real way = d->m.h * (after > before ? after : before);
         const real one = d->length[v], two = d->now.g.length[v];
         if (!(((one < two ? one : two) - way) * d->r.least > 1)) return 0;
         if (!(((one < two ? two : one) + way) * d->r.most < 1)) return 0;
@@ -229,7 +228,7 @@ static inline gough_status drive_watch(drive *d, int inside, real *until) {
                 low = middle;
             }
         }
-        *until = d->t0 + high * d->h;
+        *until = d->m.t0 + high * d->m.h;
         limits_end(&d->r, margin, broken, *until, d->end);
         return GOUGH_ERROR_NUMERICAL;
     }
@@ -274,12 +273,12 @@ static inline gough_status drive_begin(drive *d) {
  * short beside the motion, and are examined at their ends. */
 static inline void drive_between(drive *d, int *part, real t) {
     if (d->r.options->summary == NULL || d->dense == NULL) return;
-    if (DRIVE_LOOKS * (real)d->r.options->output_step < d->h) return;
-    for (; *part < DRIVE_LOOKS && d->t0 + (real)*part / DRIVE_LOOKS * d->h < t; (*part)++) {
+    if (DRIVE_LOOKS * (real)d->r.options->output_step < d->m.h) return;
+    for (; *part < DRIVE_LOOKS && d->m.t0 + (real)*part / DRIVE_LOOKS * d->m.h < t; (*part)++) {
         number y[STATE];
         drive_prepare(d);
         drive_inside(d, (real)*part / DRIVE_LOOKS, y);
-        drive_look(d, d->t0 + (real)*part / DRIVE_LOOKS * d->h, y);
+        drive_look(d, d->m.t0 + (real)*part / DRIVE_LOOKS * d->m.h, y);
     }
 }
 
@@ -297,7 +296,7 @@ static inline gough_status drive_rows(drive *d, real until) {
         drive_between(d, &quarter, t);
         if (t < d->t) {
             drive_prepare(d);
-            drive_inside(d, (t - d->t0) / d->h, y);
+            drive_inside(d, (t - d->m.t0) / d->m.h, y);
             status = drive_row(d, y);
         } else {
             status = drive_row(d, d->y);
@@ -311,10 +310,10 @@ static inline gough_status drive_rows(drive *d, real until) {
         if (d->r.options->summary && (double)d->t >= d->when.corner - d->when.slack) {
             gough_summary_corner(d->r.options->summary);
         }
-    } else if (until > d->t0) { /* the run ends within the step */
+    } else if (until > d->m.t0) { /* the run ends within the step */
         number y[STATE];
         drive_prepare(d);
-        drive_inside(d, (until - d->t0) / d->h, y);
+        drive_inside(d, (until - d->m.t0) / d->m.h, y);
         drive_look(d, until, y);
     }
     return GOUGH_OK;
@@ -332,15 +331,20 @@ static inline gough_status drive_not_finite(drive *d, real t) {
     return drive_stop(d, GOUGH_END_NOT_FINITE, t, "the motion ceases to be finite");
 }
 
-/* what follows each step, d->raw being its outcome: drift, projection, the end if there is one. *until: end of the valid part */
-static inline gough_status drive_settle(drive *d, int inside, real *until) {
-    *until = d->t0;
-    drive_note_drift(d, d->raw);
-    for (int i = 0; i < STATE; i++) d->y[i] = d->raw[i];
-    drive_project(d, d->y);
+/* rates in the state at the present time, from which the next step starts */
+static inline void drive_refresh(drive *d) {
     run_instant(&d->r, d->t, d->y, &d->now);
     coordinates_store(&d->now.rate, d->rate);
     coordinates_store(&d->now.acceleration, d->rate + COORDINATES);
+}
+
+/* what follows each step, d->raw being its outcome: drift, projection, the end if there is one. *until: end of the valid part */
+static inline gough_status drive_settle(drive *d, int inside, real *until) {
+    *until = d->m.t0;
+    drive_note_drift(d, d->raw);
+    for (int i = 0; i < STATE; i++) d->y[i] = d->raw[i];
+    drive_project(d, d->y);
+    drive_refresh(d);
     if (d->r.fault.what) return limits_fault(&d->r, d->end);
     if (!drive_finite(d->y) || !drive_finite(d->rate)) return drive_not_finite(d, d->t);
     return drive_watch(d, inside, until);
@@ -359,11 +363,26 @@ static inline gough_status drive_accept(drive *d, int inside) {
     return ended;
 }
 
+/* puts the run back to the moment at which a step broke off */
+static inline void drive_return(drive *d, real until) {
+    number y[STATE];
+
+    if (!(until > d->m.t0)) {
+        memcpy(d->y, d->y0, sizeof d->y);
+        d->t = d->m.t0;
+    } else if (until < d->t) {
+        drive_inside(d, (until - d->m.t0) / d->m.h, y);
+        memcpy(d->y, y, sizeof d->y);
+        d->t = until;
+    }
+    d->r.fault.what = NULL;
+}
+
 /* whether an implicit step came to a solution */
 static inline gough_status drive_converged(drive *d, number residual) {
     if (d->r.fault.what) return limits_fault(&d->r, d->end);
     if (residual <= (real)1e-6) return GOUGH_OK;
-    return drive_stop(d, GOUGH_END_NO_CONVERGENCE, d->t0,
+    return drive_stop(d, GOUGH_END_NO_CONVERGENCE, d->m.t0,
                       "the step is too long for the turn of the load; a shorter step would do:");
 }
 
@@ -371,7 +390,7 @@ static inline gough_status drive_converged(drive *d, number residual) {
 static inline gough_status drive_check(drive *d, number residual, real *until) {
     const gough_status status = drive_converged(d, residual);
 
-    *until = d->t0;
+    *until = d->m.t0;
     return status == GOUGH_OK ? drive_settle(d, 0, until) : status;
 }
 

@@ -11,9 +11,10 @@
 #include "dynamics/state.h"
 #include "gough/random.h"
 #include "gough/simulate.h"
-#include "integrate/rattle.h"
+#include "integrate/march.h"
 #include "kernel/law.h"
 #include "kernel/real.h"
+#include "model/appointments.h"
 
 /* What the program and the disturbances are at one time. */
 typedef struct {
@@ -416,6 +417,25 @@ static inline void run_wrench(void *context, real t, const coordinates *x, numbe
             for (int j = 0; j < 6; j++) damping[i][j] = damping[i][j] + r->D[v] * w[i] * w[j];
         }
     }
+}
+
+/* what the steppers see of a run */
+static inline march_problem run_problem(run *r) {
+    return (march_problem){STATE, run_rates, {&r->h.load, run_wrench, r, r->damped}, r};
+}
+
+static inline double run_part(void *clock, double t, double end, double length) {
+    return appointments_part(clock, t, end, length);
+}
+
+/* how a run goes through time, from 0 */
+static inline march run_march(const gough_simulation *o, appointments *when) {
+    const int method = o->method == GOUGH_DOP853 ? MARCH_DOP853
+                       : o->method == GOUGH_RK4  ? MARCH_RK4
+                                                 : MARCH_RATTLE + (int)o->method - GOUGH_RATTLE2;
+
+    return (march){
+        .method = method, .length = o->step, .until = o->duration, .part = run_part, .clock = when};
 }
 
 #endif

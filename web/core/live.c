@@ -141,15 +141,6 @@ static void set_up_run(void) {
     r->loaded = r->loaded || pushed();
 }
 
-/* forces and rates at the present time, from which the next step starts */
-static void refresh(void) {
-    drive *d = &live.d;
-
-    run_instant(&d->r, d->t, d->y, &d->now);
-    coordinates_store(&d->now.rate, d->rate);
-    coordinates_store(&d->now.acceleration, d->rate + COORDINATES);
-}
-
 /* after a change of settings; before the first step the run begins anew, as they may change where it starts */
 static void settle(void) {
     drive *d = &live.d;
@@ -166,29 +157,12 @@ static void settle(void) {
     if (d->r.solves != solved) {
         d->side.program = limits_sign(run_stage(&d->r, d->t)->singularity.determinant);
     }
-    refresh();
+    drive_refresh(&live.d);
 }
 
 static void conclude(void) {
     if (live.si) gough_end_say(&live.end, " m", " m/s", " N", " s");
     say(live.end.message);
-}
-
-/* the state where the step was left that broke off at `until` */
-static void step_back(real until) {
-    drive *d = &live.d;
-    number y[STATE];
-
-    if (!(until > d->t0)) {
-        memcpy(d->y, d->y0, sizeof d->y);
-        d->t = d->t0;
-    } else if (until < d->t) {
-        drive_inside(d, (until - d->t0) / d->h, y);
-        memcpy(d->y, y, sizeof d->y);
-        d->t = until;
-    }
-    d->r.fault.what = NULL;
-    conclude();
 }
 
 /* when the program's own time comes to `inner`, between two times */
@@ -204,8 +178,9 @@ static real clock_reaches(real inner, real low, real high) {
     return high;
 }
 
-/* where the part of a step ends that begins at t, as drive_part() has it */
-static real part_end(real t, real end, real h) {
+/* where the part of a step ends that begins at t: as in a run, or in the program's own time */
+static double part_end(void *clock, double t, double end, double h) {
+    (void)clock;
     if (as_given()) return appointments_part(&live.d.when, t, end, h);
     const real stop = appointments_part(&live.disturbances, t, end, h);
     const real from = clock_at(t).v, to = clock_at(stop).v;
@@ -214,27 +189,31 @@ static real part_end(real t, real end, real h) {
     return inner < to ? clock_reaches(inner, t, stop) : stop;
 }
 
-/* one step as drive_fixed() takes it; whether the motion goes on */
-static int step_on(void) {
-    drive *d = &live.d;
-    const real h = live.step, end = live.origin + (real)(live.steps + 1) * h;
-    int going = 1;
+/* one part of a step; 1 where the motion ends */
+static int move(void *context, long long k, int part) {
+    drive *d = context;
     real until;
 
-    d->t0 = live.origin + (real)live.steps * h;
-    for (int part = 0; going && (part == 0 || d->t < end); part++) {
-        if (part > 0) d->t0 = d->t;
-        d->t1 = part_end(d->t0, end, h);
-        d->h = part == 0 && !(d->t1 < end) ? h : d->t1 - d->t0;
-        memcpy(d->y0, d->y, sizeof d->y);
-        memcpy(d->rate0, d->rate, sizeof d->rate);
-        drive_explicit_step(d, &live.work);
-        d->t = d->t1;
-        going = drive_settle(d, 0, &until) == GOUGH_OK;
-    }
+    (void)k, (void)part;
+    (void)drive_go(d, &live.work, NULL);
+    d->t = d->m.t1;
+    if (drive_settle(d, 0, &until) == GOUGH_OK) return 0;
+    drive_return(d, until);
+    conclude();
+    return 1;
+}
+
+/* one step as a run takes it; whether the motion goes on */
+static int step_on(void) {
+    march *m = &live.d.m;
+
+    m->origin = live.origin;
+    m->length = live.step;
+    m->until = HUGE_VAL;
+    m->part = part_end;
+    const int ended = march_fixed(m, live.steps, live.steps + 1, move, &live.d);
     live.steps++;
-    if (!going) step_back(until);
-    return going;
+    return !ended;
 }
 
 int live_advance(double duration, double step) {
@@ -311,7 +290,7 @@ void live_restart(void) {
         live.d.r.fault.what = NULL;
         conclude();
     } else {
-        refresh();
+        drive_refresh(&live.d);
     }
 }
 

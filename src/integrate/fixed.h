@@ -1,6 +1,6 @@
 /* Steps of a fixed length up to the duration: whole ones, and a shorter last one where they do not divide it. */
-#ifndef GOUGH_SIMULATE_FIXED_H
-#define GOUGH_SIMULATE_FIXED_H
+#ifndef GOUGH_INTEGRATE_FIXED_H
+#define GOUGH_INTEGRATE_FIXED_H
 
 #include <math.h>
 
