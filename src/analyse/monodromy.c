@@ -8,7 +8,7 @@
 #include "base/limits.h"
 #include "dynamics/machine.h"
 #include "dynamics/state.h"
-#include "integrate/dop853.h"
+#include "integrate/march.h"
 #include "model/appointments.h"
 
 enum { N = GOUGH_LINEAR, PAIR = 2 * N, PAIRS = N / 2, MOST_STEPS = 20000 };
@@ -271,33 +271,63 @@ static gough_status stuck(const passage *p, gough_error *error) {
                       p->t);
 }
 
+/* ---- steps through a part of the period ---- */
+
+typedef struct {
+    passage *p;
+    double end;                                  /* of the part */
+    double phi[MONODROMY_SIZE], y[LINEAR_STATE]; /* at the end of the step being tried */
+    double step,
+        count; /* its length, and how many such steps the rest of the part is divided into */
+    gough_status status;
+    gough_error *error;
+} part_of_period;
+
+/* the next step, an even part of what is left; 0 at the end of the part, and where no step will do */
+static double part_length(void *context, double wish, int rejected) {
+    part_of_period *w = context;
+    passage *p = w->p;
+
+    if (!(p->t < w->end)) return 0;
+    p->wrong = rejected && w->step < shortest * p->m->period ? p->wrong : NULL;
+    if ((rejected && w->step < shortest * p->m->period) || p->m->steps >= MOST_STEPS) {
+        w->status = stuck(p, w->error);
+        return 0;
+    }
+    const double left = w->end - p->t, most = appointments_step(&p->when, p->t, left, 1);
+    w->count = ceil(left / fmin(wish, most) * (1 - 1e-9));
+    w->step = left / w->count;
+    return w->step;
+}
+
+static double part_attempt(void *context, double step) {
+    part_of_period *w = context;
+    const double error = try_step(w->p, step, w->phi, w->y);
+
+    return w->p->wrong == NULL ? error : NAN;
+}
+
+static int part_keep(void *context) {
+    part_of_period *w = context;
+    const double t = w->count > 1 ? w->p->t + w->step : w->end;
+
+    w->status = settle(w->p, t, w->step, w->phi, w->y, w->error);
+    return w->status != GOUGH_OK;
+}
+
 /* one part of the period; *h is the step proposed, at first and for the next part */
 static gough_status pass(passage *p, double end, double *h, gough_error *error) {
-    double phi[MONODROMY_SIZE], y[LINEAR_STATE];
-    bool rejected = false;
+    static const march_rules rules = {part_length, part_attempt, part_keep};
+    part_of_period w;
 
+    w.p = p;
+    w.end = end;
+    w.step = w.count = 0;
+    w.status = GOUGH_OK;
+    w.error = error;
     to_identity(p->phi);
-    while (p->t < end) {
-        const double left = end - p->t, most = appointments_step(&p->when, p->t, left, 1);
-        const double count = ceil(left / fmin(*h, most) * (1 - 1e-9));
-        const double step = left / count, worst = try_step(p, step, phi, y);
-        const double factor = dop853_factor(worst);
-        if (worst <= 1 && p->wrong == NULL) {
-            const gough_status status =
-                settle(p, count > 1 ? p->t + step : end, step, phi, y, error);
-            if (status != GOUGH_OK) return status;
-            /* the step may have been shortened to fit: what was proposed before still holds then */
-            *h = factor < 1 ? step * factor : fmax(*h, rejected ? step : step * factor);
-            rejected = false;
-        } else {
-            if (step < shortest * p->m->period) return stuck(p, error);
-            *h = step * fmin(factor, 0.9);
-            rejected = true;
-            p->wrong = NULL;
-        }
-        if (p->m->steps >= MOST_STEPS) return stuck(p, error);
-    }
-    return GOUGH_OK;
+    march_adaptive(&rules, &w, h);
+    return w.status;
 }
 
 static gough_status go_round(passage *p, gough_error *error) {
