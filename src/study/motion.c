@@ -5,10 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/fill.h"
 #include "study/samples.h"
 #include "study/value.h"
-
-static const double RADIANS = 3.14159265358979323846 / 180;
 
 /* Which of the three the motion is; where it is more than one, an error at the second. */
 static bool find_kind(study_build *build, study_node *node, gough_motion_kind *kind) {
@@ -39,15 +38,9 @@ static bool find_kind(study_build *build, study_node *node, gough_motion_kind *k
 /* One move; it must begin when the one before has ended, up to rounding. */
 static void read_move(study_build *build, study_node *node, gough_move *move, double before) {
     study_node *start = study_node_child(node, "start");
-    move->start = study_number(start);
-    move->duration = study_number(study_node_child(node, "duration"));
     bool any = false;
-    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
-        const study_node *target = study_node_child(node, gough_component_name(c));
-        if (!target) continue;
-        move->given[c] = any = true;
-        move->target[c] = study_number(target) * (c >= GOUGH_ROLL ? RADIANS : 1);
-    }
+    study_move_read(move, node);
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) any = any || move->given[c];
     const char *path = study_node_path(build->messages->arena, node);
     if (!any)
         study_node_say(build->messages, node, study_node_place(node, false),
@@ -137,7 +130,8 @@ static void check_smoothing(study_build *build, const study_node *motion) {
 bool study_motion_build(study_build *build) {
     study_node *node = study_node_child(build->root, "motion");
     gough_motion *motion = &build->study->model->motion;
-    motion->angle_unit = RADIANS;
+    if (node) study_part_reset(build->study, GOUGH_PART_MOTION);
+    motion->angle_unit = STUDY_DEGREE;
     if (!node) return true;
     if (node->kind != STUDY_MAPPING || !find_kind(build, node, &motion->kind)) return false;
     study_node *samples = study_node_child(node, "samples");
@@ -145,16 +139,6 @@ bool study_motion_build(study_build *build) {
     check_smoothing(build, node);
     if (samples && !samples->wrong) build_samples(build, node, samples);
     if (moves && !moves->wrong) build_moves(build, moves);
-    if (node->wrong) return false;
-    for (int c = 0; c < GOUGH_COMPONENTS; c++)
-        motion->formula[c] = study_formula(study_node_child(node, gough_component_name(c)));
-    const study_node *period = study_node_child(node, "period");
-    study_numbers(study_node_child(node, "about"), motion->about);
-    if (period) motion->period = study_number(period);
-    const study_node *amplitude = study_node_child(node, "amplitude");
-    const study_node *frequency = study_node_child(node, "frequency");
-    motion->scaled = amplitude || frequency;
-    motion->amplitude = amplitude ? study_number(amplitude) : 1;
-    motion->frequency = frequency ? study_number(frequency) : 1;
-    return true;
+    study_part_read(build->study, build->root, GOUGH_PART_MOTION);
+    return !node->wrong;
 }

@@ -68,6 +68,31 @@ study_node *study_node_child(const study_node *parent, const char *name) {
     return NULL;
 }
 
+study_node *study_node_follow(const study_node *root, const char *path, const char **rest) {
+    study_node *node = NULL;
+    for (*rest = path; **rest;) {
+        char name[40];
+        const size_t length = strcspn(*rest, ".");
+        snprintf(name, sizeof name, "%.*s", (int)length, *rest);
+        study_node *child = study_node_child(node ? node : root, name);
+        if (!child) break;
+        node = child;
+        *rest += length + ((*rest)[length] == '.');
+    }
+    return node;
+}
+
+study_node *study_node_at(const study_node *root, const char *path) {
+    const char *rest;
+    study_node *node = study_node_follow(root, path, &rest);
+    return *rest ? NULL : node;
+}
+
+const study_node *study_node_section(const study_node *node) {
+    while (node->parent && node->parent->parent) node = node->parent;
+    return node;
+}
+
 bool study_node_meant(const study_node *parent, const char *name) {
     for (const study_node *node = parent->first; node; node = node->next)
         if (node->meant && strcmp(node->meant, name) == 0) return true;

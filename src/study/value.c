@@ -163,8 +163,19 @@ bool study_check_formula(study_messages *messages, study_node *node) {
     return false;
 }
 
+int study_choice_index(const char *choices, const char *word) {
+    for (int index = 0; *choices; index++) {
+        const size_t length = strcspn(choices, ",");
+        if (strlen(word) == length && strncmp(choices, word, length) == 0) return index;
+        choices += length;
+        choices += strspn(choices, ", ");
+    }
+    return -1;
+}
+
 bool study_check_choice(study_messages *messages, study_node *node, const char *choices) {
     if (node->kind == STUDY_SCALAR) {
+        if (study_choice_index(choices, node->text) >= 0) return true;
         const char *words[16];
         char all[200];
         size_t count = 0;
@@ -173,7 +184,6 @@ bool study_check_choice(study_messages *messages, study_node *node, const char *
             end = strstr(word, ", ");
             if (end) *end = '\0', end += 2;
             words[count++] = word;
-            if (strcmp(node->text, word) == 0) return true;
         }
         const char *nearest = study_nearest(node->text, words, count);
         study_node_say(messages, node, study_node_place(node, node->empty),

@@ -1,0 +1,21 @@
+/* From a checked tree to the structs by the table of fields: defaults, and the values that the tree gives. */
+#ifndef STUDY_FILL_H
+#define STUDY_FILL_H
+
+#include "gough/study.h"
+#include "study/tree.h"
+
+/* Sets all fields of a part, one of gough_part, to their defaults. */
+void study_part_reset(gough_study *study, unsigned part);
+
+/* Reads the fields of a part that the tree gives, except those in a section with an error and those that have rules of their own:
+ * gravity, inertia, and constraints given by a mapping. */
+void study_part_read(gough_study *study, const study_node *root, unsigned part);
+
+/* Reads one element of motion.moves into a move that is zero. */
+void study_move_read(gough_move *move, const study_node *node);
+
+/* The numbers of a checked list, in order, and of the lists in it; nothing if it is NULL. */
+void study_numbers(const study_node *list, double *value);
+
+#endif
