@@ -277,9 +277,9 @@ static int print_check_json(const check *c) {
         for (int k = 0; k < 3; k++) axis[k] = m->principal_axes[k][a];
         json_array_append_new(axes, json_numbers(axis, 3));
     }
-    json_object_set_new(simulation, "duration", json_number(s->duration));
-    json_object_set_new(simulation, "output_step", json_number(s->output_step));
-    json_object_set_new(simulation, "method", json_string(gough_method_name((int)s->method)));
+    json_object_set_new(simulation, "duration", json_field(c->study, "simulation.duration"));
+    json_object_set_new(simulation, "output_step", json_field(c->study, "simulation.output_step"));
+    json_object_set_new(simulation, "method", json_field(c->study, "simulation.method"));
     json_object_set_new(simulation, "step", json_number(s->step > 0 ? s->step : NAN));
     json_object_set_new(simulation, "tolerance", json_number(s->step > 0 ? NAN : s->tolerance));
 

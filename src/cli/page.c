@@ -62,49 +62,40 @@ static json_t *columns_of(const gough_result *result, bool program) {
     return columns;
 }
 
-static json_t *points(const double point[GOUGH_LEGS][3]) {
-    json_t *list = json_array();
-    for (int i = 0; i < GOUGH_LEGS; i++) json_array_append_new(list, json_numbers(point[i], 3));
-    return list;
-}
+static json_t *machine_object(const gough_study *study) {
+    static const char *const keys[][2] = {{"base", "platform.base.joints"},
+                                          {"top", "platform.top.joints"},
+                                          {"height", "platform.height"},
+                                          {"base_radius", NULL},
+                                          {"mass", "load.mass"},
+                                          {"center_of_mass", "load.center_of_mass"},
+                                          {"inertia", "load.inertia"},
+                                          {"gravity", "gravity"}};
+    const gough_machine *m = &study->model->machine;
+    const double least = m->platform.length_min;
+    json_t *object = json_object(), *limits = json_object();
 
-static json_t *machine_object(const gough_machine *m) {
-    const gough_platform *p = &m->platform;
-    json_t *object = json_object(), *limits = json_object(), *inertia = json_array();
-    const double length[2] = {p->length_min > 0 ? p->length_min : NAN, p->length_max};
-
-    for (int r = 0; r < 3; r++) json_array_append_new(inertia, json_numbers(m->load.inertia[r], 3));
-    json_object_set_new(limits, "length", json_numbers(length, 2));
-    json_object_set_new(limits, "speed", json_number(p->speed_max));
-    json_object_set_new(limits, "force", json_number(p->force_max));
-    json_object_set_new(object, "base", points(p->base));
-    json_object_set_new(object, "top", points(p->top));
-    json_object_set_new(object, "height", json_number(p->height));
-    json_object_set_new(object, "base_radius", json_number(m->base_radius));
-    json_object_set_new(object, "mass", json_number(m->load.mass));
-    json_object_set_new(object, "center_of_mass", json_numbers(m->load.center_of_mass, 3));
-    json_object_set_new(object, "inertia", inertia);
-    json_object_set_new(object, "gravity", json_numbers(m->gravity, 3));
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
+        json_object_set_new(object, keys[i][0],
+                            keys[i][1] ? json_field(study, keys[i][1])
+                                       : json_number(m->base_radius));
+    json_object_set_new(
+        limits, "length",
+        json_numbers((double[]){least > 0 ? least : NAN, m->platform.length_max}, 2));
+    json_object_set_new(limits, "speed", json_field(study, "platform.legs.max_speed"));
+    json_object_set_new(limits, "force", json_field(study, "platform.legs.max_force"));
     json_object_set_new(object, "limits", limits);
     json_object_set_new(object, "home_length", json_numbers(m->home_length, GOUGH_LEGS));
     json_object_set_new(object, "home_condition", json_number(m->home_condition));
     return object;
 }
 
-static json_t *control_object(const gough_control *control) {
+static json_t *simulation_object(const gough_study *study) {
     json_t *object = json_object();
-    json_object_set_new(object, "feedforward", json_boolean(control->feedforward));
-    json_object_set_new(object, "stiffness", json_numbers(control->stiffness, GOUGH_LEGS));
-    json_object_set_new(object, "damping", json_numbers(control->damping, GOUGH_LEGS));
-    return object;
-}
-
-static json_t *simulation_object(const gough_simulation *simulation) {
-    json_t *object = json_object();
-    json_object_set_new(object, "duration", json_number(simulation->duration));
-    json_object_set_new(object, "output_step", json_number(simulation->output_step));
-    json_object_set_new(object, "tolerance", json_number(simulation->tolerance));
-    json_object_set_new(object, "method", json_string(gough_method_name((int)simulation->method)));
+    json_object_set_new(object, "duration", json_field(study, "simulation.duration"));
+    json_object_set_new(object, "output_step", json_field(study, "simulation.output_step"));
+    json_object_set_new(object, "tolerance", json_field(study, "simulation.tolerance"));
+    json_object_set_new(object, "method", json_field(study, "simulation.method"));
     return object;
 }
 
@@ -177,7 +168,6 @@ static void add_stability(const gough_study *study, json_t *object) {
 }
 
 gough_status page_study(const command_line *line, gough_study *study, json_t **object) {
-    const gough_model *model = study->model;
     json_t *page = *object = json_object();
     json_t *motion = json_object();
 
@@ -185,11 +175,11 @@ gough_status page_study(const command_line *line, gough_study *study, json_t **o
     json_object_set_new(page, "title", json_words(study->title));
     json_object_set_new(page, "text", json_words(study->text));
     json_object_set_new(page, "units", json_string(study->dimensionless ? "dimensionless" : "si"));
-    json_object_set_new(page, "machine", machine_object(&model->machine));
-    json_object_set_new(motion, "about", json_numbers(model->motion.about, 3));
+    json_object_set_new(page, "machine", machine_object(study));
+    json_object_set_new(motion, "about", json_field(study, "motion.about"));
     json_object_set_new(page, "motion", motion);
-    json_object_set_new(page, "control", control_object(&model->control));
-    json_object_set_new(page, "simulation", simulation_object(&study->simulation));
+    json_object_set_new(page, "control", json_section(study, "control"));
+    json_object_set_new(page, "simulation", simulation_object(study));
     json_object_set_new(page, "live", live_object(study));
     add_stability(study, page);
     const gough_status simulated = add_run(line, study, true, page);
