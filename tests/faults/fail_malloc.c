@@ -1,6 +1,7 @@
 /* Preloaded into the command: counts its allocations and lets one fail. FAIL_SITES=FILE writes a line "N" for the first
  * allocation of each call site (the last return addresses, FAIL_DEPTH of them, hashed); FAIL_AT=N lets the N-th return NULL,
- * once. Children that the command forks count on; programs that it executes are left alone. */
+ * once. FAIL_LEAST=BYTES counts only allocations of at least that many bytes. Children that the command forks count on; programs
+ * that it executes are left alone. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <execinfo.h>
@@ -27,11 +28,13 @@ typedef struct shared {
 
 static shared *all;
 static unsigned long fail_at;
+static size_t least;
 static int list = -1, depth = 6;
 static _Thread_local int inside;
 
 __attribute__((constructor)) static void begin(void) {
-    const char *at = getenv("FAIL_AT"), *sites = getenv("FAIL_SITES"), *deep = getenv("FAIL_DEPTH");
+    const char *at = getenv("FAIL_AT"), *sites = getenv("FAIL_SITES"), *deep = getenv("FAIL_DEPTH"),
+               *large = getenv("FAIL_LEAST");
     void *frame[2];
     if (strcmp(program_invocation_short_name, "gough") != 0) return;
     inside = 1;
@@ -45,6 +48,7 @@ __attribute__((constructor)) static void begin(void) {
     }
     if (deep && atoi(deep) > 0 && atoi(deep) <= MOST_DEPTH) depth = atoi(deep);
     fail_at = at ? strtoul(at, NULL, 10) : 0;
+    least = large ? strtoul(large, NULL, 10) : 0;
     inside = 0;
 }
 
@@ -68,8 +72,8 @@ static void record(unsigned long number) {
 }
 
 /* Whether this allocation is the one to fail. */
-static int fails(void) {
-    if (all == NULL || inside) return 0;
+static int fails(size_t size) {
+    if (all == NULL || inside || size < least) return 0;
     const unsigned long number = atomic_fetch_add(&all->count, 1) + 1;
     if (list >= 0) {
         inside = 1;
@@ -81,17 +85,19 @@ static int fails(void) {
     return 1;
 }
 
-void *malloc(size_t size) { return fails() ? NULL : __libc_malloc(size); }
-void *calloc(size_t count, size_t size) { return fails() ? NULL : __libc_calloc(count, size); }
-void *realloc(void *old, size_t size) { return fails() ? NULL : __libc_realloc(old, size); }
+void *malloc(size_t size) { return fails(size) ? NULL : __libc_malloc(size); }
+void *calloc(size_t count, size_t size) {
+    return fails(count * size) ? NULL : __libc_calloc(count, size);
+}
+void *realloc(void *old, size_t size) { return fails(size) ? NULL : __libc_realloc(old, size); }
 void *memalign(size_t alignment, size_t size) {
-    return fails() ? NULL : __libc_memalign(alignment, size);
+    return fails(size) ? NULL : __libc_memalign(alignment, size);
 }
 void *aligned_alloc(size_t alignment, size_t size) {
-    return fails() ? NULL : __libc_memalign(alignment, size);
+    return fails(size) ? NULL : __libc_memalign(alignment, size);
 }
 int posix_memalign(void **memory, size_t alignment, size_t size) {
-    void *got = fails() ? NULL : __libc_memalign(alignment, size);
+    void *got = fails(size) ? NULL : __libc_memalign(alignment, size);
     if (got == NULL) return ENOMEM;
     *memory = got;
     return 0;

@@ -442,6 +442,17 @@ test("the noise of a machine at rest reads as nothing", async () => {
     }, id);
     assert.ok(noise > 0 && range >= 99 * noise, `${id}: ${range}`);
   }
+  for (const [name, still] of [
+    ["legs-run", [2, 7, 8, 9, 10, 11, 12]],
+    ["legs-program", [2, 7, 8, 9, 10, 11, 12]],
+  ]) {
+    const lines = await byName(page, name).locator("tbody tr").evaluateAll((rows) =>
+      rows.map((row) => [...row.querySelectorAll("td")].map((cell) => cell.textContent)),
+    );
+    assert.equal(lines.length, 6);
+    // rate, power, energy, swing and stroke
+    for (const cells of lines) assert.deepEqual(still.map((k) => cells[k]), still.map(() => "0"), name);
+  }
   // and a force that is there is not lost: six times the force of a leg hold the weight
   near(read(await byName(page, "force-1").textContent()), 11.400042, 1e-4, "force");
   await page.close();

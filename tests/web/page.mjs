@@ -336,6 +336,24 @@ test("a narrow window lays out without overflow", async () => {
         `${section} at ${width}`,
       );
     }
+    // words of headings are whole, and so are buttons
+    const broken = await page.evaluate(() => {
+      const found = [];
+      for (const heading of document.querySelectorAll("thead th")) {
+        const text = heading.firstChild;
+        for (const word of text?.data?.matchAll(/[^\s-]+/g) ?? []) {
+          const range = document.createRange();
+          range.setStart(text, word.index);
+          range.setEnd(text, word.index + word[0].length);
+          if (range.getClientRects().length > 1) found.push(word[0]);
+        }
+      }
+      for (const button of document.querySelectorAll(".switches button"))
+        if (button.getBoundingClientRect().right > button.parentElement.getBoundingClientRect().right + 1)
+          found.push(button.textContent);
+      return found;
+    });
+    assert.deepEqual(broken, [], `cut at ${width}`);
     await page.evaluate(() => scrollTo(0, 0));
     await picture(page, `narrow-${width}-${files.length}`);
     await page.close();

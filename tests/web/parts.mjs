@@ -327,6 +327,22 @@ test("the clock does not run backwards", () => {
   assert.equal(player.time, 0.25);
 });
 
+test("the clock stays within the recording", () => {
+  const player = new Player(8, 0.02);
+  const after = (action) => {
+    action();
+    return player.time;
+  };
+  assert.equal(after(() => player.seek(9)), 8);
+  assert.equal(after(() => player.seek(-1)), 0);
+  assert.equal(after(() => player.stepRows(-1)), 0);
+  assert.equal(after(() => player.seek(7.9)), 7.9);
+  player.play();
+  assert.equal(after(() => player.advance(0.3)), 8);
+  player.pause();
+  assert.equal(after(() => player.stepRows(1)), 8);
+});
+
 test("changing numbers fit their place for machines of any size", () => {
   assert.equal(shower(0.2657)(0.2034426), "0.20344");
   assert.equal(shower(80)(-15.75612), "\u221215.756");

@@ -139,8 +139,9 @@ export class Study {
   }
 
   /** Below what size a number of a column ("energy": of an energy) is an error of the run: a share of the column's scale, which
-   *  follows from the legs' length, a unit of time √(R_b/g) with the earth's g, and the greatest force. 0 where there is none. */
-  noise(name) {
+   *  follows from the legs' length, a unit of time √(R_b/g) with the earth's g, and the greatest force. 0 where there is none.
+   *  @param program whether the column is the program's, which is known to rounding. */
+  noise(name, program = false) {
     if (name === "drift") return NOISE.rounding;
     const dimension = DIMENSIONS.find(([pattern]) => pattern.test(name))?.[1];
     if (!dimension) return 0;
@@ -148,10 +149,9 @@ export class Study {
     const length = Math.max(...machine.home_length);
     const time = Math.sqrt(machine.base_radius / (this.units === "si" ? 9.80665 : 1));
     const force = Math.max(this.greatestForce, (machine.mass * length) / time ** 2);
-    const share = Math.min(
-      Math.max(NOISE.of * (simulation.tolerance ?? 0), NOISE.least),
-      NOISE.greatest,
-    );
+    const share = program
+      ? NOISE.least
+      : Math.min(Math.max(NOISE.of * (simulation.tolerance ?? 0), NOISE.least), NOISE.greatest);
     return (
       share *
       (dimension.angle ? 180 / Math.PI : 1) *

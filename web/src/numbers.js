@@ -2,7 +2,7 @@
 import { multiplierCircle } from "./circle.js";
 import { LEGS } from "./color.js";
 import { element } from "./dom.js";
-import { amount, causeWords, number, unit, unitAfter } from "./format.js";
+import { amount, causeWords, known, number, unit, unitAfter } from "./format.js";
 import { modesAtRest, multipliersBySize, thresholdsOf, verdictOf } from "./stability.js";
 
 /** A table with headings; cells are text or nodes. */
@@ -62,9 +62,13 @@ const facts = (title, pairs, testid) =>
     factList(pairs),
   );
 
-/** Peaks of the six legs, of a summary as the command prints it. */
-function legTable(study, summary, caption, testid) {
+/** Errors of a run at their largest, over all of it and at the loop's own frequencies, are this many times those at a moment. */
+const PEAK_NOISE = 10;
+
+/** Peaks of the six legs, of a summary as the command prints it. @param program whether they are the program's. */
+function legTable(study, summary, caption, testid, program) {
   const units = (name) => study.unit(name);
+  const noise = (name) => PEAK_NOISE * study.noise(name, program);
   const energy = units("f1") === "1" ? "1" : "J";
   const peak = ([least, greatest]) => Math.max(Math.abs(least), Math.abs(greatest));
   const limited = summary.legs.some(
@@ -86,23 +90,24 @@ function legTable(study, summary, caption, testid) {
     "top",
     limited && "stroke used [%]",
   ].filter(Boolean);
+  const stroke = limited ? study.machine.limits.length[1] - study.machine.limits.length[0] : NaN;
   const rows = summary.legs.map((leg, index) => [
     legName(index),
     ...[
-      leg.length[0],
-      leg.length[1],
-      leg.speed,
-      leg.force[0],
-      leg.force[1],
-      peak(leg.force),
-      leg.rms_force,
-      leg.power[0],
-      leg.power[1],
-      leg.energy,
-      leg.swing?.base,
-      leg.swing?.top,
-    ].map((value) => number(value, 5)),
-    ...(limited ? [number(100 * leg.stroke_used, 3)] : []),
+      [leg.length[0], "l1"],
+      [leg.length[1], "l1"],
+      [leg.speed, "dl1"],
+      [leg.force[0], "f1"],
+      [leg.force[1], "f1"],
+      [peak(leg.force), "f1"],
+      [leg.rms_force, "f1"],
+      [leg.power[0], "p1"],
+      [leg.power[1], "p1"],
+      [leg.energy, "energy"],
+      [leg.swing?.base, "roll"],
+      [leg.swing?.top, "roll"],
+    ].map(([value, name]) => known(value, noise(name))),
+    ...(limited ? [known(100 * leg.stroke_used, (100 * noise("l1")) / stroke, 3)] : []),
   ]);
   return table(caption, headings, rows, { class: "legs", "data-testid": testid });
 }
@@ -311,10 +316,10 @@ export function showNumbers(host, study) {
     element("div", { class: "columns" }, endFacts(study), machineFacts(study)),
     stabilitySection(study),
     study.simulate?.legs && study.run.rows
-      ? legTable(study, study.simulate, "The legs in the run", "legs-run")
+      ? legTable(study, study.simulate, "The legs in the run", "legs-run", false)
       : "",
     study.forces?.legs && study.plan.rows
-      ? legTable(study, study.forces, "The legs along the program", "legs-program")
+      ? legTable(study, study.forces, "The legs along the program", "legs-program", true)
       : "",
     jointTable(study),
     studyText(study),
