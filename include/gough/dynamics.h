@@ -1,10 +1,15 @@
 /** @file dynamics.h
- *  One pose at a time: leg lengths and rates, Jacobian, inverse and forward dynamics, reactions. Suitable for
- *  a controller's cycle: nothing here allocates, and all functions are safe to call concurrently.
+ *  One pose at a time: leg lengths and rates, Jacobian, inverse and forward dynamics, reactions, control law. The functions
+ *  suit a real-time control loop: they allocate nothing, keep no state, and may be called from several threads at once, with the
+ *  same machine too. Outputs must not overlap inputs, except in gough_control_law().
+ *
+ *  Units are any consistent set, such as SI; angles are in radians. Leg forces push when positive. The machine must have been
+ *  filled by gough_machine_init().
  *
  *  A function that takes a state or a rotation checks first that the matrix is a rotation: each element of RᵀR within 1e-6
  *  of the unit matrix, and a positive determinant. Otherwise it returns GOUGH_ERROR_INPUT and writes nothing. The check costs
- *  about 40 multiplications and additions; it is the only branch that depends on data.
+ *  about 40 multiplications and additions; it is the only branch that depends on data. Other inputs are not checked: results
+ *  are NaN or infinite if they are.
  */
 #ifndef GOUGH_DYNAMICS_H
 #define GOUGH_DYNAMICS_H
@@ -15,90 +20,131 @@
 extern "C" {
 #endif
 
-/** Pose and velocity of the top frame in the base frame. */
+/** Pose and velocity of the top frame, in the base frame. */
 typedef struct gough_state {
     double position[3];         /**< of the top frame's origin */
     double rotation[3][3];      /**< R: columns are the top frame's axes in the base frame */
     double velocity[3];         /**< of the origin */
-    double angular_velocity[3]; /**< base axes */
+    double angular_velocity[3]; /**< base axes, radians per unit of time */
 } gough_state;
 
-/** Acceleration of the top frame's origin and angular acceleration, base axes. */
+/** Acceleration of the top frame's origin and angular acceleration of the top, base axes. */
 typedef struct gough_acceleration {
     double linear[3];  /**< of the origin */
     double angular[3]; /**< derivative of the angular velocity */
 } gough_acceleration;
 
-/** Force and moment on the load in addition to legs and gravity: the force acts at the centre of mass; base axes. */
+/** Force and moment on the load in addition to legs and gravity, base axes. */
 typedef struct gough_wrench {
     double force[3];  /**< at the centre of mass */
-    double moment[3]; /**< a free moment */
+    double moment[3]; /**< a couple, besides the force */
 } gough_wrench;
 
-/** The home pose at rest. */
+/** The home pose at rest: the top frame parallel to the base frame, its origin `height` above that of the base frame. */
 GOUGH_API gough_state gough_state_home(const gough_machine *machine);
 
-/** R = Rz(yaw) Ry(pitch) Rx(roll), radians. */
+/** R = Rz(yaw) Ry(pitch) Rx(roll) (motion-1).
+ *  @param angles         roll, pitch, yaw in radians
+ *  @param[out] rotation  columns are the top frame's axes in the base frame */
 GOUGH_API void gough_rotation_from_angles(const double angles[3], double rotation[3][3]);
 
-/** Roll, pitch, yaw of R, with pitch in [−π/2, π/2]. At pitch ±π/2 only a combination of roll and yaw is determined; roll is
- *  then the result of atan2.
+/** Roll, pitch and yaw of R in radians, the inverse of gough_rotation_from_angles(): pitch in [−π/2, π/2], roll and yaw in
+ *  [−π, π]. At a pitch of ±π/2 (gimbal lock) only a combination of roll and yaw is determined; their single values are then
+ *  arbitrary.
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if R is not a rotation. */
 GOUGH_API gough_status gough_angles_from_rotation(double rotation[3][3], double angles[3]);
 
-/** Leg lengths, rates l̇ and second rates l̈ (legs-2), (legs-4), (legs-6).
+/** Leg lengths, joint to joint (inverse kinematics), their rates l̇ and second rates l̈: (legs-2), (legs-4), (legs-6).
  *  @param acceleration  may be NULL; @p second_rate is then not written
- *  @param[out] length,rate,second_rate  six numbers each; any may be NULL
+ *  @param[out] length,rate,second_rate  six numbers each, in the order of the legs; any may be NULL
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if the matrix of the state is not a rotation.
- *  A leg of zero length has rates of NaN. */
+ *
+ *  Limits of the legs are not checked. If the joints of a leg coincide, its length is 0 and its rates are NaN. */
 GOUGH_API gough_status gough_leg_kinematics(const gough_machine *machine, const gough_state *state,
                                             const gough_acceleration *acceleration,
                                             double length[GOUGH_LEGS], double rate[GOUGH_LEGS],
                                             double second_rate[GOUGH_LEGS]);
 
-/** Jacobian of the lengths, l̇ = J (v, ω) with v of the top frame's origin and ω, both in base axes (legs-5).
- *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if the matrix of the state is not a rotation. */
+/** Jacobian of the leg lengths (legs-5): l̇ = J (v, ω), with the velocity v of the top frame's origin and the angular velocity
+ *  ω, both in base axes. Its transpose gives the wrench of the legs: force and moment about that origin are Jᵀ f.
+ *  @param[out] jacobian  a row for each leg; the first three columns have no unit, the last three are lengths
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if the matrix of the state is not a rotation.
+ *
+ *  The velocities of the state are not used. The row of a leg of zero length is NaN. */
 GOUGH_API gough_status gough_jacobian(const gough_machine *machine, const gough_state *state,
                                       double jacobian[GOUGH_LEGS][6]);
 
-/** The condition from which a pose counts as singular: eight digits of the leg forces are lost. */
+/** Greatest condition number of a pose; above it the pose counts as singular, because eight digits of the leg forces are lost. */
 #define GOUGH_GREATEST_CONDITION 1e8
 
-/** How close the six equations are to singular.
- *  @param[out] condition    2-norm condition of J about the top frame's origin, moment columns divided by the mean
- *                           top-joint distance; INFINITY if singular; NaN if a leg has no length. May be NULL
- *  @param[out] determinant  of the same matrix; its sign is the side of the singular surface. May be NULL
- *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if the matrix of the state is not a rotation. */
+/** How close a pose is to a singular one.
+ *  @param[out] condition    condition number, in the 2-norm, of J (gough_jacobian()) with its last three columns divided by the
+ *                           mean distance of the top joints from the top frame's origin: 1 is best; very large or
+ *                           INFINITY in a singular pose, NaN if a leg has no length. It has no unit and does not depend on the
+ *                           scale of the machine. May be NULL
+ *  @param[out] determinant  determinant of the same matrix with its columns divided in this way, without a unit: 0 up to
+ *                           rounding in a singular pose; its sign changes across a singular surface. May be NULL
+ *  @return GOUGH_OK, for singular poses too; GOUGH_ERROR_INPUT if the matrix of the state is not a rotation.
+ *
+ *  Depends on the pose only, not on velocities, load or gravity. */
 GOUGH_API gough_status gough_conditioning(const gough_machine *machine, const gough_state *state,
                                           double *condition, double *determinant);
 
-/** Inverse dynamics, the paper's direct problem, (2.2), (2.4)–(2.6): the leg forces that give an acceleration.
- *  @param external  may be NULL for none
- *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if condition > GOUGH_GREATEST_CONDITION or a number is not finite; GOUGH_ERROR_INPUT
- *  if the matrix of the state is not a rotation. Use @p force only if the status is GOUGH_OK. */
+/** Inverse dynamics: the leg forces that give the top an acceleration, by six linear equations (legs-7); the paper's direct
+ *  problem, (2.2), (2.4)–(2.6).
+ *  @param acceleration    of the top frame's origin, and angular acceleration
+ *  @param external        force and moment on the load besides legs and gravity; NULL for none
+ *  @param[out] force      six leg forces along the legs; a push is positive
+ *  @param[out] condition  condition number of the pose, as from gough_conditioning(); may be NULL
+ *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if the condition exceeds GOUGH_GREATEST_CONDITION or a force is not finite;
+ *          GOUGH_ERROR_INPUT if the matrix of the state is not a rotation. Use @p force only if the status is GOUGH_OK.
+ *
+ *  Limits of the legs are not checked. The relative error of the forces is about 1e-16 times the condition number. */
 GOUGH_API gough_status gough_inverse_dynamics(const gough_machine *machine,
                                               const gough_state *state,
                                               const gough_acceleration *acceleration,
                                               const gough_wrench *external,
                                               double force[GOUGH_LEGS], double *condition);
 
-/** Forward dynamics, the paper's inverse problem, (1.4)–(1.6): the acceleration under given leg forces.
- *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if a leg has no length (accelerations are then not finite); GOUGH_ERROR_INPUT if
- *  the matrix of the state is not a rotation. */
+/** Forward dynamics: the acceleration of the top under given leg forces (body-3), (body-4); the paper's inverse problem,
+ *  (1.4)–(1.6).
+ *  @param force              six leg forces along the legs; a push is positive
+ *  @param external           force and moment on the load besides legs and gravity; NULL for none
+ *  @param[out] acceleration  of the top frame's origin, and angular acceleration
+ *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if the acceleration is not finite, as when a leg has no length; GOUGH_ERROR_INPUT
+ *          if the matrix of the state is not a rotation.
+ *
+ *  Defined in singular poses too: there the legs cannot carry every load, but any leg forces give an acceleration. The inverse
+ *  of gough_inverse_dynamics() elsewhere. */
 GOUGH_API gough_status gough_forward_dynamics(const gough_machine *machine,
                                               const gough_state *state,
                                               const double force[GOUGH_LEGS],
                                               const gough_wrench *external,
                                               gough_acceleration *acceleration);
 
-/** Multipliers of the six constraints (1.2), Λ_ii, Λ_jj, Λ_kk, Λ_ij, Λ_jk, Λ_ki in the central frame (body-6), under given
- *  leg forces. A moment on the load enters as Q_e = ½ m × e.
- *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if the matrix of the state is not a rotation. */
+/** Reactions of the six constraints (1.2) that keep the body axes orthonormal: the multipliers Λ_ii, Λ_jj, Λ_kk, Λ_ij, Λ_jk,
+ *  Λ_ki in the central frame (body-6), under given leg forces, in units of a moment.
+ *  @param force           six leg forces along the legs; a push is positive
+ *  @param external        NULL for none; its moment m enters as the generalised forces Q_e = ½ m × e of the axes e, its force has
+ *                         no effect
+ *  @param[out] reactions  six numbers in the order above
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if the matrix of the state is not a rotation.
+ *
+ *  Defined in singular poses too; NaN if a leg has no length. They are internal to the load and do no work. */
 GOUGH_API gough_status gough_reactions(const gough_machine *machine, const gough_state *state,
                                        const double force[GOUGH_LEGS], const gough_wrench *external,
                                        double reactions[6]);
 
-/** Control law F = F^p + G (l^p − l) + D (l̇^p − l̇), (law-1): for a real-time loop that has its own F^p, l^p and l̇^p. */
+/** Control law of one instant, F = F^p + G (l^p − l) + D (l̇^p − l̇) (law-1): for a real-time loop that measures l and l̇ and has
+ *  its own F^p, l^p and l̇^p.
+ *  @param control         stiffness G and damping D of each leg; without feed-forward, F^p is taken as 0
+ *  @param program_force   F^p, such as from gough_inverse_dynamics(); read only with feed-forward, else it may be NULL
+ *  @param program_length  l^p, and @p program_rate l̇^p, of the commanded motion
+ *  @param length          l, and @p rate l̇, as measured
+ *  @param[out] force      six leg forces; a push is positive. May be the same array as any input
+ *
+ *  Nothing is limited: saturation and limits of the legs are the caller's. A leg with a NaN in its inputs gets NaN, the others
+ *  do not. */
 GOUGH_API void gough_control_law(const gough_control *control,
                                  const double program_force[GOUGH_LEGS],
                                  const double program_length[GOUGH_LEGS],
@@ -106,7 +152,8 @@ GOUGH_API void gough_control_law(const gough_control *control,
                                  const double length[GOUGH_LEGS], const double rate[GOUGH_LEGS],
                                  double force[GOUGH_LEGS]);
 
-/** The program's state and acceleration of the top at t. Not finite if a formula is not. */
+/** State and acceleration of the top that the program commands at time @p t. If a formula is not finite there, neither are
+ *  they. Recorded motion keeps its first or last pose outside its record, at rest. */
 GOUGH_API void gough_program(const gough_machine *machine, const gough_motion *motion, double t,
                              gough_state *state, gough_acceleration *acceleration);
 

@@ -4,7 +4,9 @@
  *  Units: any consistent set (SI, or the dimensionless one of docs/theory/units.md); angles in radians.
  *  Frames: the base frame has x forward, y left, z up; at home the top frame is parallel to it, with its origin
  *  at (0, 0, height). A leg force is positive when it pushes the top away from the base. Legs are massless.
- *  All structs are plain data: fill, copy and share them freely. Nothing here allocates.
+ *  All structs are plain data: fill, copy and share them freely. Nothing here allocates or keeps state, so every function may be
+ *  called from several threads at once. Outputs must not overlap inputs, unless a function works in place. An error argument may
+ *  be NULL.
  */
 #ifndef GOUGH_MODEL_H
 #define GOUGH_MODEL_H
@@ -61,16 +63,19 @@ typedef struct gough_machine {
     double base_radius;             /**< R_b > 0 */
     double gravity_magnitude;       /**< |g|, may be 0 */
     double principal_axes[3][3];    /**< columns: axes of the central frame Cxyz in the top frame */
-    double second_moments[3];       /**< I_x = ∫x²dm, …, in the central frame */
+    double second_moments[3];       /**< I_x = ∫x²dm, …, in the central frame, (1.1) */
     double home_length[GOUGH_LEGS]; /**< leg lengths at home */
-    double home_condition; /**< condition of the six equations at home (INFINITY if singular) */
+    double home_condition;          /**< condition number at home, as from gough_conditioning() */
 } gough_machine;
 
 /** Checks geometry and inertia and computes the derived quantities, (1.1), (2.7).
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with a sentence: a number is not finite, the mass is not positive, no body can have
  *  the inertia, two legs share both joints, all base or all top joints lie on one line, a leg has no length at home, or the
  *  machine is singular in every pose (similar hexagons). A machine singular only at home is accepted (see home_condition).
- *  A flat body (J_x + J_y = J_z within 1e-12) is accepted, its vanishing second moment set to 0. */
+ *  A flat body (J_x + J_y = J_z within 1e-12) is accepted, and its vanishing second moment is set to 0.
+ *  @param gravity       acceleration of free fall, base axes; {0, 0, −9.80665} for a machine that stands on the earth, in SI units;
+ *                       may be zero
+ *  @param[out] machine  copies of the arguments and the derived quantities; incomplete after an error */
 GOUGH_API gough_status gough_machine_init(gough_machine *machine, const gough_platform *platform,
                                           const gough_load *load, const double gravity[3],
                                           gough_error *error);
@@ -99,7 +104,7 @@ typedef struct gough_formula {
 GOUGH_API gough_status gough_formula_compile(gough_formula *formula, const char *text,
                                              size_t length, size_t *offset, gough_error *error);
 
-/** A constant formula. */
+/** A formula with a constant value, which must be finite. */
 GOUGH_API gough_formula gough_formula_constant(double value);
 
 /** True if the formula is the constant 0, so that a disturbance is absent. */
@@ -123,15 +128,15 @@ enum gough_component {
     GOUGH_COMPONENTS
 };
 
-/** Names of the components in the order of the enumeration: "surge" … "yaw". */
+/** Name of a component (enum gough_component), "surge" … "yaw"; a static string. */
 GOUGH_API const char *gough_component_name(int component);
 
 /** A point-to-point move with minimum jerk, from the program's current pose (home before the first move) to the target. */
 typedef struct gough_move {
-    double start;                    /**< when it begins */
+    double start;                    /**< time at which it begins, >= 0 */
     double duration;                 /**< > 0 */
-    double target[GOUGH_COMPONENTS]; /**< from home */
-    bool given[GOUGH_COMPONENTS];    /**< components left out keep their value */
+    double target[GOUGH_COMPONENTS]; /**< lengths and radians, measured from home */
+    bool given[GOUGH_COMPONENTS];    /**< which components move; the others keep their values */
 } gough_move;
 
 /** Recorded motion, in the caller's memory, which must outlive the motion. Rows in order of time.
@@ -140,14 +145,15 @@ typedef struct gough_move {
 typedef struct gough_samples {
     size_t count;        /**< rows */
     const double *time;  /**< increasing */
-    const double *value; /**< six components a row */
-    double *curvature;   /**< their second derivatives, the same size as value */
+    const double *value; /**< six components per row, lengths and radians */
+    double *curvature;   /**< their second derivatives in time, the same size as value */
 } gough_samples;
 
 /** Doubles of scratch memory that gough_samples_prepare() needs for @p count rows. */
 GOUGH_API size_t gough_samples_scratch(size_t count);
 
-/** Computes the spline through the samples, whose times need not be equally spaced.
+/** Computes the spline through the samples (motion-4), whose times need not be equally spaced: fills samples->curvature.
+ *  @param scratch  gough_samples_scratch(samples->count) doubles, free again afterwards
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT: fewer than 2 rows, times that do not increase, or a number that is not finite. */
 GOUGH_API gough_status gough_samples_prepare(const gough_samples *samples, double *scratch,
                                              gough_error *error);
@@ -165,14 +171,14 @@ typedef struct gough_unwrapping {
  *  every rotation stay as they are. Call it before gough_samples_prepare().
  *  @param count      rows
  *  @param value      six components a row, as in gough_samples
- *  @param half_turn  180 where the angles are in degrees, π in radians
- *  Always succeeds; gough_samples_prepare() reports rows that are not finite. Safe to call concurrently. */
+ *  @param half_turn  180 for angles in degrees, π for radians
+ *  Always succeeds; gough_samples_prepare() reports rows that are not finite. */
 GOUGH_API gough_unwrapping gough_samples_unwrap(size_t count, double *value, double half_turn);
 
 /** Doubles of scratch memory that gough_samples_low_pass() and gough_samples_smooth() need for @p count rows. */
 GOUGH_API size_t gough_samples_smooth_scratch(size_t count);
 
-/** Removes fast changes from one component of recorded motion by a smoothing spline, in place and without lag, (motion-8).
+/** Zero-phase low-pass filter for one component of recorded motion, by a smoothing spline, in place, (motion-8).
  *  A sine of frequency f keeps its phase, and 1/(1 + (f/cutoff)⁶) of its amplitude: half of it at the cutoff, 98.5 % at half
  *  the cutoff. This is the response of a third-order Butterworth filter run forwards and backwards. Beyond the ends of the record
  *  a constant acceleration is assumed. The times need not be equally spaced; each row is weighted by the time it represents.
@@ -183,7 +189,7 @@ GOUGH_API size_t gough_samples_smooth_scratch(size_t count);
  *  @param cutoff     > 0, in cycles per unit of time; INFINITY changes nothing
  *  @param scratch    gough_samples_smooth_scratch() doubles
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with @p value unchanged: a number not finite, times not increasing, a cutoff not
- *  above 0. Takes time proportional to @p count; does not allocate; safe to call concurrently. */
+ *  above 0. Takes time proportional to @p count. */
 GOUGH_API gough_status gough_samples_low_pass(size_t count, const double *time, double *value,
                                               int component, double cutoff, double *scratch,
                                               gough_error *error);
@@ -208,30 +214,31 @@ typedef enum gough_motion_kind {
 
 /** The program. A zero-filled struct means rest at home. */
 typedef struct gough_motion {
-    gough_motion_kind kind;                  /**< which of the fields below are used */
-    double about[3];                         /**< the point of the top frame whose motion this is */
-    gough_formula formula[GOUGH_COMPONENTS]; /**< lengths, and radians times `angle_unit` */
+    gough_motion_kind kind; /**< which of the fields below are used */
+    double about[3];        /**< the point whose motion is given, in the top frame */
+    gough_formula
+        formula[GOUGH_COMPONENTS]; /**< lengths; angles, which `angle_unit` converts to radians */
     double
         angle_unit; /**< factor from the formulas' angles to radians; 0 means 1. (π/180 for study files;
                                                   applied to formulas only: moves and samples are in radians) */
     const gough_move *move; /**< in the caller's memory, in order of time, not overlapping */
     size_t moves;           /**< number of moves */
     gough_samples samples;  /**< prepared by gough_samples_prepare() */
-    double period;    /**< of the motion, with its scaling if any; 0: found from the formulas */
-    bool scaled;      /**< whether amplitude and frequency are used; false: the motion unscaled */
-    double amplitude; /**< when scaled: factor on all six components */
-    double frequency; /**< when scaled: factor on the time at which the program is evaluated, > 0 */
+    double period;          /**< of the motion after scaling; 0: found from the formulas */
+    bool scaled;            /**< whether amplitude and frequency are used; false: both count as 1 */
+    double amplitude;       /**< if scaled: factor on all six components */
+    double frequency; /**< if scaled: factor on the time at which the program is evaluated, > 0 */
 } gough_motion;
 
 /** The six components at t with their first and second derivatives: component[c][order], radians. Before the first and
- *  after the last sample the components keep their end values. Not finite if a formula is not. Does not allocate. */
+ *  after the last sample the components keep their end values. Not finite if a formula is not. */
 GOUGH_API void gough_motion_evaluate(const gough_motion *motion, double t,
                                      double component[GOUGH_COMPONENTS][3]);
 
 /** The least and the greatest value of each component from t = 0 to @p duration, in radians where it is an angle.
  *
- *  These are the extremes of the motion, not of its values at some times: to 1e-12 of the range for smooth programs. Pulses down
- *  to a hundredth of @p output_step wide are met. Does not allocate. Safe to call concurrently.
+ *  These are the extremes of the motion, between rows too: to 1e-12 of the range for smooth programs. Pulses down
+ *  to a hundredth of @p output_step wide are found.
  *  @param duration,output_step  as in gough_simulation, both positive and finite
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if a component or one of its derivatives is not finite; the sentence names it and the
  *          time */
@@ -241,11 +248,11 @@ GOUGH_API gough_status gough_motion_range(const gough_motion *motion, double dur
 
 /* ---- control, disturbance, initial state ---------------------------------------------------------------------- */
 
-/** F = F^p + G (l^p − l) + D (l̇^p − l̇), for each leg. Zero-filled except for feedforward: open loop. */
+/** F = F^p + G (l^p − l) + D (l̇^p − l̇) for each leg, (law-1). With all gains 0, open loop. */
 typedef struct gough_control {
     bool feedforward; /**< F^p from inverse dynamics along the program; false: F^p ≡ 0 */
-    double stiffness[GOUGH_LEGS]; /**< G */
-    double damping[GOUGH_LEGS];   /**< D */
+    double stiffness[GOUGH_LEGS]; /**< G, force per length, >= 0 */
+    double damping[GOUGH_LEGS];   /**< D, force per speed, >= 0 */
 } gough_control;
 
 /** Random forces: smooth noise, twice continuously differentiable, of zero mean, independent in each leg and along each
@@ -255,29 +262,30 @@ typedef struct gough_noise {
     double force;     /**< of each component of the force on the load, base axes */
     double moment;    /**< of each component of the moment on the load, base axes */
     double interval;  /**< time scale, the distance between its knots; > 0 if there is noise */
-    uint64_t seed;    /**< another seed gives different noise */
-    uint64_t run;     /**< another run gives different noise */
+    uint64_t seed;    /**< a different seed gives different noise */
+    uint64_t run;     /**< a different run gives different noise */
 } gough_noise;
 
-/** Formulas in t, all zero by default. */
+/** Forces unknown to the controller (law-2): formulas in t, and noise. Zero-filled: none. */
 typedef struct gough_disturbance {
     gough_formula leg_force[GOUGH_LEGS]; /**< added to each leg */
     gough_formula
-        vertical_force; /**< a total force along the base z axis, shared by the legs: their forces have it as
-                                              resultant through the centre of mass in the program's pose, without a moment */
+        vertical_force; /**< errors of the leg forces whose resultant, in the program's pose, is this force along the base z
+                                              axis through the centre of mass */
     gough_formula force[3];  /**< on the load at its centre of mass, base axes */
     gough_formula moment[3]; /**< on the load, base axes */
     gough_noise noise;       /**< random part */
 } gough_disturbance;
 
-/** Where a run starts. Parts that are not given have the program's value at t = 0. */
+/** Where a run starts. Parts that are not given have the program's values at t = 0. */
 typedef struct gough_initial {
-    double component[GOUGH_COMPONENTS]; /**< from home, of the point `about` of the motion */
-    bool given[GOUGH_COMPONENTS];       /**< which components are set */
-    double velocity[3];                 /**< of that point, base axes */
-    double angular_velocity[3];         /**< base axes */
-    bool velocity_given;                /**< whether velocity is set */
-    bool angular_velocity_given;        /**< whether angular_velocity is set */
+    double component
+        [GOUGH_COMPONENTS]; /**< from home, of the point `about` of the motion; lengths, radians */
+    bool given[GOUGH_COMPONENTS]; /**< which components are set */
+    double velocity[3];           /**< of that point, base axes */
+    double angular_velocity[3];   /**< base axes, radians per unit of time */
+    bool velocity_given;          /**< whether velocity is set */
+    bool angular_velocity_given;  /**< whether angular_velocity is set */
 } gough_initial;
 
 /** A complete model. It is large (about 100 kB, mostly formulas): keep it static or on the heap. */

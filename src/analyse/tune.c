@@ -59,7 +59,8 @@ static gough_status check_options(const gough_tuning_options *o, gough_error *er
                           o->damping_ratio);
     if (!(o->margin >= 0 && o->margin <= 0.5))
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the margin must be from 0 to 0.5 (a part of G), not %.9g", o->margin);
+                          "the margin must be from 0 to 0.5 (a fraction of G), not %.9g",
+                          o->margin);
     if (!(o->least >= 0) || !isfinite(o->least) || !(o->greatest >= o->least))
         return gough_fail(
             error, GOUGH_ERROR_INPUT,
@@ -171,10 +172,11 @@ static gough_status find_range(tune *t, gough_error *error) {
     t->least = t->options->least;
     t->greatest = t->options->greatest;
     if (t->greatest <= tuning->threshold && tuning->threshold > 0)
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "home is unstable without feedback: %s grows unless G is over %.6g, but "
-                          "the search ends at %.6g; give --stiffness a:b with b over the threshold",
-                          tuning->least_mode.name, tuning->threshold, t->greatest);
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "the machine is unstable at home without feedback: %s grows unless G exceeds %.6g, but "
+            "the search ends at %.6g; give --stiffness a:b with b above the threshold",
+            tuning->least_mode.name, tuning->threshold, t->greatest);
     if (!t->bounded) t->greatest = 1e6 * fmax(t->unit, tuning->threshold);
     if (!(t->least > 0)) t->least = fmax(tuning->threshold / below_threshold, 1e-3 * t->unit);
     if (!(t->greatest > t->least))
@@ -544,7 +546,7 @@ gough_status gough_tune(const gough_model *model, const gough_simulation *simula
     tune_curve(t);
     if (h.found && tuning->periodic && !tune_follows(t, tuning->stiffness)) {
         tuning->periodic = false;
-        strcpy(tuning->unchecked, "in one period of the program the platform swings too often");
+        strcpy(tuning->unchecked, "the platform oscillates too often in one period of the program");
     }
     if (h.found) return tune_detail(t, error);
     tune_reason(t);

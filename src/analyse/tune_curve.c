@@ -274,7 +274,7 @@ static const char *end_words(gough_cause cause) {
     case GOUGH_END_LEG_FORCE:
         return "a leg's force exceeds its limit";
     case GOUGH_END_LEG_NO_LENGTH:
-        return "a leg has no length left";
+        return "the joints of a leg meet";
     case GOUGH_END_SINGULAR:
         return "the platform collapses into a singular pose";
     case GOUGH_END_NOT_FINITE:
@@ -292,11 +292,10 @@ static void say_ends(tune *t, gough_error *why) {
 
     if (last->leg) snprintf(leg, sizeof leg, " (leg %d)", last->leg);
     if (last->cause == GOUGH_END_INVALID)
-        gough_fail(
-            why, GOUGH_OK,
-            "home is unstable with every G up to %.6g%s, and damping cannot change that; search "
-            "further with --stiffness",
-            last->stiffness, o->stiffness_unit);
+        gough_fail(why, GOUGH_OK,
+                   "the machine is unstable at home with every G up to %.6g%s, and damping cannot "
+                   "change that; search further with --stiffness",
+                   last->stiffness, o->stiffness_unit);
     else
         gough_fail(
             why, GOUGH_OK,
@@ -318,19 +317,17 @@ static void say_floor(const tune *t, const gough_tuning_point *best, gough_error
                    t->point[t->tuning->points - 1].stiffness, o->stiffness_unit,
                    best->position_deviation, o->length_unit, best->stiffness, o->stiffness_unit);
     else if (damped)
-        gough_fail(
-            why, GOUGH_OK,
-            "the deviation does not fall with G, it stays at %.3g%s or more: the run starts off "
-            "its program, and its first swing is as large with any G; start nearer, or allow a "
-            "larger deviation",
-            best->position_deviation, o->length_unit);
+        gough_fail(why, GOUGH_OK,
+                   "the deviation does not fall with G; it stays at %.3g%s or more: the run starts "
+                   "off its program, and its first swing is as large with any G. Start nearer, or "
+                   "allow a larger deviation",
+                   best->position_deviation, o->length_unit);
     else
-        gough_fail(
-            why, GOUGH_OK,
-            "the deviation does not fall with G, it stays at %.3g%s or more: the run starts off "
-            "its program, and without damping that offset never dies out; start nearer, give "
-            "--damping-ratio, or allow a larger deviation",
-            best->position_deviation, o->length_unit);
+        gough_fail(why, GOUGH_OK,
+                   "the deviation does not fall with G; it stays at %.3g%s or more: the run starts "
+                   "off its program, and without damping that offset never dies out. Start nearer, "
+                   "give --damping-ratio, or allow a larger deviation",
+                   best->position_deviation, o->length_unit);
 }
 
 static void say_far(const tune *t, const gough_tuning_point *best, double slope, gough_error *why) {
@@ -356,8 +353,8 @@ void tune_reason(tune *t) {
 
     if (offset > t->options->deviation)
         gough_fail(why, GOUGH_OK,
-                   "no feedback can do it: the run starts %.3g%s off the program, more than the "
-                   "deviation allowed; start nearer, or allow a larger deviation",
+                   "no feedback can achieve it: the run starts %.3g%s off the program, more than "
+                   "the deviation allowed; start nearer, or allow a larger deviation",
                    offset, o->length_unit);
     else if (!best)
         say_ends(t, why);

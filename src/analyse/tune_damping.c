@@ -114,12 +114,10 @@ gough_status gough_damping_for_ratio(const gough_model *model, double ratio, dou
 
     *damping = 0;
     if (!(ratio_at(&A, 1e-3 * unit) > 0)) {
-        return gough_fail(
-            error, GOUGH_ERROR_NUMERICAL,
-            "with the stiffness %.9g not every mode is held at home, and damping cannot "
-            "change that; "
-            "use a greater stiffness",
-            stiffness);
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "with the stiffness %.9g some mode is not held at home, and damping "
+                          "cannot change that; use a greater stiffness",
+                          stiffness);
     }
     if (ratio > 0 && !root(&A, ratio * unit, ratio, damping)) {
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,

@@ -84,18 +84,20 @@ static void print_singularity(const check *c) {
     if (view->condition < 1e8)
         printf("  condition            %.6g (singular from 1e8)\n", view->condition);
     else
-        printf("  condition            over 1e8: singular at home, no leg forces hold it there\n");
+        printf("  condition            over 1e8: home is singular, and leg forces cannot carry "
+               "every load there\n");
     printf("  |det J|              %.6g%s%s\n", fabs(view->determinant), c->unit->length,
            *c->unit->length ? "^3" : "");
-    printf("  to a singularity     %.6g: the least singular value of J, moments over %.6g%s;\n"
-           "                       the legs feel %s least\n",
+    printf("  least singular value %.6g of J (moments divided by %.6g%s; 0 is singular);\n"
+           "                       the weakest direction is %s\n",
            view->least_singular, view->arm, c->unit->length, weakest_name(view));
 }
 
 static void print_load(const check *c) {
     const gough_load *load = &c->machine->load;
     const double *com = load->center_of_mass;
-    printf("\nLoad (the legs are massless here)\n");
+    printf("\n"
+           "Load (the model has massless legs)\n");
     printf("  mass                 %.6g%s, centre of mass %.6g, %.6g, %.6g%s\n", load->mass,
            c->unit->mass, com[0], com[1], com[2], c->unit->length);
     printf("  principal moments    %.6g, %.6g, %.6g%s\n", c->view.moments[0], c->view.moments[1],
@@ -141,7 +143,7 @@ static void print_groups(const check *c) {
     printf("  J/(M R_b^2)          %.6g, %.6g, %.6g\n", c->view.moments[0] / (M * R * R),
            c->view.moments[1] / (M * R * R), c->view.moments[2] / (M * R * R));
     if (!(g > 0)) {
-        printf("  no gravity, so no unit of time follows\n");
+        printf("  without gravity there is no unit of time and there are no groups of G and D\n");
         return;
     }
     double stiffness[2], damping[2];
@@ -158,13 +160,12 @@ static void print_program(const check *c) {
     const gough_motion *motion = &c->model->motion;
     printf("\nProgram\n");
     if (motion->kind == GOUGH_MOTION_MOVES)
-        printf("  %zu move%s, each of minimum jerk\n", motion->moves,
-               motion->moves == 1 ? "" : "s");
+        printf("  %zu minimum-jerk move%s\n", motion->moves, motion->moves == 1 ? "" : "s");
     else if (motion->kind == GOUGH_MOTION_SAMPLES)
-        printf(
-            "  %zu samples, t = %.6g to %.6g%s, joined by a cubic spline (C2, not-a-knot ends)\n",
-            motion->samples.count, motion->samples.time[0],
-            motion->samples.time[motion->samples.count - 1], c->unit->time);
+        printf("  %zu samples, t = %.6g to %.6g%s, interpolated by a cubic spline (C2, not-a-knot "
+               "ends)\n",
+               motion->samples.count, motion->samples.time[0],
+               motion->samples.time[motion->samples.count - 1], c->unit->time);
     else
         printf("  formulas in t\n");
     int moving = 0;
@@ -178,7 +179,7 @@ static void print_program(const check *c) {
     if (c->study->record) record_print(stdout, c->study->record, c->study->dimensionless);
     const double *about = motion->about;
     if (fabs(about[0]) + fabs(about[1]) + fabs(about[2]) > 0)
-        printf("  of the point         %.6g, %.6g, %.6g%s of the top frame\n", about[0], about[1],
+        printf("  of the point         %.6g, %.6g, %.6g%s in the top frame\n", about[0], about[1],
                about[2], c->unit->length);
 }
 
@@ -197,8 +198,10 @@ static void print_control(const check *c) {
 
 static void print_settings(const check *c) {
     const gough_simulation *s = &c->study->simulation;
-    printf("\nSimulation\n  duration             %.6g%s, a row each %.6g%s\n", s->duration,
-           c->unit->time, s->output_step, c->unit->time);
+    printf("\n"
+           "Simulation\n"
+           "  duration             %.6g%s, a row every %.6g%s\n",
+           s->duration, c->unit->time, s->output_step, c->unit->time);
     printf("  method               %s, ", gough_method_name((int)s->method));
     if (s->step > 0)
         printf("step %.6g%s\n", s->step, c->unit->time);

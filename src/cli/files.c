@@ -127,7 +127,7 @@ static gough_status check_one(const command_line *line, const char *path, const 
 
 gough_status check_output(const command_line *line, const char *other) {
     if (other && line->output_count > 1) {
-        complain(line->verb, "a shard goes to one file; give -o once");
+        complain(line->verb, "a shard is written to one file; give -o once");
         return GOUGH_ERROR_INPUT;
     }
     for (size_t i = 0; i < line->output_count; i++) {

@@ -28,8 +28,7 @@ typedef struct loop {
 } loop;
 
 static const char *advice(const loop *l) {
-    return l->open ? "feedback (control.stiffness) is what holds it"
-                   : "'gough stability' has the details";
+    return l->open ? "it needs feedback (control.stiffness)" : "'gough stability' has the details";
 }
 
 /* At rest in a pose; false if there is nothing to say. */
@@ -39,8 +38,8 @@ static bool grows_at_rest(const loop *l, const double *component, const char *wh
     if (rest && gough_stability_at_rest(l->study->model, component, rest, NULL) == GOUGH_OK &&
         rest->growing > 0 && rest->growth * l->study->simulation.duration > log(least_growth)) {
         remark(l->verb,
-               "%s is unstable at rest %s: a deviation in %s, rounding errors included, grows "
-               "tenfold every %.3g%s; %s",
+               "%s is unstable at rest %s: any deviation in %s, even from rounding, grows tenfold "
+               "every %.3g%s; %s",
                l->name, where, rest->eigenvalue[0].mode.name,
                TENFOLD / rest->growth / l->units.time, l->time, advice(l));
         told = true;
@@ -59,8 +58,8 @@ static bool grows_along(const loop *l, const gough_period *period) {
         gough_floquet_multipliers(model, period, 1e-9, floquet, NULL) == GOUGH_OK &&
         !floquet->stable && log(floquet->growth) * periods > log(least_growth)) {
         remark(l->verb,
-               "%s is unstable along the program: a deviation in %s, rounding errors included, "
-               "grows %.3g-fold in each period of %.3g%s; %s",
+               "%s is unstable along the program: any deviation in %s, even from rounding, grows "
+               "%.3g-fold in each period of %.3g%s; %s",
                l->name, floquet->multiplier[0].mode.name, floquet->growth,
                period->period / l->units.time, l->time, advice(l));
         told = true;

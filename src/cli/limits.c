@@ -142,7 +142,7 @@ void limits_print(FILE *stream, const run_report *report, bool all) {
     const int count = limits_used(report, use);
     if (count == 0) return;
     fprintf(stream, "  limits      nearest value, limit, share of the limit used%s\n",
-            report->crossings.count ? "; over 100 % is exceeded" : "");
+            report->crossings.count ? "; over 100 % means exceeded" : "");
     for (int first = 0; first < count; first += GOUGH_LEGS) {
         int exceeded = 0;
         for (int v = 0; v < GOUGH_LEGS; v++) {
@@ -153,6 +153,6 @@ void limits_print(FILE *stream, const run_report *report, bool all) {
         if (!exceeded) print_met(stream, &use[first], unit);
     }
     if (!all || report->crossings.count == 0) return;
-    fprintf(stream, "  each time a limit is exceeded:\n");
+    fprintf(stream, "  every interval in which a limit is exceeded:\n");
     print_list(stream, report, unit);
 }

@@ -108,7 +108,7 @@ gough_status plot_verb(int count, char **argument) {
     if (!table || line.output_count == 0) {
         complain(line.verb, "out of memory");
     } else if (line.labels > line.files) {
-        complain(line.verb, "%zu labels for %zu result%s", line.labels, line.files,
+        complain(line.verb, "%zu labels are given for %zu result%s", line.labels, line.files,
                  line.files == 1 ? "" : "s");
         status = GOUGH_ERROR_INPUT;
     } else {

@@ -25,11 +25,11 @@ static void print_column(FILE *stream, const gough_record *record, int c, bool d
     else
         fprintf(stream, "without visible rounding, ");
     fprintf(stream, "accelerations up to %.3g%s;\n", column->motion, unit.acceleration);
-    fprintf(stream, "                       rounding can%s make up to %.3g%s\n",
+    fprintf(stream, "                       rounding can%s cause up to %.3g%s\n",
             isfinite(column->cutoff) ? " still" : "", column->rounding, unit.acceleration);
     if (isfinite(column->cutoff))
         fprintf(stream,
-                "                       smoothed above %.3g%s: values moved by %.2g%s (root\n"
+                "                       smoothed above %.3g%s: values changed by %.2g%s (root\n"
                 "                       mean square), by at most %.2g%s\n",
                 column->cutoff, unit.frequency, column->change, unit.value, column->worst_change,
                 unit.value);
@@ -37,7 +37,7 @@ static void print_column(FILE *stream, const gough_record *record, int c, bool d
 
 void record_print(FILE *stream, const gough_record *record, bool dimensionless) {
     const words unit = words_of(dimensionless, 0);
-    fprintf(stream, "  rows                 %s %.6g%s", record->even ? "each" : "on average each",
+    fprintf(stream, "  rows                 %s %.6g%s", record->even ? "each" : "on average every",
             record->interval, unit.time);
     if (record->time_step > 0)
         fprintf(stream, ", times in steps of %.3g%s%s", record->time_step, unit.time,

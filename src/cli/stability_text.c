@@ -142,9 +142,9 @@ static void print_eigenvalues(FILE *stream, const stability_report *report,
         value[i] = (mode_value){{rest->eigenvalue[i].value[0], rest->eigenvalue[i].value[1]},
                                 &rest->eigenvalue[i].mode};
     const int groups = group_values(value, false, group), width = name_width(group, groups);
-    fprintf(stream,
-            "  Small deviations go as exp(lambda t); conjugate pairs of the twelve lambda are "
-            "listed once\n    ");
+    fprintf(stream, "  Small deviations vary as exp(lambda t); conjugate pairs of the twelve "
+                    "lambda are listed once\n"
+                    "    ");
     stability_pad(stream, "mode", width);
     print_heading(stream, "growth", *unit->time ? " 1/s" : "", RATE);
     print_heading(stream, "frequency", *unit->time ? " rad/s" : "", FREQUENCY);
@@ -237,9 +237,9 @@ static void print_trace(FILE *stream, const stability_report *report, const goug
     } else if (theorem && rest->trace < 0) {
         print_paragraph(
             stream, "  ", 2,
-            "Without feedback some mode always grows: the translational stiffness of "
-            "constant leg forces has the trace -2Mg/h = %.6g%s < 0, wherever the joints "
-            "lie in their two level planes, the top ones h above.",
+            "Without feedback some mode always grows: the translational stiffness of constant leg "
+            "forces has the trace -2Mg/h = %.6g%s < 0, wherever the joints lie in two level "
+            "planes, the top ones at the height h above the base ones.",
             rest->trace_theorem, unit);
     } else if (rest->trace < 0) {
         print_paragraph(stream, "  ", 2,
@@ -298,19 +298,19 @@ static void print_rest_verdict(FILE *stream, const stability_report *report,
                 rest->eigenvalue[0].mode.name, TENFOLD / rest->growth, unit->time);
     else if (rest->drifting > 0)
         print_paragraph(stream, "  ", 2,
-                        "Unstable: nothing resists motion in %s. A platform that moves there keeps "
+                        "Unstable: nothing resists motion in %s. Once moving, the platform keeps "
                         "its velocity and drifts away.",
                         neutral);
     else if (rest->decaying)
         print_decay(stream, rest, unit->time);
     else if (rest->neutral > 0)
         print_paragraph(stream, "  ", 2,
-                        "Bounded, not stable in the strict sense: nothing grows, but a "
-                        "displacement in %s stays for ever, because no stiffness acts on it.",
+                        "Bounded, but not asymptotically stable: nothing grows, but a displacement "
+                        "in %s remains, because no stiffness acts on it.",
                         neutral);
     else if (report->damped)
-        fprintf(stream, "  Bounded: nothing grows, but damping does not reach every mode, and what "
-                        "it misses never dies out.\n");
+        fprintf(stream,
+                "  Bounded: nothing grows, but some modes are undamped and never die out.\n");
     else
         fprintf(stream,
                 "  Bounded: nothing grows, but without damping (D = 0) nothing dies out.\n");
@@ -349,10 +349,12 @@ static void print_rest(FILE *stream, const stability_report *report, const gough
     print_eigenvalues(stream, report, rest);
     print_thresholds(stream, report, rest);
     print_trace(stream, report, rest);
-    fprintf(stream, "  Checked: the stiffness is symmetric to %.1g of its largest element",
+    fprintf(stream, "  Checked: the stiffness matrix is symmetric to %.1g of its largest element",
             rest->asymmetry);
     if (fabs(rest->trace_theorem) > 0)
-        fprintf(stream, ";\n  its trace differs from -2Mg/h by %.1g of it",
+        fprintf(stream,
+                ";\n"
+                "  its trace equals -2Mg/h to a relative %.1g",
                 fabs(rest->trace - rest->trace_theorem) / fabs(rest->trace_theorem));
     fprintf(stream, ".\n");
     print_rest_verdict(stream, report, rest);
@@ -371,10 +373,10 @@ static void print_multipliers(FILE *stream, const stability_report *report) {
     const int groups = group_values(value, true, group), width = name_width(group, groups);
     const table_heading rate_heading =
         heading_of("growth", *unit_words_of(&report->units)->time ? " 1/s" : "");
-    fprintf(stream,
-            "  A small deviation is multiplied by mu in each period; conjugate pairs of the "
-            "twelve mu are\n  listed once, and what moves is that at the period's "
-            "beginning\n    ");
+    fprintf(stream, "  A small deviation is multiplied by mu in each period; conjugate pairs of "
+                    "the twelve mu are\n"
+                    "  listed once, modes are those at the period's beginning\n"
+                    "    ");
     stability_pad(stream, "mode", width);
     fprintf(stream, "%*s%*s%*s   moves\n", CELL, "|mu|", CELL, "angle [deg]", CELL,
             rate_heading.text);
@@ -399,8 +401,8 @@ static void print_floquet_checks(FILE *stream, const gough_floquet *f) {
                         f->determinant_defect, f->pair_defect, f->steps);
     else
         print_paragraph(stream, "  ", 2,
-                        "Checked: the product of all mu is exp of the integral of the trace (here "
-                        "to %.1g); %zu steps.",
+                        "Checked: the product of all mu is the exponential of the integral of the "
+                        "trace (here to %.1g); %zu steps.",
                         f->determinant_defect, f->steps);
 }
 
@@ -444,8 +446,11 @@ static void print_floquet_verdict(FILE *stream, const stability_report *report) 
 static void print_program(FILE *stream, const stability_report *report) {
     const unit_words *unit = unit_words_of(&report->units);
     const gough_motion *motion = &report->study->model->motion;
-    fprintf(stream, "\nAbout the program, of period %.9g%s, %s", report->floquet.period, unit->time,
-            motion->period > 0 ? "as the study gives it" : "found from its formulas");
+    fprintf(stream,
+            "\n"
+            "Along the program, of period %.9g%s, %s",
+            report->floquet.period, unit->time,
+            motion->period > 0 ? "given in the study" : "found from its formulas");
     if (report->floquet.start > 0)
         fprintf(stream, ", from t = %.4g%s on", report->floquet.start, unit->time);
     fprintf(stream, "\n");

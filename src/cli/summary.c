@@ -244,7 +244,8 @@ static void print_between(FILE *stream, const gough_summary *s, const unit_words
     const double step = floor(s->drawing_step / decade) * decade;
     fprintf(stream,
             "  rows        too far apart to draw the motion: between two rows leg %d moves up to\n"
-            "              %.4g%s beyond both; simulation.output_step %.3g%s or less draws it\n",
+            "              %.4g%s beyond both; to draw it, set simulation.output_step to %.3g%s or "
+            "less\n",
             s->between_leg, s->between_rows, unit->length, step, unit->time);
 }
 
@@ -259,9 +260,9 @@ void remark_stiffness(const char *verb, const run_report *report) {
     const char *unit = unit_words_of(&report->units)->time;
     if (!(s->stiff_rate > 0)) return;
     remark(verb,
-           "the loop is stiff from t = %.4g%s on: its fastest decay, at a rate of %.3g%s%s, keeps "
-           "steps under %.2g%s whatever the tolerance (%lld steps in all); less control.damping "
-           "makes the run faster",
+           "the loop is stiff from t = %.4g%s on: its fastest decay, at a rate of %.3g%s%s, limits "
+           "steps to %.2g%s whatever the tolerance (%lld steps in all); with less control.damping "
+           "the run is faster",
            s->stiff_time, unit, s->stiff_rate, *unit ? " 1/" : "", *unit ? unit + 1 : "",
            stiff_reach / s->stiff_rate, unit, s->steps);
 }
@@ -307,10 +308,10 @@ void run_report_print(FILE *stream, const run_report *report) {
                 "  drift       at most %.2g (violation of the constraints before projection)\n",
                 s->drift);
     }
-    fprintf(stream, "  legs        massless here: %s on top\n",
+    fprintf(stream, "  legs        massless in this model: add %s\n",
             report->study->model->machine.gravity_magnitude > 0
-                ? "their own weight and inertia come"
-                : "their own inertia comes");
+                ? "the forces of their own weight and inertia"
+                : "the forces of their own inertia");
     print_between(stream, s, unit);
     if (!report->simulated) print_left_out(stream, &report->study->model->disturbance);
     if (report->simulated)

@@ -183,7 +183,7 @@ static void explain_stop(const command_line *line, const gough_sweep_summary *su
     else if (kept)
         complain(line->verb,
                  "stopped: %zu of %zu runs are finished and kept in %s.part; the same command "
-                 "continues from there",
+                 "resumes the sweep",
                  summary->runs, runs, kept);
     else
         complain(line->verb, "stopped after %zu of %zu runs; nothing is kept without -o FILE",

@@ -165,7 +165,7 @@ static void keep_sentence(watch *w) {
     }
     bracket_words(w->report, choice, now, sizeof now);
     interrupt_says(w->line->verb,
-                   "stopped before the end, nothing was written. Best so far: %s%s feed-forward %s "
+                   "stopped before the end; nothing was written. Best so far: %s%s feed-forward %s "
                    "(stability not checked)",
                    before, choice->feedforward ? "with" : "without", now);
 }

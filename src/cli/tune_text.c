@@ -69,7 +69,7 @@ static const char *end_words(gough_cause cause) {
     case GOUGH_END_LEG_FORCE:
         return "a leg's force exceeds its limit";
     case GOUGH_END_LEG_NO_LENGTH:
-        return "a leg has no length left";
+        return "the joints of a leg meet";
     case GOUGH_END_SINGULAR:
         return "the platform collapses into a singular pose";
     case GOUGH_END_NOT_FINITE:
@@ -93,8 +93,7 @@ static void print_binding(FILE *stream, const gough_tuning *tuning, const unit_w
                      ", at its largest %.0f %% in %s", 100 * tuning->mode_share, tuning->mode.name);
         break;
     case GOUGH_TUNING_END:
-        snprintf(text, sizeof text, "the end of the run: with a smaller G %s",
-                 end_words(tuning->cause));
+        snprintf(text, sizeof text, "early ends: with a smaller G %s", end_words(tuning->cause));
         break;
     case GOUGH_TUNING_THRESHOLD:
         snprintf(text, sizeof text, "stability: with a smaller G %s grows at rest", mode);
@@ -165,7 +164,7 @@ static void print_exceptions(FILE *stream, const gough_tuning *tuning, const uni
 static void print_curve(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
     if (isfinite(tuning->slope))
         fprintf(stream,
-                "  curve       the deviation goes as G^%.3f (%.4g%s at G = 1%s); %zu points\n",
+                "  curve       the deviation varies as G^%.3f (%.4g%s at G = 1%s); %zu points\n",
                 tuning->slope, tuning->scale, unit->length, unit->stiffness, tuning->points);
     else
         fprintf(stream, "  curve       no trend: the deviation is round-off, or too few runs reach "
@@ -188,7 +187,7 @@ static void print_choice(FILE *stream, const tune_choice *choice, const unit_wor
         print_binding(stream, tuning, unit);
         print_legs(stream, tuning, unit);
     } else {
-        fprintf(stream, "  no G of the search meets it; the reason follows below\n");
+        fprintf(stream, "  no G in the range of the search meets it; the reason is given below\n");
     }
     if (*tuning->unchecked)
         print_paragraph(stream, "  stability", 14, "checked at rest only: %s", tuning->unchecked);
@@ -205,10 +204,9 @@ void tune_print(FILE *stream, const tune_report *report) {
     fprintf(stream, ", with a margin of %.3g %% in G to instability\n%s\n", 100 * asked->margin,
             units_sentence(report->study, &report->units));
     if (first->threshold > 0)
-        fprintf(
-            stream,
-            "At rest at home, with its forces fed forward, the machine needs G above %.6g%s (%s)\n",
-            first->threshold, unit->stiffness, first->least_mode.name);
+        fprintf(stream,
+                "At rest at home, with feed-forward, the machine needs G above %.6g%s (%s)\n",
+                first->threshold, unit->stiffness, first->least_mode.name);
     for (int c = 0; c < report->choices; c++) print_choice(stream, &report->choice[c], unit);
 }
 

@@ -262,9 +262,9 @@ static gough_status set_home(gough_machine *m, gough_error *error) {
 
     if (singular_everywhere(&h, p->height, m->base_radius))
         return FAIL(error, "platform",
-                    "the machine is singular in every pose, so its legs cannot hold the top: "
-                    "this is so where base and top are similar hexagons on circles; "
-                    "change the spacing of the joints of one of them");
+                    "the machine is singular in every pose, so its legs cannot hold the top. This "
+                    "happens if base and top are similar hexagons; change the spacing of the "
+                    "joints on one of them");
     return GOUGH_OK;
 }
 

@@ -297,7 +297,9 @@ static void add_plain(builder *b, const char *heading, const char *name, bool lo
                      builder_compares(b) ? builder_label(b, t) : "", colour_of_table(t));
 }
 
-static void fill_drift(builder *b) { add_plain(b, "Constraint drift in a step", "drift", true); }
+static void fill_drift(builder *b) {
+    add_plain(b, "Constraint drift before projection", "drift", true);
+}
 
 /* Logarithmic where it spans two decades. */
 static void fill_condition(builder *b) {
@@ -309,7 +311,7 @@ static void fill_condition(builder *b) {
         extremes(b->tables[t], value, &least, &greatest);
         wide = wide || greatest > 100.0 * least;
     }
-    add_plain(b, "Condition of the leg Jacobian", "condition", wide);
+    add_plain(b, "Condition number of the leg Jacobian", "condition", wide);
 }
 
 /* ---- overview -------------------------------------------------------------------------------------------------- */

@@ -74,7 +74,7 @@ static bool is_decimal(piece cell, double *value) {
 /* A decimal number, or nan or inf as tables of gough have them. */
 static gough_status read_number(const reader *r, piece cell, double *value) {
     if (cell.begin == cell.end)
-        return fail_at(r, cell.begin, "a number is missing (write nan where there is none)");
+        return fail_at(r, cell.begin, "a number is missing (write nan for a missing value)");
     if (is_word(cell, "nan")) {
         *value = NAN;
         return GOUGH_OK;

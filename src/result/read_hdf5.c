@@ -116,13 +116,13 @@ static gough_status read_column(reader *r, hid_t dataset, const char *name) {
     if (table->columns > 0 && rows != table->rows)
         return gough_fail(r->error, GOUGH_ERROR_INPUT,
                           "%s: column %.60s has %zu rows, but %.60s has %zu; all columns of a "
-                          "table are equally long",
+                          "table must have the same length",
                           r->path, name, rows, table->name[0], table->rows);
     if (rows > r->room)
-        return gough_fail(r->error, GOUGH_ERROR_INPUT,
-                          "%s: column %.60s says that it has %zu rows, more than a file of this "
-                          "size can have",
-                          r->path, name, rows);
+        return gough_fail(
+            r->error, GOUGH_ERROR_INPUT,
+            "%s: column %.60s claims to have %zu rows, more than a file of this size can hold",
+            r->path, name, rows);
     r->room -= rows;
 
     double *value = calloc(rows > 0 ? rows : 1, sizeof *value);

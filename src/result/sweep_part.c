@@ -203,9 +203,9 @@ static gough_status compare_head(sweep_part *part, bool *begun, gough_error *err
     *begun = same && got == part->length;
     if (same) return GOUGH_OK;
     return gough_fail(error, GOUGH_ERROR_INPUT,
-                      "%s belongs to another sweep: its study, settings, values, shard, units or "
-                      "version differ, or gough computes other numbers now. Finish that sweep or "
-                      "remove the file",
+                      "%s belongs to a different sweep: its study, settings, values, shard, units "
+                      "or version differ, or this build of gough computes different numbers. "
+                      "Finish that sweep, or remove the file",
                       part->path);
 }
 

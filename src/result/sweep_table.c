@@ -81,7 +81,7 @@ static void list_columns(table *t) {
     t->column[t->columns - 1].whole = true;
     t->column[t->columns - 1].flags = t->flags;
     t->column[t->columns - 1].flag_count = GOUGH_END_INVALID + 1;
-    add_column(t, "end_leg", "1", "leg that was the cause, or 0", 1);
+    add_column(t, "end_leg", "1", "leg that caused it, or 0", 1);
     t->column[t->columns - 1].whole = true;
     add_column(t, "end_time", none ? "1" : "s", "time of the end",
                (double)result_factor(&scale, 0, 0, 1, 0));

@@ -37,8 +37,8 @@ static gough_status check_path(const gough_sweep_output *output, gough_error *er
                           output->shards);
     if (!output->path || !ends_in(output->path, ".shard") || output->also_count > 0)
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "a shard goes to one file whose name ends in .shard; `gough merge` makes "
-                          "the table of all of them");
+                          "a shard is written to one file, whose name ends in .shard; `gough "
+                          "merge` joins all shards into a table");
     return GOUGH_OK;
 }
 
@@ -137,7 +137,7 @@ static int by_number(const void *left, const void *right) {
 static gough_status check_set(const sweep_part *part, size_t count, gough_error *error) {
     for (size_t i = 1; i < count; i++) {
         if (!sweep_part_same(&part[0], &part[i]))
-            return gough_fail(error, GOUGH_ERROR_INPUT, "%s and %s are not of the same sweep",
+            return gough_fail(error, GOUGH_ERROR_INPUT, "%s and %s are not from the same sweep",
                               part[0].path, part[i].path);
         if (part[i].head->shard == part[i - 1].head->shard)
             return gough_fail(error, GOUGH_ERROR_INPUT, "%s and %s are the same shard, %zu of %zu",

@@ -56,7 +56,7 @@ const gough_column_info gough_column_table[GOUGH_COLUMNS] = {
     [GOUGH_P + 4]       = {"p5", "power of leg 5",                                   2, 1, -3, 0},
     [GOUGH_P + 5]       = {"p6", "power of leg 6",                                   2, 1, -3, 0},
 
-    [GOUGH_CONDITION]   = {"condition", "condition of the leg Jacobian",             0, 0,  0, 0},
+    [GOUGH_CONDITION]   = {"condition", "condition number of the leg Jacobian",             0, 0,  0, 0},
 
     [GOUGH_EX]          = {"ex", "deviation from the program in x",                  1, 0,  0, 0},
     [GOUGH_EY]          = {"ey", "deviation from the program in y",                  1, 0,  0, 0},

@@ -128,7 +128,7 @@ static inline gough_status drive_row(drive *d, const number *y) {
         return GOUGH_ERROR_NUMERICAL;
     }
     if (!row_finite(&d->r, 1, value)) {
-        return drive_stop(d, GOUGH_END_NOT_FINITE, t, "the motion ceases to be finite");
+        return drive_stop(d, GOUGH_END_NOT_FINITE, t, "the motion is no longer finite");
     }
     if (d->r.options->summary) row_sum(value, d->r.options->summary, d->r.lane[0].machine, 1);
     d->row++;
@@ -328,7 +328,7 @@ static inline int drive_finite(const number *y) {
 
 static inline gough_status drive_not_finite(drive *d, real t) {
     if (d->r.fault.what) return limits_fault(&d->r, d->end);
-    return drive_stop(d, GOUGH_END_NOT_FINITE, t, "the motion ceases to be finite");
+    return drive_stop(d, GOUGH_END_NOT_FINITE, t, "the motion is no longer finite");
 }
 
 /* rates in the state at the present time, from which the next step starts */
@@ -383,7 +383,7 @@ static inline gough_status drive_converged(drive *d, number residual) {
     if (d->r.fault.what) return limits_fault(&d->r, d->end);
     if (residual <= (real)1e-6) return GOUGH_OK;
     return drive_stop(d, GOUGH_END_NO_CONVERGENCE, d->m.t0,
-                      "the step is too long for the turn of the load; a shorter step would do:");
+                      "an implicit step did not converge (choose a shorter simulation.step)");
 }
 
 /* one fixed step looked at by itself; *until: end of its valid part */
@@ -404,19 +404,18 @@ static inline gough_status drive_stuck(drive *d, real unit) {
         run_stage(&d->r, d->t + ahead * reach);
     }
     if (d->r.fault.what) return limits_fault(&d->r, d->end);
-    return drive_stop(d, GOUGH_END_NO_CONVERGENCE, d->t,
-                      "no step meets the tolerance; a larger tolerance, or a look at what the "
-                      "motion does there, may help:");
+    return drive_stop(
+        d, GOUGH_END_NO_CONVERGENCE, d->t,
+        "no step, however short, meets the tolerance (a larger simulation.tolerance may help)");
 }
 
 /* So many steps that a run will not end. Where deviations decay fast, steps must be short for stability, whatever the
  * accuracy asked for. */
 static inline gough_status drive_stiff(drive *d) {
-    return drive_stop(
-        d, GOUGH_END_NO_CONVERGENCE, d->t,
-        "after 2e7 steps the run has not reached its duration; very large damping or "
-        "stiffness forces very short steps: choose less of it, a shorter duration, or "
-        "a fixed step. The run stopped");
+    return drive_stop(d, GOUGH_END_NO_CONVERGENCE, d->t,
+                      "after 2e7 steps the run has not reached its duration: very large damping or "
+                      "stiffness forces very short steps. Reduce it, or choose a shorter duration "
+                      "or a fixed step. The run stopped");
 }
 
 #endif

@@ -140,8 +140,8 @@ static inline void limits_no_leg(gough_end *end, gough_cause cause, double t) {
 static inline void limits_say_singular(int of_program, double t, gough_end *end) {
     limits_no_leg(end, GOUGH_END_SINGULAR, t);
     end_say(end,
-            "%s is singular at t = %.9g: there the six legs cannot hold the load in every "
-            "direction, and no leg forces are defined",
+            "%s is singular at t = %.9g: there the six legs cannot carry every load, and leg "
+            "forces are not defined",
             of_program ? "the program's pose" : "the pose", t);
 }
 

@@ -58,11 +58,10 @@ static gough_status check_times(const gough_simulation *s, gough_error *error) {
             s->max_step);
     }
     if (s->duration / s->output_step > most_rows) {
-        return gough_fail_key(
-            error, GOUGH_ERROR_INPUT, "simulation.output_step",
-            "simulation.output_step %.9g makes more than 1e8 rows in %.9g; take a "
-            "longer one",
-            s->output_step, s->duration);
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.output_step",
+                              "simulation.output_step %.9g gives more than 1e8 rows in a duration "
+                              "of %.9g; choose a longer one",
+                              s->output_step, s->duration);
     }
     return GOUGH_OK;
 }
@@ -89,11 +88,10 @@ static gough_status check_step(const gough_simulation *s, gough_error *error) {
             s->step, s->output_step, s->output_step / fmax(1, round(ratio)));
     }
     if (!(s->duration / s->step <= most_steps)) {
-        return gough_fail_key(
-            error, GOUGH_ERROR_INPUT, "simulation.step",
-            "simulation.step %.9g makes more than 1e12 steps in %.9g; take a longer "
-            "one",
-            s->step, s->duration);
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.step",
+                              "simulation.step %.9g gives more than 1e12 steps in a duration of "
+                              "%.9g; choose a longer one",
+                              s->step, s->duration);
     }
     return GOUGH_OK;
 }
@@ -104,9 +102,8 @@ static gough_status check_tolerance(const gough_simulation *s, gough_error *erro
     if (!(s->tolerance >= least && s->tolerance <= 0.1)) {
         return gough_fail_key(
             error, GOUGH_ERROR_INPUT, "simulation.tolerance",
-            "simulation.tolerance must lie between %g and 0.1 in %s precision, not "
-            "%.9g",
-            least, s->precision == GOUGH_QUADRUPLE ? "quadruple" : "double", s->tolerance);
+            "simulation.tolerance must be between %g and 0.1 in %s precision, not %.9g", least,
+            s->precision == GOUGH_QUADRUPLE ? "quadruple" : "double", s->tolerance);
     }
     return GOUGH_OK;
 }
@@ -140,11 +137,10 @@ static gough_status check_samples(const gough_motion *motion, const gough_simula
     last = samples->time[samples->count - 1];
     if (motion->scaled) first /= motion->frequency, last /= motion->frequency;
     if (first > 0 || last < s->duration * (1 - division_slack)) {
-        return gough_fail_key(
-            error, GOUGH_ERROR_INPUT, "simulation.duration",
-            "simulation.duration: the run from 0 to %.9g goes beyond the recorded "
-            "motion, which is given from %.9g to %.9g",
-            s->duration, first, last);
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.duration",
+                              "simulation.duration: the run from 0 to %.9g extends beyond the "
+                              "recorded motion, which covers %.9g to %.9g",
+                              s->duration, first, last);
     }
     return GOUGH_OK;
 }
@@ -155,11 +151,10 @@ gough_status gough_simulation_check(const gough_model *model, const gough_simula
     const bool noisy = noise->leg_force > 0 || noise->force > 0 || noise->moment > 0;
 
     if (noisy && !(simulation->duration / noise->interval <= most_knots)) {
-        return gough_fail_key(
-            error, GOUGH_ERROR_INPUT, "disturbance.noise.interval",
-            "disturbance.noise.interval %.9g makes more than 1e12 knots in a run of "
-            "%.9g; take a longer one",
-            noise->interval, simulation->duration);
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "disturbance.noise.interval",
+                              "disturbance.noise.interval %.9g gives more than 1e12 knots in a run "
+                              "of %.9g; choose a longer one",
+                              noise->interval, simulation->duration);
     }
     return simulate_check(&model->motion, simulation, error);
 }

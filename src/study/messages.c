@@ -180,7 +180,7 @@ char *study_messages_write(const study_messages *messages) {
     if (!out) return NULL;
     for (size_t i = 0; i < count; i++) write_message(out, sorted[i]);
     if (messages->left_out)
-        fprintf(out, "… and %zu more errors, left out here\n", messages->left_out);
+        fprintf(out, "… and %zu more errors, not shown here\n", messages->left_out);
     if (messages->arena->exhausted) fputs("error: out of memory\n", out);
     if (fclose(out) != 0) {
         free(text);

@@ -25,7 +25,7 @@ static bool find_kind(study_build *build, study_node *node, gough_motion_kind *k
                                                : GOUGH_MOTION_SAMPLES;
         if (first && this != *kind) {
             study_node_say(build->messages, child, study_node_place(child, true),
-                           "`motion` has `%s` beside `%s`; give formulas, moves or samples",
+                           "`motion` has both `%s` and `%s`; give formulas, moves or samples",
                            child->key->text, first->key->text);
             return false;
         }
@@ -44,11 +44,10 @@ static void read_move(study_build *build, study_node *node, gough_move *move, do
     const char *path = study_node_path(build->messages->arena, node);
     if (!any)
         study_node_say(build->messages, node, study_node_place(node, false),
-                       "`%s` goes nowhere; give it a target such as heave: 0.1", path);
+                       "`%s` has no target; give one such as heave: 0.1", path);
     if (!(move->start >= before - 1e-12 * fabs(before)))
         study_node_say(build->messages, start, study_node_place(start, false),
-                       "`%s.start` lies before the end of the move before it; moves follow one "
-                       "another in time",
+                       "`%s.start` is before the end of the previous move; moves must not overlap",
                        path);
     else if (move->start < before)
         move->start = before;
@@ -118,12 +117,12 @@ static void check_smoothing(study_build *build, const study_node *motion) {
     study_node *either = smooth ? smooth : cutoff;
     if (smooth && cutoff)
         study_node_say(build->messages, cutoff, study_node_place(cutoff, true),
-                       "`motion` has `cutoff` beside `smooth`; give one of them");
+                       "`motion` has both `cutoff` and `smooth`; give only one of them");
     if (smooth && !smooth->wrong && smooth->kind == STUDY_MAPPING && !smooth->first)
         study_say_shape(build->messages, smooth, study_shape_phrase(GOUGH_SHAPE_SMOOTH));
     if (either && !study_node_child(motion, "samples") && !study_node_meant(motion, "samples"))
         study_node_say(build->messages, either, study_node_place(either, true),
-                       "`motion.%s` smooths recorded motion; there is no `motion.samples`",
+                       "`motion.%s` smooths recorded motion, but there is no `motion.samples`",
                        either->key->text);
 }
 

@@ -27,7 +27,7 @@ static study_node *find_way(study_messages *messages, study_node *node) {
         else if (!grid || strcmp(found->key->text, "uniform") == 0 ||
                  strcmp(found->key->text, "normal") == 0) {
             study_node_say(messages, child, study_node_place(child, true),
-                           "`%s` has both `%s` and `%s`; give one of grid, uniform and normal",
+                           "`%s` has both `%s` and `%s`; give a grid, uniform or normal",
                            study_node_path(messages->arena, node), name, found->key->text);
             return NULL;
         }

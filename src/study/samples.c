@@ -110,7 +110,7 @@ static int header_cell(table *csv, cell head) {
     const study_place place = {csv->source, head.begin};
     for (size_t i = 0; column >= 0 && i < csv->columns; i++) {
         if (csv->column[i] != column) continue;
-        say(csv, head.begin, "this column is there twice");
+        say(csv, head.begin, "this column appears twice");
         return -1;
     }
     if (column >= 0) return column;
@@ -144,7 +144,7 @@ static bool read_header(table *csv) {
     if (csv->errors) return false;
     if (!has_time) say(csv, begin, "the column t, the time, is missing");
     if (!csv->errors && csv->columns < 2)
-        say(csv, begin, "there is no motion: beside t, a column such as heave is needed");
+        say(csv, begin, "there is no motion: a column such as heave is needed besides t");
     return csv->errors == 0;
 }
 
@@ -168,7 +168,7 @@ static void say_time(table *csv, size_t at) {
     char advice[100] = "";
     if (!(now < before) && decimals > 0 && decimals < 9)
         snprintf(advice, sizeof advice,
-                 "; if times are rounded to %d decimal%s, write more of them", decimals,
+                 "; if the times are rounded to %d decimal%s, record more digits", decimals,
                  decimals == 1 ? "" : "s");
     study_say(csv->messages, GOUGH_ERROR_INPUT, (study_place){csv->source, at},
               "the time %.9g must be greater than %.9g in the row before%s", now, before, advice);
@@ -213,7 +213,7 @@ static void read_row(table *csv, size_t begin, size_t end) {
     } else if (csv->rows > 0 && !(csv->time[csv->rows] > csv->time[csv->rows - 1])) {
         say_time(csv, time_at);
     } else if (csv->rows == 0 && csv->time[0] > 0) {
-        say(csv, time_at, "the record must begin at time 0 or before, where a run begins");
+        say(csv, time_at, "the record must begin at time 0 or before, because a run begins at 0");
     }
     csv->rows++;
 }

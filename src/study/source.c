@@ -107,7 +107,8 @@ char *study_source_read(study_messages *messages, study_place place, const char 
     char *text = NULL;
     if (regular && fstat(file, &about) == 0 && !S_ISREG(about.st_mode)) {
         study_say(messages, GOUGH_ERROR_FILE, place,
-                  "`%s` is not a regular file; recorded motion must be in one", name);
+                  "`%s` is not a regular file; recorded motion is read from regular files only",
+                  name);
     } else {
         text = read_all(file, most, length);
         if (!text && errno == EFBIG)

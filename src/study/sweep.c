@@ -67,7 +67,7 @@ static void try_first_run(study_messages *messages, study_node *root, const goug
     if (maker && gough_sweep_make(maker, 1, &study, &error) == GOUGH_ERROR_INPUT) {
         study_node *keys = study_node_child(study_node_child(root, "sweep"), "keys");
         study_node_say(messages, keys, study_node_place(keys, true),
-                       "the first run is impossible: %s", error.message);
+                       "the first run of the sweep is invalid: %s", error.message);
     }
     gough_sweep_maker_free(maker);
 }

@@ -78,7 +78,7 @@ static void say_no_number(study_messages *messages, study_node *node, size_t res
                        "`%s` must be a decimal number such as 1000 or 1e3, found `%s`", path, text);
     else if (more[0] == ',' && is_digit(more[1]))
         study_node_say(messages, node, there,
-                       "`%s` must be a number with a decimal point, found the comma of `%s`", path,
+                       "`%s` must be a number with a decimal point, found a comma in `%s`", path,
                        text);
     else if (more[strspn(more, " ")] && strchr("+-*/^(", more[strspn(more, " ")]))
         study_node_say(

@@ -297,7 +297,7 @@ START_TEST(a_period_too_long_to_follow_is_said) {
     ck_assert_msg(s.tuning.found, "%s", s.tuning.reason);
     ck_assert(!s.tuning.periodic);
     ck_assert_str_eq(s.tuning.unchecked,
-                     "in one period of the program the platform swings too often");
+                     "the platform oscillates too often in one period of the program");
     ck_assert(s.tuning.stiffness >= s.tuning.threshold && s.tuning.stiffness < 1e3);
     end(&s);
 }
@@ -390,7 +390,8 @@ START_TEST(refuses_what_cannot_be) {
     refuses(&s, "the deviation allowed must be");
     s.options.deviation = 1e-3;
     s.options.greatest = 0;
-    refuses(&s, "home is unstable without feedback: sway–tilt grows unless G is over 0.894107");
+    refuses(&s, "the machine is unstable at home without feedback: sway–tilt grows unless G "
+                "exceeds 0.894107");
     s.options.greatest = 0.8;
     refuses(&s, "the search ends at 0.8");
     s.options = gough_tuning_options_default();

@@ -58,9 +58,9 @@ jq -e '([.limits[] | select(.kind == "leg_short") | .count] | all(. == 80)) and 
        ([.limits[] | select(.kind == "leg_force") | .count] | all(. == 160))' "$scratch/out" >/dev/null ||
     fail "how often limits are exceeded: $(jq -c '[.limits[] | [.leg, .kind, .count]]' "$scratch/out")"
 run forces "$scratch/fast.yaml"
-grep -A1 'rows .*too far apart to draw the motion: between two rows leg [1-6] moves up to' "$scratch/out" | grep -qE '^ +0\.[0-9]+ beyond both; simulation.output_step 0\.00[0-9]+ or less draws it$' ||
+grep -A1 'rows .*too far apart to draw the motion: between two rows leg [1-6] moves up to' "$scratch/out" | grep -qE '^ +0\.[0-9]+ beyond both; to draw it, set simulation.output_step to 0\.00[0-9]+ or less$' ||
     fail "nothing is said of rows too far apart: $(grep -A1 ' rows ' "$scratch/out")"
-step=$(sed -n 's/.*output_step \([0-9.]*\) or less.*/\1/p' "$scratch/out")
+step=$(sed -n 's/.*output_step to \([0-9.]*\) or less.*/\1/p' "$scratch/out")
 run forces "$scratch/fast.yaml" --set "simulation.output_step=$step"
 ! grep -q 'too far apart' "$scratch/out" || fail "the output_step named, $step, is too long by its own measure"
 

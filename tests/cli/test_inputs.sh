@@ -142,7 +142,7 @@ done
 "$GOUGH" check <(cat own.yaml) --set 'motion={samples: record.csv}' --set simulation.duration=1 >out 2>err || fail "a substituted process with a recording: $(cat err)"
 # shellcheck disable=SC2002
 cat record.csv | "$GOUGH" check own.yaml --set 'motion={samples: /dev/stdin}' >out 2>err
-grep -qF '`/dev/stdin` is not a regular file; recorded motion must be in one' err || fail "a recording from a pipe: $(cat err)"
+grep -qF '`/dev/stdin` is not a regular file; recorded motion is read from regular files only' err || fail "a recording from a pipe: $(cat err)"
 # HDF5 and shards need the file itself; as standard input that is a file they have it
 "$GOUGH" simulate own.yaml -q -o result.h5 && "$GOUGH" sweep own.yaml "${sweep[@]::2}" --shard 1/1 -o part.shard -q || fail "tables for pipes"
 for name in - /dev/stdin; do

@@ -53,7 +53,7 @@ says "Without feedback some mode always grows"
 says "Unstable: a deviation in "
 near "$what: tenfold" "$(sed -n 's/.*grows tenfold every \([^ ]*\) s.*/\1/p' out)" "$(jq '2.302585092994 / .growth_rate' data.json)" 1e-3
 simulate "standing, open loop" own.yaml --set control.stiffness=0 --set control.damping=0 --set simulation.duration=1
-says "the open loop is unstable at rest at home: a deviation in"
+says "the open loop is unstable at rest at home: any deviation in"
 simulate "standing, closed loop" own.yaml
 never "unstable|open loop"
 
@@ -67,7 +67,7 @@ near "$what: heave's threshold" "$(jq '[.thresholds[] | select(.mode == "heave")
 
 # a closed loop below its threshold: its growth is said, and not for a stiffer one
 simulate "standing, too soft" own.yaml --set control.stiffness=100 --set control.damping=0 --set simulation.duration=3
-says "the closed loop is unstable at rest at home: a deviation in"
+says "the closed loop is unstable at rest at home: any deviation in"
 simulate "standing, too soft, along a program" own.yaml --set control.stiffness=100 --set simulation.duration=3
 says "the closed loop is unstable"
 
@@ -100,7 +100,7 @@ never "growing|grows tenfold|feedback"
 
 stability "weightless, damping alone" "${weightless[@]}" --set control.stiffness=0
 json '.stable and .drifts == [] and .decays == false and .growth_rate == 0'
-says "a displacement in sway, tilt, heave or yaw stays for ever, because no stiffness acts on it"
+says "a displacement in sway, tilt, heave or yaw remains, because no stiffness acts on it"
 says "Bounded"
 never "needs no feedback|every deviation dies out|Unstable|drifts away"
 simulate "weightless, damping alone" "${weightless[@]}" --set control.stiffness=0
@@ -116,7 +116,7 @@ says "this study has 0 to 5000 N/m"
 stability "weightless, three legs driven, three damped" "${weightless[@]}" --set 'control.stiffness=[5000, 5000, 5000, 0, 0, 0]' \
     --set 'control.damping=[0, 0, 0, 150, 150, 150]'
 json '.stable and .decays == false and .drifts == []'
-says "stays for ever"
+says "remains, because no stiffness"
 stability "weightless, closed loop" "${weightless[@]}"
 json '.stable and .decays'
 says "Stable: every deviation dies out; the slowest falls to a tenth in "
@@ -196,10 +196,10 @@ at_rest() { # at_rest DESCRIPTION FORCE OPTION…: forces in the first row, FORC
     never 'warning|-0[ ,]|unstable|stable'
     if [[ $* == *gravity=0' '* || $* == *gravity=0 ]]; then
         says "gravity 0, 0, 0 m/s^2"
-        says "no gravity, so no unit of time follows"
+        says "without gravity there is no unit of time and there are no groups of G and D"
         never 'sqrt|M g'
     else
-        never "no gravity"
+        never "without gravity"
         near "$what: the unit of time" "$(sed -n 's/^  sqrt(R_b.g) *\([^ ]*\) s, the unit of time$/\1/p' out)" \
             "$(awk -v g="$("$GOUGH" check "$@" --json 2>/dev/null | jq .time_unit)" 'BEGIN { print g }')" 1e-5
     fi
@@ -207,7 +207,7 @@ at_rest() { # at_rest DESCRIPTION FORCE OPTION…: forces in the first row, FORC
     run forces "$@" -o rows.csv
     expect_code 0 "$what"
     narrow
-    if [[ $* == *gravity=0' '* || $* == *gravity=0 ]]; then never "weight"; else says "their own weight and inertia come on top"; fi
+    if [[ $* == *gravity=0' '* || $* == *gravity=0 ]]; then never "weight"; else says "add the forces of their own weight and inertia"; fi
     says "the whole duration"
     for v in 1 2 3 4 5 6; do
         [[ -z $wanted ]] || near "$what: leg $v at rest" "$(awk -v f="$(column rows.csv f$v | head -1)" 'BEGIN { print f + 1e-300 }')" "$wanted" 1e-5
@@ -290,5 +290,5 @@ for seconds in 1 3 10 30 100; do # the longer ones for a busy machine, on which 
     timeout -s INT $seconds "$GOUGH" tune own.yaml --deviation 1e-9 --feedforward none >out 2>err
     [[ -s err ]] && break
 done
-says "stopped before the end, nothing was written. Best so far: without feed-forward"
+says "stopped before the end; nothing was written. Best so far: without feed-forward"
 finish

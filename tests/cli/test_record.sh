@@ -106,7 +106,7 @@ expect_warnings 0 "smooth: none"
 # check shows the columns, in its units
 run check own.yaml "${ten[@]}" --set 'motion={samples: h4.csv, smooth: rounding}'
 grep -Eq "record of heave +in steps of 0.0001 m, accelerations up to 0.79[0-9]? m/s\^2;" out || fail "check: $(grep -A3 "record of" out)"
-grep -Eq "smoothed above [0-9.]+ cycles per s: values moved by 2.[89]e-05 m" out || fail "check: $(grep -A3 "record of" out)"
+grep -Eq "smoothed above [0-9.]+ cycles per s: values changed by 2.[89]e-05 m" out || fail "check: $(grep -A3 "record of" out)"
 run check own.yaml "${ten[@]}" --json --set 'motion={samples: h4.csv}'
 jq -e '.program.record | .interval == 0.005 and .even and .time_step == 0 and .columns[0].name == "heave" and .columns[0].step == 0.0001
        and (.columns[0].rounding - 24 | fabs) < 1e-6 and (.columns[0].motion / 0.789568 - 1 | fabs) < 0.02
@@ -140,7 +140,7 @@ jq -e '.program.record | .time_step == 0 and .even and .interval == 0.005' out >
 awk -F, 'NR == 1 { print; next } { printf "%.2f,%s\n", $1, $2 }' h9.csv >cs.csv
 run check own.yaml "${ten[@]}" --set 'motion={samples: cs.csv}'
 expect_code 2 "times of two decimals"
-grep -q "if times are rounded to 2 decimals, write more of them" err || fail "two equal times: $(head -1 err)"
+grep -q "if the times are rounded to 2 decimals, record more digits" err || fail "two equal times: $(head -1 err)"
 
 # ---- smoothing in a sweep and as a key
 run sweep own.yaml "${ten[@]}" --set simulation.duration=1 --set 'motion={samples: h3.csv, cutoff: 4}' --set control.stiffness=5000 \
@@ -148,9 +148,9 @@ run sweep own.yaml "${ten[@]}" --set simulation.duration=1 --set 'motion={sample
 expect_code 0 "sweep over motion.cutoff"
 awk -F, 'NR > 1' sweep.csv | cut -d, -f2- | sort -u | wc -l | grep -qx "[4-9]" || fail "a sweep over motion.cutoff changes nothing: $(cat sweep.csv)"
 run check own.yaml --set motion.smooth=rounding
-grep -q "smooths recorded motion; there is no .motion.samples." err || fail "smooth without samples: $(cat err)"
+grep -q "smooths recorded motion, but there is no .motion.samples." err || fail "smooth without samples: $(cat err)"
 run check own.yaml --set 'motion={samples: h4.csv, smooth: rounding, cutoff: 3}'
-grep -q "cutoff. beside .smooth" err || fail "smooth beside cutoff: $(cat err)"
+grep -q "both .cutoff. and .smooth" err || fail "smooth beside cutoff: $(cat err)"
 # the run with 33 digits takes the same smoothed rows
 for precision in double quad; do
     run forces own.yaml --set 'motion={samples: h4.csv, smooth: rounding}' --set simulation.duration=1 --precision $precision -o $precision.csv

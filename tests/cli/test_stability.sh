@@ -113,7 +113,7 @@ jq -e '.period == null and (.last.pose.heave - 0.1 | fabs) < 1e-12 and .last.thr
     fail "a program that ends elsewhere: $(jq -c '[.period, .last.pose]' out)"
 run stability heave.yaml --set motion.period=
 expect_code 0 "the period found"
-grep -q '^About the program, of period 6.28318531, found' out || fail "the period is not found: $(grep About out)"
+grep -q '^Along the program, of period 6.28318531, found' out || fail "the period is not found: $(grep Along out)"
 refused "period" stability heave.yaml --set motion.period=3
 refused "period" stability heave.yaml --set 'motion.heave=0.1*sin(t) + 0.1*sin(sqrt(2)*t)' --set motion.period=
 refused "--pose" stability heave.yaml --set 'motion.heave=0.1*sin(t^2)' --set motion.period=

@@ -40,7 +40,7 @@ for unit in "" --dimensionless; do
         fail "stiff loop $unit: $(jq -c .statistics out), fastest decay $fastest"
 done
 run simulate own.yaml "${rest[@]}" "${damped[@]}"
-grep -Eq 'the loop is stiff from t = [0-9.e-]+ s on: its fastest decay, at a rate of [0-9.e+]+ 1/s, keeps steps under [0-9.e-]+ s whatever' err ||
+grep -Eq 'the loop is stiff from t = [0-9.e-]+ s on: its fastest decay, at a rate of [0-9.e+]+ 1/s, limits steps to [0-9.e-]+ s whatever' err ||
     fail "no word of stiffness: $(cat err)"
 run simulate own.yaml "${rest[@]}" "${damped[@]}" -q
 grep -q stiff err && fail "-q told of stiffness"

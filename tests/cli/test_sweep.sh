@@ -85,7 +85,7 @@ done
 refused "shard 2 of 4 is missing" merge -o m.csv s1.shard s3.shard s4.shard
 refused "are the same shard, 2 of 4" merge -o m.csv s1.shard s2.shard s3.shard s4.shard s2.shard
 "$GOUGH" sweep study.yaml -q --set sweep.seed=8 --shard 2/4 -o foreign.shard
-refused "are not of the same sweep" merge -o m.csv s1.shard foreign.shard s3.shard s4.shard
+refused "are not from the same sweep" merge -o m.csv s1.shard foreign.shard s3.shard s4.shard
 head -c 2000 s2.shard >torn.shard
 refused "torn.shard" merge -o m.csv s1.shard torn.shard s3.shard s4.shard
 refused "is not a finished shard" merge -o m.csv whole.csv
@@ -129,9 +129,9 @@ kill -TERM $pid
 wait $pid
 code=$?
 expect_code 143 "a terminated sweep"
-grep -q "kept in slow.csv.part; the same command continues" err || fail "stopped: $(cat err)"
+grep -q "kept in slow.csv.part; the same command resumes" err || fail "stopped: $(cat err)"
 [[ -e slow.csv.part && ! -e slow.csv ]] || fail "a stopped sweep leaves $(ls slow.csv*)"
-refused "belongs to another sweep" sweep study.yaml "${long[@]}" -o slow.csv
+refused "belongs to a different sweep" sweep study.yaml "${long[@]}" -o slow.csv
 exec 9<>slow.csv.part
 if command -v flock >/dev/null; then
     flock -n 9
@@ -139,7 +139,7 @@ if command -v flock >/dev/null; then
 fi
 exec 9>&-
 echo "something else" >wrong.csv.part
-refused "belongs to another sweep" sweep study.yaml -o wrong.csv
+refused "belongs to a different sweep" sweep study.yaml -o wrong.csv
 
 # no room: the part stays for later
 (ulimit -f 8; "$GOUGH" sweep study.yaml -q "${long[@]}" -o full.csv 2>err)

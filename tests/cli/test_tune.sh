@@ -62,7 +62,7 @@ still="--set motion= --set disturbance.leg_force=0.001*ramp(t,2) --set simulatio
 # shellcheck disable=SC2086
 run tune heave.yaml $still --deviation 1e-3 --damping-ratio 0.5 -o curve.csv -o curve.h5 -o curve.png -o curve.svg
 expect_code 0 "tune with outputs"
-for words in "With feed-forward" "Without feed-forward" "G = " "limited by" "legs        force up to" "curve       the deviation goes as G^-1.0" \
+for words in "With feed-forward" "Without feed-forward" "G = " "limited by" "legs        force up to" "curve       the deviation varies as G^-1.0" \
     "the program ends at rest" "wrote curve.csv" "wrote curve.png"; do
     grep -qF -- "$words" out || fail "tune does not say '$words'"
 done
@@ -148,7 +148,7 @@ refused "from 0 to 0.5" heave.yaml --deviation 1e-3 --margin nan
 refused "program, none or both" heave.yaml --deviation 1e-3 --feedforward yes
 refused "two numbers a:b with 0 <= a <= b" heave.yaml --deviation 1e-3 --stiffness 3
 refused "two numbers a:b with 0 <= a <= b" heave.yaml --deviation 1e-3 --stiffness 5:3
-refused "home is unstable without feedback: sway–tilt grows unless G is over 0.894107" heave.yaml --deviation 1e-3 --stiffness 0:0
+refused "the machine is unstable at home without feedback: sway–tilt grows unless G exceeds 0.894107" heave.yaml --deviation 1e-3 --stiffness 0:0
 refused "the search ends at 0.5" heave.yaml --deviation 1e-3 --stiffness 0.1:0.5
 refused "STUDY is missing" --deviation 1e-3
 refused "both write to standard output" heave.yaml --deviation 1e-3 --json -o -

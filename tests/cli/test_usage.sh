@@ -51,7 +51,7 @@ refused ".h5 or .csv" forces "$study" -o "$scratch/result.txt"
 refused "did you mean 'paper-heave.yaml'?" example paper-heav
 refused "a time as in column t" plot "$scratch/x.csv" --from=soon
 refused "a time as in column t" plot "$scratch/x.csv" --to=nan
-refused "2 labels for 1 result" plot "$scratch/x.csv" --label a --label b
+refused "2 labels are given for 1 result" plot "$scratch/x.csv" --label a --label b
 refused "did you mean" simulate "$study" --set control.stifness=3
 [[ ! -e $scratch/result.txt ]] || fail "a refused name was written"
 

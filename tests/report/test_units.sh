@@ -46,8 +46,8 @@ units() { # units LABEL m N W s ° m/s TABLE...
     expect "$label-power.svg" 'Leg power' "$W"
     expect "$label-deviation.svg" 'Deviation of position from the program' "$m"
     expect "$label-deviation.svg" 'Deviation of angles from the program' °
-    expect "$label-drift.svg" 'Constraint drift in a step' -
-    expect "$label-condition.svg" 'Condition of the leg Jacobian' -
+    expect "$label-drift.svg" 'Constraint drift before projection' -
+    expect "$label-condition.svg" 'Condition number of the leg Jacobian' -
 }
 "$GOUGH" forces study.yaml -q "${set[@]}" -o forces-si.h5
 "$GOUGH" forces study.yaml -q "${set[@]}" --dimensionless -o forces-bare.h5

@@ -220,7 +220,7 @@ START_TEST(parts_are_tied_to_plan_and_numbers) {
         seal(bytes, length, size);
         write_bytes(part, bytes, length);
         ck_assert_int_eq(run_into(path, 0, 0, &summary, &error), GOUGH_ERROR_INPUT);
-        ck_assert_ptr_nonnull(strstr(error.message, "belongs to another sweep"));
+        ck_assert_ptr_nonnull(strstr(error.message, "belongs to a different sweep"));
         expect_same(part, bytes, length);
         bytes[digest + 3] ^= 1;
     }

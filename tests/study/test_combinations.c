@@ -117,21 +117,21 @@ END_TEST
 
 START_TEST(motion_is_given_in_one_way) {
     expect_one_more("motion: {heave: t, moves: [{start: 1, duration: 1, heave: 1}]}\n", "8:20",
-                    "`motion` has `moves` beside `heave`");
+                    "`motion` has both `moves` and `heave`");
     expect_one_more("motion: {samples: a.csv, heave: t}\n", "8:26",
-                    "`motion` has `heave` beside `samples`");
+                    "`motion` has both `heave` and `samples`");
     expect_one_more("motion: {moves: [{start: 1, duration: 1, heave: 1}], samples: a.csv}\n",
-                    "8:54", "`motion` has `samples` beside `moves`");
+                    "8:54", "`motion` has both `samples` and `moves`");
 }
 END_TEST
 
 START_TEST(smoothing_is_for_records_by_one_rule) {
     expect_one_more("motion: {heave: t, smooth: rounding}\n", "8:20",
-                    "`motion.smooth` smooths recorded motion; there is no `motion.samples`");
+                    "`motion.smooth` smooths recorded motion, but there is no `motion.samples`");
     expect_one_more("motion: {cutoff: 5}\n", "8:10",
-                    "`motion.cutoff` smooths recorded motion; there is no `motion.samples`");
+                    "`motion.cutoff` smooths recorded motion, but there is no `motion.samples`");
     expect_said("motion: {samples: a.csv, smooth: rounding, cutoff: 5}\n",
-                "1:44: error: `motion` has `cutoff` beside `smooth`");
+                "1:44: error: `motion` has both `cutoff` and `smooth`");
     expect_said("motion: {samples: a.csv, smooth: {}}\n",
                 "1:34: error: `motion.smooth` must be rounding, none or a mapping");
 }
@@ -140,9 +140,9 @@ END_TEST
 START_TEST(moves_follow_one_another) {
     expect_one_more("motion:\n  moves:\n  - {start: 1, duration: 1, heave: 1}\n  - {start: 1.5, "
                     "duration: 1, heave: 1}\n",
-                    "11:13", "`motion.moves.2.start` lies before the end of the move before it");
+                    "11:13", "`motion.moves.2.start` is before the end of the previous move");
     expect_one_more("motion:\n  moves:\n  - {start: 1, duration: 1}\n", "10:5",
-                    "`motion.moves.1` goes nowhere");
+                    "`motion.moves.1` has no target");
 }
 END_TEST
 

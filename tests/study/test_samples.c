@@ -133,12 +133,14 @@ START_TEST(refuses_wrong_headers) {
                "@:1:9: error: unknown column `zzz`; the columns are t, surge, sway, heave, roll, "
                "pitch and yaw\nt,heave,zzz\n        ^\n");
     EXPECT_CSV("t,heave,heave\n0,0,0\n",
-               "@:1:9: error: this column is there twice\nt,heave,heave\n        ^\n");
+               "@:1:9: error: this column appears twice\nt,heave,heave\n        ^\n");
     EXPECT_CSV("t,,heave\n0,0,0\n", "@:1:3: error: a column has no name\nt,,heave\n  ^\n");
     EXPECT_CSV("heave,yaw\n0,0\n",
                "@:1:1: error: the column t, the time, is missing\nheave,yaw\n^\n");
-    EXPECT_CSV("t\n0\n1\n", "@:1:1: error: there is no motion: beside t, a column such as "
-                            "heave is needed\nt\n^\n");
+    EXPECT_CSV("t\n0\n1\n",
+               "@:1:1: error: there is no motion: a column such as heave is needed besides t\n"
+               "t\n"
+               "^\n");
     EXPECT_CSV("0,1\n1,2\n", "@:1:1: error: the first row must name the columns, as in t,heave; "
                              "found the number 0\n0,1\n^\n");
     EXPECT_CSV("t;heave\n0;1\n",
@@ -154,7 +156,7 @@ START_TEST(names_all_wrong_columns_at_once) {
                "time,heav,zzz,t,roll,roll,,yaw_deg\n     ^\n"
                "@:1:11: error: unknown column `zzz`; the columns are t, surge, sway, heave, roll, "
                "pitch and yaw\ntime,heav,zzz,t,roll,roll,,yaw_deg\n          ^\n"
-               "@:1:22: error: this column is there twice\n"
+               "@:1:22: error: this column appears twice\n"
                "time,heav,zzz,t,roll,roll,,yaw_deg\n                     ^\n"
                "@:1:27: error: a column has no name\n"
                "time,heav,zzz,t,roll,roll,,yaw_deg\n                          ^\n"
@@ -166,7 +168,7 @@ START_TEST(names_all_wrong_columns_at_once) {
                "@:1:35: error: unknown column `speed`; the columns are t, surge, sway, heave, "
                "roll, pitch and yaw\nt,surge,sway,heave,roll,pitch,yaw,speed,heave\n"
                "                                  ^\n"
-               "@:1:41: error: this column is there twice\n"
+               "@:1:41: error: this column appears twice\n"
                "t,surge,sway,heave,roll,pitch,yaw,speed,heave\n"
                "                                        ^\n");
 }
@@ -192,10 +194,15 @@ START_TEST(refuses_times_that_do_not_increase) {
                "@:4:1: error: the time 1 must be greater than 1 in the row before\n1,0\n^\n"
                "@:5:1: error: the time 0.5 must be greater than 1 in the row before\n0.5,0\n^\n");
     EXPECT_CSV("t,heave\n0.00,0\n0.01,0\n0.01,0\n0.02,0\n",
-               "@:4:1: error: the time 0.01 must be greater than 0.01 in the row before; if times "
-               "are rounded to 2 decimals, write more of them\n0.01,0\n^\n");
-    EXPECT_CSV("heave,t\n0,0.5\n0,1\n", "@:2:3: error: the record must begin at time 0 or before, "
-                                        "where a run begins\n0,0.5\n  ^\n");
+               "@:4:1: error: the time 0.01 must be greater than 0.01 in the row before; if the "
+               "times are rounded to 2 decimals, record more digits\n"
+               "0.01,0\n"
+               "^\n");
+    EXPECT_CSV(
+        "heave,t\n0,0.5\n0,1\n",
+        "@:2:3: error: the record must begin at time 0 or before, because a run begins at 0\n"
+        "0,0.5\n"
+        "  ^\n");
 }
 END_TEST
 

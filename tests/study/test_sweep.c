@@ -289,7 +289,7 @@ START_TEST(a_key_that_goes_not_with_the_file_is_an_error) {
     ck_assert_int_eq(
         gough_sweep_parse("study.yaml", study, strlen(study), NULL, 0, &sweep, &messages),
         GOUGH_ERROR_INPUT);
-    ck_assert_ptr_nonnull(strstr(messages, "`motion` has `roll` beside `moves`"));
+    ck_assert_ptr_nonnull(strstr(messages, "`motion` has both `roll` and `moves`"));
     gough_study_free_messages(messages);
     ck_assert_int_eq(
         gough_sweep_parse("study.yaml", good_study, strlen(good_study), NULL, 0, &sweep, &messages),

@@ -298,7 +298,7 @@ export function figuresOf(study) {
     },
     {
       id: "condition",
-      title: "Condition of the leg Jacobian",
+      title: "Condition number of the leg Jacobian",
       logable: true,
       note: "1 is best; 10⁸ counts as singular.",
       unit: "1",
@@ -377,7 +377,7 @@ export function figuresOfAll(studies) {
     },
     {
       id: "all-condition",
-      title: "Condition of the leg Jacobian",
+      title: "Condition number of the leg Jacobian",
       logable: true,
       unit: "1",
       lines: lines(({ run }) => run.column("condition")),

@@ -173,7 +173,7 @@ function machineFacts(study) {
         ],
       speed && ["greatest speed", `${number(speed, 6)}${unitAfter(study.unit("dl1"))}`],
       force && ["greatest force", `${number(force, 6)}${unitAfter(study.unit("f1"))}`],
-      ["legs", "massless here: their own weight and inertia come on top"],
+      ["legs", "massless in this model: add the forces of their own weight and inertia"],
     ],
     "machine-facts",
   );

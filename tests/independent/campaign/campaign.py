@@ -142,7 +142,7 @@ class Case:
                 for k in range(3):
                     self.near("check text axis", printed_axes[a][k], axes[a][k], 1e-15, halves[a][k])
             if rest["weakest"][0] not in check.weakest_allowed():
-                self.fail(f"check: the legs feel {rest['weakest'][0]} least, expected {check.weakest_allowed()}")
+                self.fail(f"check: the weakest direction is {rest['weakest'][0]}, expected {check.weakest_allowed()}")
         return [tuple(a) for a in axes]
 
     def axes_of_inertia(self, form, axes, moments, slack, check):

@@ -94,7 +94,7 @@ def lines(run, units):
     all_uses, known, wanted = uses(run), [], {}
     if not all_uses:
         return [], {}
-    known.append("limits nearest value, limit, share of the limit used" + ("; over 100 % is exceeded" if run.crossings else ""))
+    known.append("limits nearest value, limit, share of the limit used" + ("; over 100 % means exceeded" if run.crossings else ""))
     for kind in given(run.meaning):
         mine = [(use, q) for use, q in all_uses if use.kind == kind]
         dimension, name = KINDS[kind][1:]

@@ -169,8 +169,8 @@ class Check:
         if not limits:
             known.append("limits none given")
         known += ["condition {condition} (singular from 1e8)", "|det J| {determinant volume}",
-                  "to a singularity {least_singular}: the least singular value of J, moments over {arm length};",
-                  "the legs feel {weakest word} least", "Load (the legs are massless here)",
+                  "least singular value {least_singular} of J (moments divided by {arm length}; 0 is singular);",
+                  "the weakest direction is {weakest word}", "Load (the model has massless legs)",
                   "mass {mass mass}, centre of mass {cx}, {cy}, {cz length}",
                   "principal moments {moment_0}, {moment_1}, {moment_2 inertia}",
                   *(f"axis of the {name} (" + ", ".join(f"{{axis_{a}{k} .4}}" for k in range(3)) + ")"
@@ -182,7 +182,7 @@ class Check:
             known += ["G R_b/(M g) " + span("group_G", meaning.stiffness), "D sqrt(R_b/g)/M " + span("group_D", meaning.damping),
                       "sqrt(R_b/g) {time_unit time}, the unit of time"]
         else:
-            known.append("no gravity, so no unit of time follows")
+            known.append("without gravity there is no unit of time and there are no groups of G and D")
         known += self.program_lines() + self.control_lines() + self.setting_lines()
         if "sweep" in tree:
             known += sweeps.lines_described(tree["sweep"])
@@ -194,13 +194,13 @@ class Check:
         if moves is None:
             known.append("formulas in t")
         else:
-            known.append(f"{len(moves)} move{'' if len(moves) == 1 else 's'}, each of minimum jerk")
+            known.append(f"{len(moves)} minimum-jerk move{'' if len(moves) == 1 else 's'}")
         moving = [c for c in range(6) if any(self.ranges[c])]
         known += [f"{COMPONENTS[c]} {{{COMPONENTS[c]}_low}} to {{{COMPONENTS[c]}_high {'length' if c < 3 else 'angle'}}}" for c in moving]
         if not moving:
             known.append("rest at home")
         if any(about):
-            known.append("of the point {about_x}, {about_y}, {about_z length} of the top frame")
+            known.append("of the point {about_x}, {about_y}, {about_z length} in the top frame")
         return known
 
     def control_lines(self):
@@ -217,7 +217,7 @@ class Check:
 
     def setting_lines(self):
         meaning = self.meaning
-        known = ["Simulation", "duration {duration time}, a row each {output_step time}"]
+        known = ["Simulation", "duration {duration time}, a row every {output_step time}"]
         known.append(f"method {meaning.method}, " + ("step {step time}" if meaning.step else "tolerance {tolerance .3}"))
         if meaning.method.startswith("rattle"):
             known.append("constraints kept by the method")
@@ -247,8 +247,8 @@ def summary_lines(meaning, units, simulated, title):
     text += [units_sentence(meaning, units),
              ("Motion under control and disturbance" if simulated else "Forces along the program") + ": {rows} rows, t = {first} to {last time}",
              "condition at most {condition .4}, at t = {condition_time time} (1 is best, 1e8 counts as singular)",
-             "legs massless here: their own "
-             + ("weight and inertia come" if m.norm(meaning.machine.gravity) > 0 else "inertia comes") + " on top"]
+             "legs massless in this model: add the forces of their own "
+             + ("weight and inertia" if m.norm(meaning.machine.gravity) > 0 else "inertia")]
     if limited:
         text.append("stroke {stroke length} available, from {stroke_low} to {stroke_high length}")
     if simulated:
@@ -260,7 +260,7 @@ def summary_lines(meaning, units, simulated, title):
 def rows_lines(units):
     """What is said where rows are too far apart; whether it must be is for compare_rows()."""
     return [Line("rows too far apart to draw the motion: between two rows leg {leg} moves up to", units.name, True),
-            Line("{between .4 length} beyond both; simulation.output_step {drawing .3 time} or less draws it", units.name, True)]
+            Line("{between .4 length} beyond both; to draw it, set simulation.output_step to {drawing .3 time} or less", units.name, True)]
 
 
 class Run:
