@@ -147,6 +147,9 @@ typedef struct gough_samples {
     const double *time;  /**< increasing */
     const double *value; /**< six components per row, lengths and radians */
     double *curvature;   /**< their second derivatives in time, the same size as value */
+    /** All 0: the angles are roll, pitch and yaw. Otherwise the quaternion (w, x, y, z), of any length, of a rotation F: the
+     *  angles are about turned axes, R = F Rz Ry Rx Fᵀ, (motion-10). */
+    double axes[4];
 } gough_samples;
 
 /** Doubles of scratch memory that gough_samples_prepare() needs for @p count rows. */
@@ -174,6 +177,27 @@ typedef struct gough_unwrapping {
  *  @param half_turn  180 for angles in degrees, π for radians
  *  Always succeeds; gough_samples_prepare() reports rows that are not finite. */
 GOUGH_API gough_unwrapping gough_samples_unwrap(size_t count, double *value, double half_turn);
+
+/** Finds axes for the angles of recorded motion that comes close to a pitch of ±90°, where roll and yaw cannot follow it,
+ *  (motion-10).
+ *  @param count      rows
+ *  @param value      six components a row, the angles being roll, pitch and yaw
+ *  @param half_turn  180 for angles in degrees, π for radians
+ *  @param[out] axes  for gough_samples_turn() and gough_samples.axes: of those tried, the axes about which the rows stay
+ *                    farthest from the pole, a second angle of ±90°; (1, 0, 0, 0) if these are the axes of the base
+ *  @return the least distance of a row from that pole, 0 to @p half_turn / 2, in the unit of the angles
+ *  Takes time proportional to @p count. */
+GOUGH_API double gough_samples_axes(size_t count, const double *value, double half_turn,
+                                    double axes[4]);
+
+/** Replaces roll, pitch and yaw in each row by the angles of the same rotation about turned axes, in place, (motion-10). The
+ *  second angle is within a quarter turn, the others within half a turn: call gough_samples_unwrap() next, and set
+ *  gough_samples.axes. Zero angles stay zero.
+ *  @param count,value,half_turn  as in gough_samples_axes()
+ *  @param axes       a quaternion (w, x, y, z) of any length above 0
+ *  Always succeeds. */
+GOUGH_API void gough_samples_turn(size_t count, double *value, double half_turn,
+                                  const double axes[4]);
 
 /** Doubles of scratch memory that gough_samples_low_pass() and gough_samples_smooth() need for @p count rows. */
 GOUGH_API size_t gough_samples_smooth_scratch(size_t count);
@@ -226,19 +250,21 @@ typedef struct gough_motion {
     gough_samples samples;  /**< prepared by gough_samples_prepare() */
     double period;          /**< of the motion after scaling; 0: found from the formulas */
     bool scaled;            /**< whether amplitude and frequency are used; false: both count as 1 */
-    double amplitude;       /**< if scaled: factor on all six components */
+    double amplitude; /**< if scaled: factor on all six components, as samples.axes define them */
     double frequency; /**< if scaled: factor on the time at which the program is evaluated, > 0 */
 } gough_motion;
 
 /** The six components at t with their first and second derivatives: component[c][order], radians. Before the first and
- *  after the last sample the components keep their end values. Not finite if a formula is not. */
+ *  after the last sample the components keep their end values. Not finite if a formula is not. Of records about turned axes,
+ *  roll and yaw are within ±π and pitch within ±π/2; at a pitch of exactly ±π/2 derivatives are not finite. */
 GOUGH_API void gough_motion_evaluate(const gough_motion *motion, double t,
                                      double component[GOUGH_COMPONENTS][3]);
 
 /** The least and the greatest value of each component from t = 0 to @p duration, in radians where it is an angle.
  *
  *  These are the extremes of the motion, between rows too: to 1e-12 of the range for smooth programs. Pulses down
- *  to a hundredth of @p output_step wide are found.
+ *  to a hundredth of @p output_step wide are found. Of records about turned axes, pitch is within ±π/2, and roll and yaw are
+ *  continuous from t = 0 on, where they are within ±π; where pitch reaches exactly ±π/2, they jump by half a turn.
  *  @param duration,output_step  as in gough_simulation, both positive and finite
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if a component or one of its derivatives is not finite; the sentence names it and the
  *          time */

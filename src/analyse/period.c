@@ -7,6 +7,8 @@
 #include "gough/analyse.h"
 #include "kernel/real.h"
 #include "model/motion.h"
+#include "model/program.h"
+#include "model/rotation.h"
 
 /* What is compared: in each of some periods, chosen denser at the beginning, a number of moments spread by the golden ratio. */
 enum { MOMENTS = 32, DENSE = 16, SURE = 3, ORDERS = 3 };
@@ -348,6 +350,18 @@ static bool record_rests(const gough_samples *s) {
     return true;
 }
 
+/* the components of a record as its spline has them: about turned axes where it has those */
+static void recorded(const gough_motion *motion, double t, double out[GOUGH_COMPONENTS][ORDERS]) {
+    jet component[GOUGH_COMPONENTS];
+
+    motion_components(motion, t, component);
+    for (int k = 0; k < GOUGH_COMPONENTS; k++) {
+        out[k][0] = component[k].v;
+        out[k][1] = component[k].d;
+        out[k][2] = component[k].dd;
+    }
+}
+
 /* the last period of the record, whose end must meet its beginning */
 static gough_status period_of_record(const gough_motion *motion, gough_period *period,
                                      gough_error *error) {
@@ -357,6 +371,7 @@ static gough_status period_of_record(const gough_motion *motion, gough_period *p
     const double T = motion->period, start = last - T;
     double a[GOUGH_COMPONENTS][ORDERS], b[GOUGH_COMPONENTS][ORDERS];
     windows w = {.motion = motion, .T = T};
+    const bool turned = motion_axes(motion) != NULL;
 
     *period = (gough_period){.resting = record_rests(s), .start = fmax(first, 0)};
     if (period->resting) return GOUGH_OK;
@@ -372,22 +387,24 @@ static gough_status period_of_record(const gough_motion *motion, gough_period *p
     *period = (gough_period){.start = fmax(start, fmax(first, 0)), .period = T};
     w.far = 0;
     for (int i = 0; i < MOMENTS; i++) {
-        gough_motion_evaluate(motion, period->start + moment(&w, 0, i), a);
+        recorded(motion, period->start + moment(&w, 0, i), a);
         for (int k = 0; k < GOUGH_COMPONENTS; k++)
             for (int o = 0; o < ORDERS; o++)
                 w.scale[k >= GOUGH_ROLL][o] = fmax(w.scale[k >= GOUGH_ROLL][o], fabs(a[k][o]));
     }
-    gough_motion_evaluate(motion, period->start, a);
-    gough_motion_evaluate(motion, last, b);
+    recorded(motion, period->start, a);
+    recorded(motion, last, b);
     for (int k = 0; k < GOUGH_COMPONENTS; k++) {
         for (int o = 0; o < ORDERS; o++) {
             const difference d = {0, fabs(a[k][o] - b[k][o]), period->start, last, k, o};
             if (d.by <= same_record[o] * w.scale[k >= GOUGH_ROLL][o]) continue;
             return gough_fail(error, GOUGH_ERROR_INPUT,
                               "the record does not repeat: at its end, t = %.9g, the %s of %s "
-                              "differs by %.3g%s from that a period of %.9g earlier; give a record "
-                              "that closes, or the correct period",
-                              last, order_name[o], gough_component_name(k), shown(&d), unit(&d), T);
+                              "%sdiffers by %.3g%s from that a period of %.9g earlier; give a "
+                              "record that closes, or the correct period",
+                              last, order_name[o], gough_component_name(k),
+                              turned && k >= GOUGH_ROLL ? "about turned axes " : "", shown(&d),
+                              unit(&d), T);
         }
     }
     return GOUGH_OK;

@@ -5,23 +5,7 @@
 
 #include "kernel/top.h"
 #include "model/program.h"
-
-/* (motion-1): R = Rz(yaw) Ry(pitch) Rx(roll) */
-static inline void rotation_jets(jet roll, jet pitch, jet yaw, jet R[3][3]) {
-    const jet a = jet_cos(yaw), b = jet_cos(pitch), c = jet_cos(roll);
-    const jet p = jet_sin(yaw), q = jet_sin(pitch), r = jet_sin(roll);
-    const jet aq = jet_multiply(a, q), pq = jet_multiply(p, q);
-
-    R[0][0] = jet_multiply(a, b);
-    R[0][1] = jet_subtract(jet_multiply(aq, r), jet_multiply(p, c));
-    R[0][2] = jet_add(jet_multiply(aq, c), jet_multiply(p, r));
-    R[1][0] = jet_multiply(p, b);
-    R[1][1] = jet_add(jet_multiply(pq, r), jet_multiply(a, c));
-    R[1][2] = jet_subtract(jet_multiply(pq, c), jet_multiply(a, r));
-    R[2][0] = jet_negate(q);
-    R[2][1] = jet_multiply(b, r);
-    R[2][2] = jet_multiply(b, c);
-}
+#include "model/rotation.h"
 
 /* whether an angle and its derivatives are 0 */
 static inline int jet_still(jet a) {
@@ -51,18 +35,20 @@ typedef struct {
     int still;
 } displacement;
 
-/* whether no angle moves, and R otherwise */
-static inline int displacement_turn(const jet component[GOUGH_COMPONENTS], jet R[3][3]) {
+/* whether no angle moves, and R otherwise; `axes`: of motion_axes() */
+static inline int displacement_turn(const double *axes, const jet component[GOUGH_COMPONENTS],
+                                    jet R[3][3]) {
     if (jet_still(component[GOUGH_ROLL]) && jet_still(component[GOUGH_PITCH]) &&
         jet_still(component[GOUGH_YAW])) {
         return 1;
     }
-    rotation_jets(component[GOUGH_ROLL], component[GOUGH_PITCH], component[GOUGH_YAW], R);
+    motion_rotation(axes, component, R);
     return 0;
 }
 
 /* the same in every lane */
-static inline void displacement_of(const jet component[GOUGH_COMPONENTS], displacement *d) {
+static inline void displacement_of(const double *axes, const jet component[GOUGH_COMPONENTS],
+                                   displacement *d) {
     jet R[3][3];
 
     for (int order = 0; order < 3; order++) {
@@ -70,7 +56,7 @@ static inline void displacement_of(const jet component[GOUGH_COMPONENTS], displa
                                    number_of_real(jet_order(component[GOUGH_SWAY], order)),
                                    number_of_real(jet_order(component[GOUGH_HEAVE], order))};
     }
-    d->still = displacement_turn(component, R);
+    d->still = displacement_turn(axes, component, R);
     for (int order = 0; order < 3 && !d->still; order++) {
         number m[3][3];
         for (int r = 0; r < 3; r++) {
@@ -101,10 +87,11 @@ static inline void coordinates_of_displacement(const hexapod *h, double height,
 
 /* The same from the jets, evaluated once and broadcast to every lane. */
 static inline void coordinates_of_motion(const hexapod *h, double height, const double about[3],
-                                         const jet component[GOUGH_COMPONENTS], coordinates x[3]) {
+                                         const double *axes, const jet component[GOUGH_COMPONENTS],
+                                         coordinates x[3]) {
     displacement d;
 
-    displacement_of(component, &d);
+    displacement_of(axes, component, &d);
     coordinates_of_displacement(h, height, about, &d, x);
 }
 
@@ -113,7 +100,7 @@ static inline void program_at(const hexapod *h, double height, const gough_motio
     jet component[GOUGH_COMPONENTS];
 
     motion_components(motion, t, component);
-    coordinates_of_motion(h, height, motion->about, component, x);
+    coordinates_of_motion(h, height, motion->about, motion_axes(motion), component, x);
 }
 
 #endif

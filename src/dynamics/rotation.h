@@ -4,12 +4,18 @@
 
 #include "kernel/real.h"
 #include "kernel/vector.h"
+#include "model/rotation.h"
 
-/* (motion-1) inverted; the root keeps pitch exact near ±90° where an arc sine would lose half its digits */
+/* (motion-1) inverted: the values alone */
 static inline void rotation_angles(const triad *R, real angles[3]) {
-    angles[0] = real_atan2(R->j.z, R->k.z);
-    angles[1] = real_atan2(0 - R->i.z, real_root(R->i.x * R->i.x + R->i.y * R->i.y));
-    angles[2] = real_atan2(R->i.y, R->i.x);
+    const jet zero = {0, 0, 0};
+    const jet m[3][3] = {{jet_constant(R->i.x), zero, zero},
+                         {jet_constant(R->i.y), zero, zero},
+                         {jet_constant(R->i.z), jet_constant(R->j.z), jet_constant(R->k.z)}};
+    jet angle[3];
+
+    rotation_angle_jets(m, angle);
+    for (int a = 0; a < 3; a++) angles[a] = angle[a].v;
 }
 
 /* Angle of the rotation from one triad to another, 0 … π: from |Σ a×b| = 2 sin and Σ a·b = 1 + 2 cos */

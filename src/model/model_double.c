@@ -1,6 +1,7 @@
 /* The public face of programs in double precision: the texts of program.h compiled for double. */
 #define NUMBER_DOUBLE
 #include "model/program.h"
+#include "model/rotation.h"
 
 static void hand_out(jet from, double to[3]) {
     to[0] = from.v;
@@ -16,6 +17,7 @@ void gough_motion_evaluate(const gough_motion *motion, double t,
                            double component[GOUGH_COMPONENTS][3]) {
     jet out[GOUGH_COMPONENTS];
     motion_components(motion, t, out);
+    motion_base_angles(motion_axes(motion), out);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) hand_out(out[c], component[c]);
 }
 

@@ -6,6 +6,16 @@
 
 #include "gough/model.h"
 
+/* Whether a quaternion has a rotation, which one whose square is 0 or beyond the numbers has not, or is four zeros. */
+static inline bool motion_axes_are_good(const double axes[4]) {
+    double square = 0, sum = 0;
+    for (int i = 0; i < 4; i++) {
+        square += axes[i] * axes[i];
+        sum += fabs(axes[i]);
+    }
+    return !(sum > 0 || sum < 0 || isnan(sum)) || (square > 1e-200 && square < 1e200);
+}
+
 /* Whether the program can be evaluated: a kind of the enumeration with the moves or samples that belong to it, and finite factors.
  * Returns GOUGH_ERROR_INPUT with a sentence otherwise. */
 static inline gough_status motion_check(const gough_motion *motion, gough_error *error) {
@@ -27,6 +37,10 @@ static inline gough_status motion_check(const gough_motion *motion, gough_error 
             return gough_fail(error, GOUGH_ERROR_INPUT,
                               "motion: recorded motion needs at least two rows, prepared by "
                               "gough_samples_prepare()");
+        if (!motion_axes_are_good(samples->axes))
+            return gough_fail(error, GOUGH_ERROR_INPUT,
+                              "motion: the axes of recorded motion must be a quaternion of finite "
+                              "numbers, or four zeros");
         break;
     default:
         return gough_fail(

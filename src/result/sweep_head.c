@@ -19,6 +19,7 @@ static uint64_t digest_samples(const gough_motion *motion) {
     const gough_samples *s = &motion->samples;
     uint64_t sum = 0xcbf29ce484222325u;
     if (motion->kind != GOUGH_MOTION_SAMPLES) return 0;
+    sum = digest(sum, s->axes, sizeof s->axes);
     sum = digest(sum, s->time, s->count * sizeof *s->time);
     return digest(sum, s->value, s->count * GOUGH_COMPONENTS * sizeof *s->value);
 }

@@ -27,10 +27,11 @@ static inline void ahead_put_vector(vector *v, int lane, real x, real y, real z)
 }
 
 /* displacement_of() for one lane */
-static inline void ahead_put(displacement *d, int lane, const jet component[GOUGH_COMPONENTS]) {
+static inline void ahead_put(displacement *d, int lane, const double *axes,
+                             const jet component[GOUGH_COMPONENTS]) {
     jet R[3][3];
 
-    d->still = displacement_turn(component, R);
+    d->still = displacement_turn(axes, component, R);
     for (int order = 0; order < 3; order++) {
         ahead_put_vector(&d->where[order], lane, jet_order(component[GOUGH_SURGE], order),
                          jet_order(component[GOUGH_SWAY], order),
@@ -59,7 +60,7 @@ static inline int ahead_pack(run *r, ahead_block *b, int first,
 
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         const int at = first + (i < count ? i : count - 1);
-        ahead_put(&d, i, component[at]);
+        ahead_put(&d, i, motion_axes(r->motion), component[at]);
         still += d.still;
         if (!r->share) continue;
         number_put(&vertical, i,

@@ -240,7 +240,10 @@ static void exchange_samples(pass *p, gough_samples *samples, size_t rows, doubl
                                "the flat model is damaged: it ends within its recorded motion");
         return;
     }
-    *samples = (gough_samples){rows, p->from + p->at, p->from + p->at + rows, curvature};
+    samples->count = rows;
+    samples->time = p->from + p->at;
+    samples->value = p->from + p->at + rows;
+    samples->curvature = curvature;
     p->at += rows + values;
     p->status = gough_samples_prepare(samples, curvature + values, p->error);
 }

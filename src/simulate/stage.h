@@ -281,7 +281,7 @@ static inline void run_displacement(run *r, const displacement *d, stage *s) {
 static inline void run_program(run *r, const jet component[GOUGH_COMPONENTS], stage *s) {
     displacement d;
 
-    displacement_of(component, &d);
+    displacement_of(motion_axes(r->motion), component, &d);
     run_displacement(r, &d, s);
     legs_rates(&r->h, &s->x[1], &s->program);
 }

@@ -232,7 +232,8 @@ static gough_motion *recorded(record *r, double growth) {
     }
     motion->kind = GOUGH_MOTION_SAMPLES;
     motion->scaled = false;
-    motion->samples = (gough_samples){ROWS, r->time, &r->value[0][0], &r->curvature[0][0]};
+    motion->samples = (gough_samples){
+        .count = ROWS, .time = r->time, .value = &r->value[0][0], .curvature = &r->curvature[0][0]};
     ck_assert(gough_samples_scratch(ROWS) <= sizeof r->scratch / sizeof r->scratch[0]);
     ck_assert(gough_samples_prepare(&motion->samples, r->scratch, &error) == GOUGH_OK);
     return motion;
@@ -271,6 +272,32 @@ START_TEST(records_repeat_with_the_period_given) {
 }
 END_TEST
 
+/* where the period begins, pitch is exactly 90° and its rate is not known; the angles about turned axes close */
+START_TEST(records_about_turned_axes_repeat_with_their_rotations) {
+    static const double cyclic[4] = {1, 1, 1, 1};
+    record *r = malloc(sizeof *r);
+    gough_motion *motion = recorded(r, 0);
+    gough_error error = {0};
+    gough_period found;
+
+    for (int i = 0; i < ROWS; i++)
+        r->value[i][GOUGH_ROLL] = pi / 2 + 0.3 * sin(pi / 2 * r->time[i]);
+    memcpy(motion->samples.axes, cyclic, sizeof cyclic);
+    ck_assert(gough_samples_prepare(&motion->samples, r->scratch, &error) == GOUGH_OK);
+    motion->period = 4;
+    ck_assert_msg(gough_motion_period(motion, &found, &error) == GOUGH_OK, "%s", error.message);
+    ck_assert(fabs(found.start - 6) <= 1e-12 && fabs(found.period - 4) <= 0 && !found.resting);
+    for (int i = 0; i < ROWS; i++) r->value[i][GOUGH_HEAVE] = 0;
+    ck_assert(gough_samples_prepare(&motion->samples, r->scratch, &error) == GOUGH_OK);
+    motion->period = 3;
+    ck_assert(gough_motion_period(motion, &found, &error) == GOUGH_ERROR_INPUT);
+    ck_assert_msg(strstr(error.message, "of roll about turned axes differs by"), "%s",
+                  error.message);
+    free(motion);
+    free(r);
+}
+END_TEST
+
 START_TEST(a_record_of_one_pose_rests) {
     record *r = malloc(sizeof *r);
     gough_motion *motion = recorded(r, 0);
@@ -289,5 +316,6 @@ int main(void) {
     return SUITE_RUN(
         "period", 60, finds_periods_of_formulas, finds_periods_of_faster_and_slower_motions,
         takes_what_is_given, says_why_there_is_no_period, misses_of_angles_are_told_in_degrees,
-        moves_end_at_rest, records_repeat_with_the_period_given, a_record_of_one_pose_rests);
+        moves_end_at_rest, records_repeat_with_the_period_given,
+        records_about_turned_axes_repeat_with_their_rotations, a_record_of_one_pose_rests);
 }

@@ -11,6 +11,7 @@ perl -0777 -e '
         ["gough_platform", "MACHINE(platform.", ""],
         ["gough_load", "MACHINE(load.", ""],
         ["gough_motion", "MOTION(", "move moves samples"],
+        ["gough_samples", "MOTION(samples.", "count time value curvature"],
         ["gough_move", "MOVE(", ""],
         ["gough_control", "CONTROL(", ""],
         ["gough_disturbance", "DISTURBANCE(", "noise"],

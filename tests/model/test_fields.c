@@ -55,7 +55,7 @@ static void expect_covered(gough_owner owner, size_t size, const range none[2]) 
 START_TEST(fields_cover_their_structs_once) {
     static const range of_model[2] = {
         RANGE(gough_model, machine.base_radius, machine.home_condition),
-        RANGE(gough_model, motion.move, motion.samples)};
+        RANGE(gough_model, motion.move, motion.samples.curvature)};
     static const range of_simulation[2] = {RANGE(gough_simulation, summary, statistics)};
     static const range of_move[2] = {{0, 0}};
 

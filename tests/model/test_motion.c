@@ -249,7 +249,10 @@ static const struct {
 START_TEST(bad_samples_are_refused_with_their_row) {
     double value[4 * GOUGH_COMPONENTS] = {0}, curvature[4 * GOUGH_COMPONENTS], scratch[8];
     value[GOUGH_COMPONENTS + GOUGH_HEAVE] = BAD_SAMPLES[_i].value;
-    const gough_samples samples = {BAD_SAMPLES[_i].rows, BAD_SAMPLES[_i].time, value, curvature};
+    const gough_samples samples = {.count = BAD_SAMPLES[_i].rows,
+                                   .time = BAD_SAMPLES[_i].time,
+                                   .value = value,
+                                   .curvature = curvature};
     gough_error error = {.message = ""};
     ck_assert_int_eq(gough_samples_prepare(&samples, scratch, &error), GOUGH_ERROR_INPUT);
     ck_assert_msg(strstr(error.message, BAD_SAMPLES[_i].sentence) != NULL, "%s", error.message);
@@ -358,7 +361,9 @@ START_TEST(scaled_samples_are_rows_larger_and_later) {
     static double time[40], value[40 * GOUGH_COMPONENTS], curvature[40 * GOUGH_COMPONENTS];
     double scratch[80];
     gough_error error = {.message = ""};
-    gough_motion written = {.kind = GOUGH_MOTION_SAMPLES, .samples = {40, time, value, curvature}};
+    gough_motion written = {
+        .kind = GOUGH_MOTION_SAMPLES,
+        .samples = {.count = 40, .time = time, .value = value, .curvature = curvature}};
     record_wave(40);
     for (int i = 0; i < 40; i++) time[i] = kept.time[i] * 2;
     for (int i = 0; i < 40 * GOUGH_COMPONENTS; i++) value[i] = kept.value[i] * 0.25;

@@ -187,7 +187,8 @@ END_TEST
 
 /* The second derivative of rounded samples, as it is, is that of (motion-9); smoothed, it is the motion's. */
 static double worst_acceleration(size_t rows) {
-    const gough_samples spline = {rows, time_of, value, curvature};
+    const gough_samples spline = {
+        .count = rows, .time = time_of, .value = value, .curvature = curvature};
     double worst = 0;
     ck_assert(gough_samples_prepare(&spline, scratch, NULL) == GOUGH_OK);
     for (size_t i = 0; i < rows; i++)

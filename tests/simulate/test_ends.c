@@ -426,7 +426,8 @@ START_TEST(options_are_checked) {
     s.precision = GOUGH_QUADRUPLE;
     ck_assert_int_eq(gough_simulation_check(model, &s, &error), GOUGH_OK);
     model->motion.kind = GOUGH_MOTION_SAMPLES;
-    model->motion.samples = (gough_samples){2, time, value, curvature};
+    model->motion.samples =
+        (gough_samples){.count = 2, .time = time, .value = value, .curvature = curvature};
     REFUSES(s.duration = 6, "beyond");
     free(model);
 }

@@ -45,7 +45,8 @@ static void record_bump(fixture *f, double at) {
     for (int k = 0; k < ROWS; k++) f->time[k] = k * step;
     f->value[lround(at / step) * GOUGH_COMPONENTS + GOUGH_HEAVE] = 0.01;
     f->model.motion.kind = GOUGH_MOTION_SAMPLES;
-    f->model.motion.samples = (gough_samples){ROWS, f->time, f->value, f->curvature};
+    f->model.motion.samples = (gough_samples){
+        .count = ROWS, .time = f->time, .value = f->value, .curvature = f->curvature};
     ck_assert_uint_le(gough_samples_scratch(ROWS), 2 * ROWS);
     ck_assert_int_eq(gough_samples_prepare(&f->model.motion.samples, f->scratch, NULL), GOUGH_OK);
 }

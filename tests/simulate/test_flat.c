@@ -123,7 +123,8 @@ static gough_model *recorded_model(gough_simulation *s, double store[14 * ROWS])
     }
     paper_machine(&m->machine);
     m->motion.kind = GOUGH_MOTION_SAMPLES;
-    m->motion.samples = (gough_samples){ROWS, time, value, store + 7 * ROWS};
+    m->motion.samples =
+        (gough_samples){.count = ROWS, .time = time, .value = value, .curvature = store + 7 * ROWS};
     ck_assert(gough_samples_prepare(&m->motion.samples, scratch, NULL) == GOUGH_OK);
     set_gains(m, 30, 2);
     s->duration = 1;
@@ -154,6 +155,7 @@ static void same_fields(const gough_model *a, const gough_model *b) {
         ck_assert(a->initial.component[c] == b->initial.component[c]);
     }
     ck_assert(m->moves == n->moves && m->samples.count == n->samples.count);
+    ck_assert(memcmp(m->samples.axes, n->samples.axes, sizeof m->samples.axes) == 0);
     for (size_t i = 0; i < m->samples.count * 6; i++)
         ck_assert(m->samples.curvature[i] == n->samples.curvature[i]);
 
@@ -244,6 +246,36 @@ START_TEST(recorded_motion_comes_back) {
     gough_model *m = recorded_model(&s, store);
 
     same_there_and_back(m, &s);
+}
+END_TEST
+
+START_TEST(motion_recorded_about_turned_axes_comes_back) {
+    static const double axes[4] = {2, -1, 0, 1};
+    double store[14 * ROWS];
+    gough_simulation s = options();
+    gough_model *m = recorded_model(&s, store);
+
+    memcpy(m->motion.samples.axes, axes, sizeof axes);
+    same_there_and_back(m, &s);
+}
+END_TEST
+
+START_TEST(axes_that_are_no_rotation_are_refused) {
+    double store[14 * ROWS];
+    gough_simulation s = options();
+    gough_model *m = recorded_model(&s, store);
+    gough_error error = {.message = ""};
+
+    m->motion.samples.axes[2] = 1e150;
+    unpacked u = pack(m, &s);
+    ck_assert_int_eq(unpack(&u, &error), GOUGH_ERROR_INPUT);
+    ck_assert_msg(strstr(error.message, "quaternion"), "%s", error.message);
+    drop(&u);
+    m->motion.samples.axes[2] = NAN;
+    ck_assert_int_eq(gough_simulation_check(m, &s, &error), GOUGH_ERROR_INPUT);
+    ck_assert_msg(strstr(error.message, "quaternion"), "%s", error.message);
+    release(&u);
+    free(m);
 }
 END_TEST
 
@@ -392,7 +424,8 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("flat", 60, a_study_with_everything_comes_back, moves_come_back,
-                     recorded_motion_comes_back, an_empty_study_comes_back,
+                     recorded_motion_comes_back, motion_recorded_about_turned_axes_comes_back,
+                     axes_that_are_no_rotation_are_refused, an_empty_study_comes_back,
                      an_array_cut_short_is_refused, an_array_that_goes_on_is_refused,
                      a_number_that_is_none_is_refused_anywhere, another_format_is_named,
                      mutated_arrays_are_refused_or_run);

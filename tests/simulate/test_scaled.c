@@ -69,10 +69,11 @@ START_TEST(slower_recorded_motion_lasts_longer) {
     gough_simulation s = gough_simulation_default();
     gough_error error = {0};
 
-    model->motion = (gough_motion){.kind = GOUGH_MOTION_SAMPLES,
-                                   .samples = {3, time, value, curvature},
-                                   .amplitude = 1,
-                                   .frequency = 0.5};
+    model->motion = (gough_motion){
+        .kind = GOUGH_MOTION_SAMPLES,
+        .samples = {.count = 3, .time = time, .value = value, .curvature = curvature},
+        .amplitude = 1,
+        .frequency = 0.5};
     s.duration = 4;
     ck_assert(gough_simulation_check(model, &s, &error) == GOUGH_ERROR_INPUT);
     ck_assert_msg(strstr(error.message, "to 2") != NULL, "%s", error.message);
