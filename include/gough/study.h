@@ -27,7 +27,8 @@ typedef struct gough_remark {
 typedef struct gough_record_column {
     bool given; /**< the file has it */
     double
-        step; /**< step in which its values are written, the largest if steps differ; 0: none found */
+        step; /**< step in which its values are written, the largest if steps differ; 0: none found. Of angles about
+                   turned axes: twice the largest error that the steps of roll, pitch and yaw can make */
     double
         rounding; /**< greatest acceleration that rounding to the steps of values and times can make */
     double motion;       /**< greatest acceleration of the motion, without that */
@@ -42,7 +43,10 @@ typedef struct gough_record {
     double interval;  /**< time between rows, without gaps; the mean if rows are uneven */
     bool even;    /**< rows are at whole multiples of the interval, but for rounding of the times */
     bool retimed; /**< the rounding was removed from the times */
-    gough_unwrapping unwrapped;                   /**< what was done to the angles */
+    gough_unwrapping unwrapped; /**< what was done to the angles */
+    bool turned; /**< roll, pitch, yaw below are angles about turned axes, gough_samples.axes */
+    double
+        pole_distance; /**< if so, the least distance of a row from the pole of these, in degrees */
     gough_record_column column[GOUGH_COMPONENTS]; /**< surge … yaw */
     size_t remarks;                               /**< how many sentences follow */
     gough_remark remark[GOUGH_REMARKS];           /**< in the order of what they are about */

@@ -43,6 +43,12 @@ void record_print(FILE *stream, const gough_record *record, bool dimensionless) 
         fprintf(stream, ", times in steps of %.3g%s%s", record->time_step, unit.time,
                 record->retimed ? " (read as equal intervals)" : "");
     fputc('\n', stream);
+    if (record->turned)
+        fprintf(
+            stream,
+            "  rotations            interpolated about turned axes, %.2g deg or more from their\n"
+            "                       pole; roll, pitch and yaw below are angles about these\n",
+            record->pole_distance);
     for (int c = 0; c < GOUGH_COMPONENTS; c++)
         if (record->column[c].given) print_column(stream, record, c, dimensionless);
 }
@@ -72,6 +78,9 @@ json_t *record_object(const gough_record *record) {
     json_object_set_new(object, "even", json_boolean(record->even));
     json_object_set_new(object, "time_step", json_number(record->time_step));
     json_object_set_new(object, "retimed", json_boolean(record->retimed));
+    json_object_set_new(object, "turned", json_boolean(record->turned));
+    json_object_set_new(object, "pole_distance",
+                        json_number(record->turned ? record->pole_distance : NAN));
     json_object_set_new(object, "columns", columns);
     json_object_set_new(object, "remarks", remarks);
     return object;

@@ -1,12 +1,13 @@
-/* What a record is like and what is done to it: angles are made continuous, the accelerations that the rounding of its
- * digits makes are held against those of the motion, and what is asked to be smoothed is smoothed. (motion-7) to (motion-9).
- * Lengths and times in the study's units, angles in degrees. */
+/* What a record is like and what is done to it: angles are made continuous, about turned axes if necessary, the accelerations
+ * that the rounding of its digits makes are compared with those of the motion, and what is asked to be smoothed is smoothed.
+ * (motion-7) to (motion-10). Lengths and times in the study's units, angles in degrees. */
 #include "study/record.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "study/record_text.h"
+#include "study/turned.h"
 
 static const double TURN = 6.28318530717958647693;
 
@@ -117,7 +118,8 @@ static void measure_change(const study_record_table *table, const double *before
 
 static gough_status prepare(const study_record_table *table, const double *value,
                             gough_error *error) {
-    const gough_samples spline = {table->count, table->time, value, table->curvature};
+    const gough_samples spline = {
+        .count = table->count, .time = table->time, .value = value, .curvature = table->curvature};
     return gough_samples_prepare(&spline, table->scratch, error);
 }
 
@@ -178,13 +180,14 @@ gough_status study_record_make(study_record_table *table, study_recording *recor
         step[c] = study_quantum_find(&table->digits[c], table->value + c, GOUGH_COMPONENTS,
                                      table->count, table->scratch);
     record->unwrapped = gough_samples_unwrap(table->count, table->value, 180);
+    study_record_turn(table, recording, step, copy);
     find_clock(table, recording);
     const double time_step = record->retimed ? 0 : record->time_step;
     memcpy(copy, table->value, table->count * GOUGH_COMPONENTS * sizeof *copy);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         gough_record_column *column = &record->column[c];
         column->cutoff = INFINITY;
-        column->given = table->digits[c].any;
+        column->given = table->digits[c].any || (record->turned && c >= GOUGH_ROLL);
         if (!changes(table, c)) continue;
         d[c] = doubt_of(table, &step[c], time_step, c);
         column->step = step[c].greatest;

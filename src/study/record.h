@@ -13,6 +13,9 @@ typedef struct study_record_table {
     double *curvature; /* as large; overwritten */
     double *scratch;   /* study_record_scratch() doubles */
     study_digits digits[GOUGH_COMPONENTS], clock;
+    size_t turned; /* a row because of which the angles are about turned axes; 0: they are not */
+    bool crowded;  /* it comes close to a pitch of 90°, and to the pole of any other axes */
+    double pole;   /* if turned, its distance, or that of the row before, from a pitch of 90° */
 } study_record_table;
 
 size_t study_record_scratch(size_t count);

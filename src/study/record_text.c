@@ -6,9 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "gough/dynamics.h"
+#include "study/turned.h"
 
-static const double DEGREE = 3.14159265358979323846 / 180;
 static const double MUCH = 0.1;        /* of the motion's acceleration: more is warned of */
 static const double QUARTER_TURN = 90; /* between two rows: no rotation is drawn by such rows */
 
@@ -79,37 +78,49 @@ static void say_unwrapped(const study_record_table *table, const study_recording
             times(done->flips), where);
 }
 
-/* Angle of the rotation from the row before to this one, in degrees. */
-static double turn_between(const double *row) {
-    double R[2][3][3], trace = 0;
-    for (int k = 0; k < 2; k++) {
-        double angles[3];
-        for (int a = 0; a < 3; a++)
-            angles[a] = (row - k * GOUGH_COMPONENTS)[GOUGH_ROLL + a] * DEGREE;
-        gough_rotation_from_angles(angles, R[k]);
-    }
-    for (int k = 0; k < 9; k++) trace += R[0][k / 3][k % 3] * R[1][k / 3][k % 3];
-    return acos(fmax(-1, fmin(1, (trace - 1) / 2))) / DEGREE;
+static void say_turned(const study_record_table *table, const study_recording *recording) {
+    char where[80];
+    between(table, table->turned, units_of(recording), where);
+    say(recording, false,
+        "motion.samples: between %s pitch is within %.2g deg of 90 deg, where roll and yaw cannot "
+        "follow a motion; the record is interpolated as the same rotations about turned axes, "
+        "which it never brings closer than %.2g deg to such a pose",
+        where, table->pole, recording->record->pole_distance);
 }
 
 /* Near pitch 90° roll and yaw turn fast about nearly the same axis while the platform hardly turns. */
 static void say_pole(const study_record_table *table, const study_recording *recording) {
-    const units *u = units_of(recording);
     char where[80];
     size_t worst = 0;
     double most = POLE_JUMP;
     for (size_t i = 1; i < table->count; i++) {
-        const double *row = table->value + i * GOUGH_COMPONENTS;
-        const double jump = fabs(row[GOUGH_YAW] - *(row - GOUGH_COMPONENTS + GOUGH_YAW));
-        if (jump > most && turn_between(row) < jump / 3) most = jump, worst = i;
+        const double *yaw = table->value + i * GOUGH_COMPONENTS + GOUGH_YAW;
+        const double jump = fabs(*yaw - *(yaw - GOUGH_COMPONENTS));
+        if (jump > most && study_turn_between(table, i) < jump / 3) most = jump, worst = i;
     }
     if (!worst) return;
     say(recording, true,
         "motion.samples: yaw changes by %.3g deg between %s while the platform turns by only %.3g "
         "deg: close to a pitch of 90 deg, roll and yaw cannot follow a motion, and the spline "
-        "through them makes false accelerations; turn the record's axes away from there",
-        most, between(table, worst, u, where),
-        turn_between(table->value + worst * GOUGH_COMPONENTS));
+        "through them makes false accelerations; there are no axes that stay away from such a pose "
+        "during the whole record",
+        most, between(table, worst, units_of(recording), where), study_turn_between(table, worst));
+}
+
+/* Rows so far apart that the way from one to the next is a guess; angles about turned axes do not tell it. */
+static void say_turn(const study_record_table *table, const study_recording *recording) {
+    char where[80];
+    size_t worst = 0;
+    double most = QUARTER_TURN;
+    for (size_t i = 1; i < table->count; i++) {
+        const double turn = study_turn_between(table, i);
+        if (turn > most) most = turn, worst = i;
+    }
+    if (!worst) return;
+    say(recording, true,
+        "motion.samples: the platform turns by %.3g deg between %s; rows so far apart do not "
+        "determine its way from one to the next",
+        most, between(table, worst, units_of(recording), where));
 }
 
 /* Angles that still jump by more than a quarter turn between two rows. */
@@ -134,9 +145,14 @@ static void say_jump(const study_record_table *table, const study_recording *rec
 }
 
 void study_record_say_jumps(const study_record_table *table, const study_recording *recording) {
+    if (recording->record->turned) {
+        say_turned(table, recording);
+        say_turn(table, recording);
+        return;
+    }
     say_unwrapped(table, recording);
     for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++) say_jump(table, recording, c);
-    say_pole(table, recording);
+    if (table->crowded) say_pole(table, recording);
 }
 
 /* What to do about it, by what was tried. */
@@ -166,9 +182,11 @@ static void say_rounding(const study_recording *recording, int c) {
     const gough_record *record = recording->record;
     const gough_record_column *column = &record->column[c];
     const units *u = units_of(recording);
-    const char *name = gough_component_name(c), *unit = acceleration_unit(u, c);
-    char advice[160], step[80] = "", clock[80] = "";
+    const char *unit = acceleration_unit(u, c);
+    char name[40], advice[160], step[80] = "", clock[80] = "";
     if (!(column->rounding > MUCH * column->motion)) return;
+    snprintf(name, sizeof name, "%s%s", gough_component_name(c),
+             record->turned && c >= GOUGH_ROLL ? " about turned axes" : "");
     if (column->step > 0)
         snprintf(step, sizeof step, "values of %s in steps of %.3g%s", name, column->step,
                  c < GOUGH_ROLL ? u->length : " deg");
