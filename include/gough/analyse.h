@@ -3,7 +3,9 @@
  *  a periodic program. Theory: docs/theory/stability.md. This part of the library needs LAPACK; it is libgough-analyse.
  *
  *  Linear state ξ = (δr, δθ, δv, δω), twelve numbers: displacement of the centre of mass, small rotation, and the changes of its
- *  velocity and of the angular velocity, all in base axes. A study's disturbances are not part of its loop; here they are 0.
+ *  velocity and of the angular velocity, all in base axes and in the units of the model, angles in radians. Disturbances are not
+ *  part of the loop; here they are 0. All functions may be called from several threads at once; outputs must not overlap inputs;
+ *  an error argument may be NULL. `name`s are UTF-8.
  */
 #ifndef GOUGH_ANALYSE_H
 #define GOUGH_ANALYSE_H
@@ -16,15 +18,15 @@ extern "C" {
 
 enum { GOUGH_LINEAR = 12 };
 
-/** Growth, per √(R_b/g) at rest or per period, up to which a deviation does not count as growing: what round-off leaves of a
- *  multiplier on the unit circle. */
+/** Growth, per √(R_b/g) at rest or per period, up to which a deviation does not count as growing: the error that round-off causes
+ *  in a multiplier on the unit circle. */
 #define GOUGH_GROWTH_LIMIT 1e-7
 
 /** ξ̇ = matrix · ξ, the closed loop linearised about a state at time t, (stab-13).
- *  @param state  NULL: the program's at t, for the variation about the program
+ *  @param state  about which it is linearised; NULL: the program's at t
  *  @param[out] matrix  rows: derivatives of ξ. The constant part, present about a state that is not an equilibrium, is omitted
  *  @return GOUGH_OK, GOUGH_ERROR_INPUT if a formula is not finite at t, GOUGH_ERROR_NUMERICAL for a singular pose
- *  of the program whose forces are fed forward, or a leg of no length. Exact up to rounding. Allocates nothing. Thread-safe. */
+ *  of a program whose forces are fed forward, or a leg of zero length. Exact up to rounding. Allocates nothing. */
 GOUGH_API gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
                                        double matrix[GOUGH_LINEAR][GOUGH_LINEAR],
                                        gough_error *error);
@@ -33,16 +35,18 @@ GOUGH_API gough_status gough_linearise(const gough_model *model, double t, const
 
 enum { GOUGH_MODE_NAME = 32 };
 
-/** A mode: what moves, and how. */
+/** A mode: a pattern of small deviations. */
 typedef struct gough_mode {
     char name
         [GOUGH_MODE_NAME]; /**< "heave", "yaw", "sway–tilt" …: named after the motions with a share of its energy */
-    double shape[6][2]; /**< δr, δθ as complex numbers, the largest share real and positive */
+    double shape
+        [6]
+        [2]; /**< δr, δθ as complex numbers, scaled so that the largest component is real and positive */
     double share
         [4]; /**< shares of sway (surge and sway), heave, tilt (roll and pitch) and yaw; sum 1 */
 } gough_mode;
 
-/** One eigenvalue: deviations go as e^{λt}. */
+/** One eigenvalue: deviations vary as e^{λt}. */
 typedef struct gough_eigenvalue {
     double value[2]; /**< λ: growth rate, angular frequency */
     gough_mode mode; /**< its mode */
@@ -51,9 +55,9 @@ typedef struct gough_eigenvalue {
 /** The stiffness above which a mode at rest does not grow. */
 typedef struct gough_threshold {
     double
-        stiffness; /**< G, the same in all legs; 0: constant leg forces do not make the mode grow */
-    bool neutral;  /**< and they do not hold it either: any G > 0 does */
-    gough_mode mode; /**< what moves at the threshold, (stab-10) */
+        stiffness; /**< G, the same in all legs; 0: with constant leg forces alone the mode does not grow */
+    bool neutral;    /**< constant leg forces do not hold the mode either, but any G > 0 does */
+    gough_mode mode; /**< the mode at the threshold, (stab-10) */
 } gough_threshold;
 
 /** The loop at rest. */
@@ -65,7 +69,7 @@ typedef struct gough_rest {
     double geometric[6][6]; /**< K_geo: stiffness of constant leg forces, on (δr, δθ), symmetric */
     double legs[6][6];      /**< JᵀJ: stiffness of legs with G = 1 */
     double
-        asymmetry; /**< largest |K − Kᵀ| of the stiffness found, over its largest element: 0 up to rounding */
+        asymmetry; /**< largest element of |K − Kᵀ| over that of K, the stiffness computed: 0 up to rounding */
     double
         trace; /**< of the translational part of K_geo: if < 0, some mode grows without feedback */
     double
@@ -73,10 +77,10 @@ typedef struct gough_rest {
     gough_eigenvalue eigenvalue
         [GOUGH_LINEAR]; /**< by falling growth rate, then by rising frequency; the positive one of a pair ±ω first */
     gough_threshold threshold[6]; /**< by falling stiffness */
-    int growing;  /**< how many eigenvalues grow, (stab-17); they are the first ones */
-    int neutral;  /**< freedoms with neither a positive nor a negative stiffness */
-    int drifting; /**< of those, the ones without damping too: a velocity there is kept for ever. Not
-                         counted where something grows */
+    int growing; /**< how many eigenvalues grow, (stab-17); they are the first ones */
+    int neutral; /**< number of independent displacements on which no stiffness acts */
+    int drifting; /**< number of these on which no damping acts either: a velocity there never dies out. 0 if
+                         something grows */
     gough_mode neutral_mode[6]; /**< the modes that drift; if none drifts, the neutral ones */
     bool decaying;              /**< every small deviation dies out */
     bool stable;   /**< nothing grows and nothing drifts: small deviations stay small */
@@ -89,8 +93,7 @@ typedef struct gough_rest {
  *  Without damping eigenvalues are exactly real or imaginary, (stab-15).
  *  @param component  surge … yaw from home of the point `about` of the motion, radians; NULL: home
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT: a component that is not finite; GOUGH_ERROR_NUMERICAL: singular pose, or no equilibrium
- *  found without feed-forward (the sentence names the pose where the search began); do not use @p rest then. Allocates nothing.
- *  Thread-safe. */
+ *  found without feed-forward (the sentence names the pose where the search began); do not use @p rest then. Allocates nothing. */
 GOUGH_API gough_status gough_stability_at_rest(const gough_model *model,
                                                const double component[GOUGH_COMPONENTS],
                                                gough_rest *rest, gough_error *error);
@@ -101,7 +104,7 @@ GOUGH_API gough_status gough_stability_at_rest(const gough_model *model,
 typedef struct gough_period {
     bool resting; /**< the program comes to rest and has no period */
     double
-        start; /**< when it has become periodic within 1e-12: a start-up ramp has died out by then */
+        start; /**< time from which it is periodic within 1e-12: a start-up ramp has died out by then */
     double period; /**< T; 0 if the program comes to rest */
 } gough_period;
 
@@ -110,7 +113,7 @@ typedef struct gough_period {
  *  ramps have died out. A program that comes to rest, as moves do, is reported as resting. Recorded motion needs its period
  *  given; the last period of the record is used.
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, or not with the period given; the sentence names the component and the
- *  difference, and suggests what to do. Takes less than a millisecond. Allocates nothing. Thread-safe. */
+ *  difference, and suggests a remedy. Takes less than a millisecond. Allocates nothing. */
 GOUGH_API gough_status gough_motion_period(const gough_motion *motion, gough_period *period,
                                            gough_error *error);
 
@@ -122,7 +125,7 @@ typedef struct gough_multiplier {
 
 /** The loop about a periodic motion. */
 typedef struct gough_floquet {
-    double start;  /**< when the chosen period begins */
+    double start;  /**< time at which the chosen period begins */
     double period; /**< T */
     gough_state
         state; /**< at its beginning: the program's, or without feed-forward that of the periodic motion found */
@@ -133,7 +136,7 @@ typedef struct gough_floquet {
     double
         determinant_defect; /**< |det − 1| if D = 0, else |det / exp ∫tr A − 1|, Liouville's formula */
     double pair_defect; /**< largest |μ μ' − 1| over reciprocal pairs if D = 0; else NaN */
-    int drifting; /**< how many deviations grow in proportion to time: multipliers 1 without an eigenvector of their own,
+    int drifting; /**< number of deviations that grow in proportion to time: multipliers 1 without an eigenvector of their own,
                        (floquet-9) */
     bool stable;  /**< no |μ| over 1 + 1e-7, and nothing drifts */
     size_t steps; /**< number of integration steps in the period */
@@ -146,7 +149,7 @@ typedef struct gough_floquet {
  *  1e-15 … 1e-3; GOUGH_ERROR_NUMERICAL: the program passes a singular pose, more than 20000 steps a period, or without
  *  feed-forward no periodic motion was found near the program, (floquet-8); do not use @p floquet then.
  *  It takes about 20 ms for a period with a few oscillations of the platform, some tenths of a second without feed-forward.
- *  Allocates nothing. Thread-safe. */
+ *  Allocates nothing. */
 GOUGH_API gough_status gough_floquet_multipliers(const gough_model *model,
                                                  const gough_period *period, double tolerance,
                                                  gough_floquet *floquet, gough_error *error);

@@ -1,7 +1,7 @@
 /** @file batch.h
  *  Many runs of forward dynamics at once: runs that share a program are computed side by side in the lanes of vector registers,
  *  and distributed over threads. The bits are the same for any number of lanes and threads, and for fixed steps the same as those
- *  of gough_simulate().
+ *  of gough_simulate(). Numbers are in the units of the models, angles in radians.
  */
 #ifndef GOUGH_BATCH_H
 #define GOUGH_BATCH_H
@@ -16,20 +16,20 @@ extern "C" {
 typedef struct gough_batch_run {
     const gough_machine *machine; /**< joints, load, gravity; the same height of home in all runs */
     const gough_control *control; /**< the same choice of feed-forward in all runs */
-    const gough_disturbance *disturbance; /**< its disturbances */
-    const gough_initial *initial;         /**< where it starts */
+    const gough_disturbance *disturbance; /**< forces unknown to the controller */
+    const gough_initial *initial;         /**< where the run starts */
     uint64_t number; /**< number of the run, for its noise; replaces gough_noise.run */
 } gough_batch_run;
 
 /** Outcome of a run. Peaks, deviations and work are those of the motion, between output times too, as
  *  gough_summary_look() takes them; with fixed steps the looks are at the ends of steps. Angles in radians. */
 typedef struct gough_outcome {
-    gough_cause cause;          /**< GOUGH_END_DONE, or why this run ended early */
-    int leg;                    /**< 1 … 6 if a leg is the cause, else 0 */
-    double time;                /**< of the end */
-    double position[3];         /**< top-frame origin at the last output time reached */
-    double angles[3];           /**< roll, pitch, yaw there */
-    double velocity[3];         /**< of the origin */
+    gough_cause cause;  /**< GOUGH_END_DONE, or why this run ended early */
+    int leg;            /**< 1 … 6 if a leg is the cause, else 0 */
+    double time;        /**< time of the end */
+    double position[3]; /**< origin of the top frame at the last output time reached, base frame */
+    double angles[3];   /**< roll, pitch, yaw there */
+    double velocity[3]; /**< of the origin, base axes */
     double angular_velocity[3]; /**< base axes */
     double position_deviation;  /**< largest distance from the program */
     double angle_deviation;     /**< largest angle from the program */
@@ -58,8 +58,8 @@ GOUGH_API gough_batch_options gough_batch_options_default(void);
 /** Widest lanes of this processor: 8 (AVX-512), 4 (AVX2) or 2. */
 GOUGH_API int gough_batch_lanes(void);
 
-/** Threads that a wish in gough_batch_options.threads means here: those of the processors that the process may use where it is 0,
- *  at most 256. */
+/** Number of threads that a batch uses for a value of gough_batch_options.threads: that value, or if it is 0 the number of
+ *  processors that the process may use; at most 256. */
 GOUGH_API int gough_batch_threads(int wanted);
 
 /** Bytes of memory that gough_batch() needs, aligned to 64, for any number of runs. */
@@ -68,8 +68,11 @@ GOUGH_API size_t gough_batch_size(const gough_batch_options *options);
 /** Runs a batch.
  *  @param motion      the program of all runs
  *  @param simulation  fixed steps run in lanes; adaptive dop853 and quadruple precision run one by one, on all threads
- *  @param[out] outcomes  one for each run, in the same order
- *  @param memory      gough_batch_size() bytes, aligned to 64; nothing else is allocated while stepping
+ *  @param runs,count  the runs; none of the objects that they point to may overlap an output
+ *  @param options        NULL is not allowed
+ *  @param[out] outcomes  @p count of them, in the order of the runs
+ *  @param memory      gough_batch_size() bytes, aligned to 64; nothing else is allocated, except by the
+ *                     system for threads
  *  @return GOUGH_OK, even if runs ended early (see their outcomes); GOUGH_ERROR_INPUT for invalid options, or runs
  *  that differ in height or feed-forward; GOUGH_ERROR_NUMERICAL if the progress function stopped it
  *  (unfinished runs have 0 rows). */

@@ -4,7 +4,8 @@
  *  the grid. Theory: docs/theory/floquet.md. The bits are the same for any number of lanes and threads. In libgough-analyse.
  *
  *  A row of the map is one value of the second axis; without a second axis there is one row. If the program of a row is at rest,
- *  the row has growth rates at rest only.
+ *  the row has growth rates at rest only. Numbers are in the units of the model. Functions may be called from several threads at
+ *  once; an error argument may be NULL.
  */
 #ifndef GOUGH_MAP_H
 #define GOUGH_MAP_H
@@ -17,10 +18,10 @@ extern "C" {
 
 /** The second axis. */
 typedef enum gough_map_axis {
-    GOUGH_MAP_NONE,      /**< nothing: one row */
-    GOUGH_MAP_AMPLITUDE, /**< factor on the motion, on top of the study's own */
-    GOUGH_MAP_FREQUENCY, /**< factor on the motion's frequency, on top of the study's own, > 0 */
-    GOUGH_MAP_DAMPING    /**< D of all legs, in place of the study's */
+    GOUGH_MAP_NONE,      /**< no second axis: one row */
+    GOUGH_MAP_AMPLITUDE, /**< factor on the motion, in addition to the model's own amplitude */
+    GOUGH_MAP_FREQUENCY, /**< factor on the motion's frequency, in addition to the model's own, > 0 */
+    GOUGH_MAP_DAMPING    /**< D of all legs, in place of the model's */
 } gough_map_axis;
 
 /** Values of an axis. */
@@ -43,12 +44,12 @@ typedef struct gough_map_options {
         accuracy; /**< of multipliers, relative to the largest; 0: 1e-9. Rough programs, such as recorded
                             ones, may reach only 1e-6 */
     double
-        resolution; /**< as a part of the stiffness range: narrower intervals may be missed; 0: 1e-6. Edges are at least this
+        resolution; /**< as a fraction of the stiffness range: narrower intervals may be missed; 0: 1e-6. Edges are at least this
                             accurate, mostly a thousand times better */
     size_t intervals; /**< room for intervals in each row */
     int lanes;        /**< 0: as many as the processor has; else 1, 2, 4 or 8, as for batches */
     int threads;      /**< 0: one per processor that the process may use */
-    /** Called occasionally, from one thread at a time, with the part of the work done, 0 … 1; nonzero stops. May be NULL. */
+    /** Called occasionally, from one thread at a time, with the fraction of the work done, 0 … 1; nonzero stops. May be NULL. */
     int (*progress)(void *context, double done);
     void *context; /**< passed to progress */
 } gough_map_options;
@@ -56,22 +57,22 @@ typedef struct gough_map_options {
 /** No axes, 256 intervals in each row, widest lanes, all processors, no progress. */
 GOUGH_API gough_map_options gough_map_options_default(void);
 
-/** One point of the grid. A point without values (its row has none, or no periodic motion was found without feed-forward) has
- *  NaN, "" and is not stable. */
+/** One point of the grid. A point without a result (its row has an error, or no periodic motion was found without feed-forward)
+ *  has NaN, an empty mode, and is not stable. */
 typedef struct gough_map_point {
     double growth; /**< largest |μ|: growth per period; NaN if the program is at rest */
     double rate;   /**< ln(growth)/T; at rest the largest Re λ */
     char mode
-        [GOUGH_MODE_NAME]; /**< the mode that grows fastest or decays slowest: "heave", "sway–tilt" …; "": neither */
-    bool stable; /**< no |μ| over 1 + 1e-7; at rest no Re λ over 1e-7 √(g/R_b) */
+        [GOUGH_MODE_NAME]; /**< the mode that grows fastest or decays slowest: "heave", "sway–tilt" …; "" if deviations neither grow nor decay */
+    bool stable;           /**< no |μ| over 1 + 1e-7; at rest no Re λ over 1e-7 √(g/R_b) */
 } gough_map_point;
 
 /** Why a mode grows in an interval of stiffness. */
 typedef enum gough_interval_kind {
     GOUGH_INTERVAL_STATIC, /**< below its threshold: it grows from G = 0 on, without oscillating */
     GOUGH_INTERVAL_PLUS, /**< resonance at μ = +1: the mode makes a whole number of oscillations in each period */
-    GOUGH_INTERVAL_MINUS,      /**< resonance at μ = −1: a whole number and a half */
-    GOUGH_INTERVAL_COMBINATION /**< two modes combined, μ not real */
+    GOUGH_INTERVAL_MINUS, /**< resonance at μ = −1: a whole number and a half of oscillations */
+    GOUGH_INTERVAL_COMBINATION /**< combination resonance of two modes, μ not real */
 } gough_interval_kind;
 
 /** "static", "resonance +1", "resonance -1", "combination". */
@@ -81,27 +82,28 @@ GOUGH_API const char *gough_interval_kind_name(gough_interval_kind kind);
 typedef struct gough_interval {
     double
         from; /**< G of its lower edge, which may lie below the requested range if the interval extends into it */
-    double to; /**< of its upper edge */
+    double to; /**< G of its upper edge */
     bool cut;  /**< true if it continues above the range; `to` is then the end of the range */
     double stiffness;         /**< the G in the range with the greatest growth */
     double growth;            /**< growth per period there, NaN at rest */
     double rate;              /**< growth rate there */
     gough_interval_kind kind; /**< why */
-    int modes; /**< how many modes grow alike: 2 if a symmetric machine sways in two directions */
-    gough_mode mode; /**< what moves there, at the beginning of the period */
+    int modes; /**< number of modes with the same growth: 2 if a symmetric machine sways in two directions */
+    gough_mode mode; /**< the mode there, at the beginning of the period */
 } gough_interval;
 
 /** One row: a value of the second axis. */
 typedef struct gough_map_row {
-    double value;            /**< of the second axis; 0 without one */
-    gough_error error;       /**< status GOUGH_OK, or why this row has no values */
-    gough_period period;     /**< of its program */
-    size_t intervals;        /**< number in its part of the list, ordered by `from` */
-    size_t intervals_missed; /**< number of further intervals, narrower than these */
+    double value;        /**< of the second axis; 0 without one */
+    gough_error error;   /**< status GOUGH_OK, or why this row has no results */
+    gough_period period; /**< of its program */
+    size_t intervals;    /**< number in its part of the list, ordered by `from` */
+    size_t
+        intervals_missed; /**< number of further intervals, narrower than these, for which there was no room */
     size_t
         meetings; /**< places where multipliers meet that could leave the unit circle but do not, or within less than the
                           resolution; counted only without damping and with feed-forward */
-    size_t steps; /**< of the integration in a period */
+    size_t steps; /**< number of integration steps in a period */
 } gough_map_row;
 
 /** The map, in the caller's memory. */
@@ -114,17 +116,18 @@ typedef struct gough_map {
 /** Rows of a map: 1 without a second axis. */
 GOUGH_API size_t gough_map_rows(const gough_map_options *options);
 
-/** Checks the options and computes the memory, aligned to 64, that gough_map_find() needs in addition to the map.
+/** Checks the options and computes the size of the memory that gough_map_find() needs in addition to the map, in bytes.
  *  @return GOUGH_OK or GOUGH_ERROR_INPUT: an axis without values or with invalid ones, or a map of more than 2^31 points. */
 GOUGH_API gough_status gough_map_size(const gough_model *model, const gough_map_options *options,
                                       size_t *bytes, gough_error *error);
 
 /** Computes the map. The study's disturbances are ignored.
  *  @param memory  of gough_map_size(), aligned to 64; nothing else is allocated
- *  @return GOUGH_OK, even if rows have no values, for example because the program is not periodic or passes a singular pose at
+ *  @param[out] map  its three arrays must have room for the number of elements given there
+ *  @return GOUGH_OK, even if rows have no results, for example because the program is not periodic or passes a singular pose at
  *  that amplitude (see their errors); GOUGH_ERROR_INPUT for invalid options; GOUGH_ERROR_NUMERICAL if progress stopped it.
- *  Without feed-forward the periodic motion depends on G and must be found for each G: this is some hundred times slower, and
- *  intervals are found on the grid only. Safe to call concurrently. */
+ *  Without feed-forward the periodic motion depends on G and must be found for each G: this is about a hundred times slower, and
+ *  intervals are found on the grid only. */
 GOUGH_API gough_status gough_map_find(const gough_model *model, const gough_map_options *options,
                                       gough_map *map, void *memory, gough_error *error);
 

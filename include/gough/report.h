@@ -11,10 +11,10 @@
 extern "C" {
 #endif
 
-/** What to draw. */
+/** Options of a figure. */
 typedef struct gough_figure {
     const char
-        *kind; /**< name of one of gough_figure_kinds(); NULL: chosen according to the table */
+        *kind; /**< name of one of gough_figure_kinds(); NULL: the one that suits the table */
     const char *title;   /**< NULL: the table's title */
     const char *columns; /**< NULL, or names separated by commas, for kind "columns" */
     double from;         /**< first t; NaN: from the beginning */
@@ -34,7 +34,7 @@ GOUGH_API const char *const *gough_figure_kinds(void);
  *  the others. Kind "gain" draws columns G and position_deviation, and draws rings where the column `ended`, if present, is 1.
  *  @param labels  name of each table in the key; NULL, or one of them NULL: its title
  *  @return GOUGH_OK, GOUGH_ERROR_INPUT (unknown extension, kind or column; the message suggests the nearest) or GOUGH_ERROR_FILE
- *  (gnuplot is missing or failed, the folder does not exist, the disk is full). Text of the tables is never executed. */
+ *  (gnuplot is missing or failed, the folder does not exist, the disk is full). Text from the tables is never executed by gnuplot. */
 GOUGH_API gough_status gough_figure_draw(const gough_figure *figure,
                                          const gough_table *const *tables,
                                          const char *const *labels, size_t table_count,
@@ -49,13 +49,13 @@ typedef struct gough_map_figure {
 
 /** Draws a stability map to .png, .svg or .pdf. One row: growth per period over the stiffness, and beneath it, for each mode, the
  *  intervals in which it grows. Several rows: colours for growth over both axes with the edges of the intervals; rows without
- *  values are grey. The file is complete or absent, with the same bytes each time.
+ *  results are grey. The file is complete or absent, with the same bytes each time.
  *  @return GOUGH_OK, GOUGH_ERROR_INPUT (extension unknown) or GOUGH_ERROR_FILE, as gough_figure_draw(). */
 GOUGH_API gough_status gough_map_draw(const gough_map_options *options, const gough_map *map,
                                       const gough_map_figure *figure, const char *path,
                                       gough_error *error);
 
-/** The page without data, one HTML text built from the sources in web/. */
+/** The page without data: one HTML text, built from the sources in web/. */
 typedef struct gough_page_template {
     const char *text; /**< need not be terminated */
     size_t length;    /**< bytes; 0: the program was built without the page */

@@ -52,7 +52,7 @@ GOUGH_API gough_status gough_result_write(const gough_result *result, const char
 /** One column of a table in memory, with its numbers as they are written. */
 typedef struct gough_result_column {
     const char *name;      /**< as in the header row */
-    const char *long_name; /**< what it is */
+    const char *long_name; /**< description, as in HDF5 */
     char unit[24];         /**< "m/s", "degree", "1" … */
     const double *value;   /**< [rows]; valid until a row is added or the table freed */
     size_t rows;           /**< rows so far */
@@ -68,17 +68,17 @@ GOUGH_API void gough_result_free(gough_result *result);
 /** A table read back, from HDF5 or CSV, written by this program or any other (a CSV with a header row). */
 typedef struct gough_table {
     size_t rows;       /**< rows of numbers */
-    size_t columns;    /**< numbers a row */
+    size_t columns;    /**< number of columns */
     char **name;       /**< [columns] */
-    char **unit;       /**< [columns]; "" where unknown */
+    char **unit;       /**< [columns]; "" if unknown */
     double **value;    /**< [columns][rows] */
-    char *title;       /**< "" where unknown */
-    char *verb;        /**< "" where unknown */
-    char *end_cause;   /**< "" where unknown */
-    char *end_message; /**< the end as a sentence; NULL or "" where unknown */
-    double end_time;   /**< NaN where unknown */
-    double tolerance;  /**< of the adaptive stepper; NaN where unknown or steps were fixed */
-    double step;       /**< fixed, in the table's unit of time; NaN where unknown or adaptive */
+    char *title;       /**< "" if unknown */
+    char *verb;        /**< "" if unknown */
+    char *end_cause;   /**< word of gough_cause_name(); "" if unknown */
+    char *end_message; /**< the end as a sentence; NULL or "" if unknown */
+    double end_time;   /**< in the table's unit of time; NaN if unknown */
+    double tolerance;  /**< of the adaptive stepper; NaN if unknown or if steps were fixed */
+    double step;       /**< fixed step in the table's unit of time; NaN if unknown or adaptive */
 } gough_table;
 
 /** Reads a table; HDF5 is recognised by its first bytes; "-" means CSV on standard input. HDF5 is read in a child process with
@@ -90,7 +90,7 @@ GOUGH_API gough_status gough_table_read(const char *path, gough_table **table, g
 /** Frees a table; NULL is allowed. */
 GOUGH_API void gough_table_free(gough_table *table);
 
-/** A table of zeros with unnamed columns, to be filled; its tolerance, step and end are unknown. Free it with gough_table_free().
+/** A table of zeros with unnamed columns; the caller fills it. Its tolerance, step and end are unknown. Free it with gough_table_free().
  *  @return NULL if out of memory. */
 GOUGH_API gough_table *gough_table_new(const char *title, const char *verb, size_t columns,
                                        size_t rows);

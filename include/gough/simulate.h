@@ -1,6 +1,9 @@
 /** @file simulate.h
  *  One run: the program's forces (inverse dynamics along the motion) or the motion under forces, control and
  *  disturbances (forward dynamics), as rows of named columns that are passed to the caller one by one.
+ *
+ *  Numbers are in the units of the model, angles in radians. Functions may be called from several threads at once, on distinct
+ *  outputs; models may be shared. Outputs must not overlap inputs. An error argument may be NULL.
  */
 #ifndef GOUGH_SIMULATE_H
 #define GOUGH_SIMULATE_H
@@ -27,7 +30,7 @@ enum gough_column {
     GOUGH_Z,
     GOUGH_ROLL_ANGLE,
     GOUGH_PITCH_ANGLE,
-    GOUGH_YAW_ANGLE, /* top-frame origin and R, base frame */
+    GOUGH_YAW_ANGLE, /* origin of the top frame, and its R, in the base frame */
     GOUGH_VX,
     GOUGH_VY,
     GOUGH_VZ, /* its velocity */
@@ -51,7 +54,7 @@ enum gough_column {
     GOUGH_EROLL,
     GOUGH_EPITCH,
     GOUGH_EYAW,  /* actual − program */
-    GOUGH_DRIFT, /* largest violation of (1.2) before projection since the row before */
+    GOUGH_DRIFT, /* largest violation of (1.2) before projection, since the previous row */
     GOUGH_RXX,
     GOUGH_RYY,
     GOUGH_RZZ,
@@ -61,7 +64,7 @@ enum gough_column {
     GOUGH_COLUMNS
 };
 
-/** Dimension of a column: unit = length^l · mass^m · time^t · angle^a. */
+/** Name and dimension of a column: its unit is length^l · mass^m · time^t · angle^a. */
 typedef struct gough_column_info {
     const char *name;      /**< "t", "x", … "rzx" */
     const char *long_name; /**< "time", "x of the top frame's origin", … */
@@ -102,15 +105,15 @@ typedef enum gough_precision { GOUGH_DOUBLE, GOUGH_QUADRUPLE } gough_precision;
 /** "dop853", "rk4", "rattle2" …; NULL outside the enumeration. */
 GOUGH_API const char *gough_method_name(int method);
 
-/** What a run of forward dynamics cost, and whether its steps were kept short by stability instead of accuracy. */
+/** Effort of a run of forward dynamics, and whether stability, not accuracy, limited its steps. */
 typedef struct gough_statistics {
     long long
         steps; /**< steps that were kept; a fixed step that a corner divides counts as its parts */
     long long rejected; /**< adaptive steps that were made again, shorter */
     long long
         evaluations;   /**< of the equations of motion; for rattle methods, of forces and moments */
-    double stiff_rate; /**< where the loop is stiff: rate of its fastest decay, in 1/time; else 0 */
-    double stiff_time; /**< when that was first found; 0 if stiff_rate is 0 */
+    double stiff_rate; /**< if the loop is stiff: rate of its fastest decay, in 1/time; else 0 */
+    double stiff_time; /**< time at which that was first found; 0 if stiff_rate is 0 */
 } gough_statistics;
 
 /** How to run; start from gough_simulation_default(): 20 units of time, a row every 0.05, dop853 with a
@@ -121,11 +124,12 @@ typedef struct gough_simulation {
     gough_method method; /**< the stepper */
     double
         step; /**< fixed step, a divisor of output_step; 0 with dop853: adaptive. A step in which the program or a disturbance
-                     has a corner, or changes too fast to be met by it, is made in parts. A last
+                     has a corner, or changes too fast for it, is made in parts. A last
                      step that would pass the duration ends there */
-    double max_step; /**< longest step, fixed or adaptive; 0: any */
+    double max_step; /**< longest step, fixed or adaptive; 0: no limit */
     double
-        tolerance; /**< adaptive dop853: RMS of error/(tol·(s + |y|)), s = R_b and 1, per √(R_b/g) for rates */
+        tolerance; /**< of an adaptive step: the RMS of error/(s + |y|) over the coordinates y, with s = R_b for positions and 1
+                          for axes, each divided by √(R_b/g) for rates */
     gough_constraints constraints; /**< ignored by rattle methods, which keep them themselves */
     double baumgarte[2];           /**< α, β */
     gough_precision precision;     /**< of the whole run */
@@ -141,8 +145,8 @@ GOUGH_API gough_simulation gough_simulation_default(void);
 
 /** Checks the options against the model.
  *  @return GOUGH_OK or GOUGH_ERROR_INPUT: duration, output_step or step not positive and finite, step not dividing
- *  output_step within 1e-9, more than 1e8 rows, tolerance outside what the precision can give (double 1e-15 … 1e-1,
- *  quadruple 1e-30 … 1e-1), a step missing that the method needs, or over max_step, Baumgarte with a rattle method,
+ *  output_step within 1e-9, more than 1e8 rows, tolerance outside the range of the precision (double 1e-15 … 1e-1,
+ *  quadruple 1e-30 … 1e-1), a missing step that the method needs, or a step over max_step, Baumgarte with a rattle method,
  *  a duration beyond recorded motion. */
 GOUGH_API gough_status gough_simulation_check(const gough_model *model,
                                               const gough_simulation *simulation,
@@ -156,35 +160,36 @@ GOUGH_API bool gough_column_filled(int column, bool simulated, bool reactions);
 typedef struct gough_crossing {
     gough_cause cause; /**< which limit */
     int leg;           /**< 1 … 6 */
-    double enter;      /**< when it begins */
-    double leave;      /**< when it ends; INFINITY: not before the end of the run */
+    double enter;      /**< time at which it begins */
+    double leave;      /**< time at which it ends; INFINITY: still exceeded at the end of the run */
     double worst;      /**< the worst value in the interval (length, speed or force) */
-    double worst_time; /**< when that value is reached */
+    double worst_time; /**< time of that value */
 } gough_crossing;
 
 /** Called for each crossing in order of its beginning. */
 typedef void (*gough_crossing_sink)(void *context, const gough_crossing *crossing);
 
 /** Inverse dynamics along the program, (2.1)–(2.7): rows at the output times.
- *  Exceeded limits do not stop it: each crossing is located and passed to @p crossings (may be NULL) when it is over, and those
- *  still open when the run ends come last; @p end is then the earliest of them. A singular or nearly singular pose, a leg of no
+ *  Exceeded limits do not stop it: each crossing is located and passed to @p crossings (may be NULL) when it is over; those
+ *  still open at the end of the run come last. @p end is then the earliest of them. A singular or nearly singular pose, a leg of no
  *  length or a formula that is not finite stops it.
  *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if @p end has a cause other than done, with its time accurate to 1e-9 relative;
- *  GOUGH_ERROR_INPUT if a formula is not finite or the options are invalid. Allocates nothing. Thread-safe. */
+ *  GOUGH_ERROR_INPUT if a formula is not finite or the options are invalid. Allocates nothing.
+ *  @param sink  receives the rows; NULL: rows are not wanted */
 GOUGH_API gough_status gough_forces(const gough_model *model, const gough_simulation *simulation,
                                     gough_sink sink, void *context, gough_crossing_sink crossings,
                                     void *crossings_context, gough_end *end, gough_error *error);
 
 /** Forward dynamics, (1.4), (1.5), under control and disturbances: rows at the output times, up to the end.
  *  Stops at the first exceeded limit, singular pose, leg of no length or number that is not finite; earlier rows stay valid.
- *  @return as gough_forces(). Allocates nothing while it runs. Thread-safe. */
+ *  @return as gough_forces(). Allocates nothing. */
 GOUGH_API gough_status gough_simulate(const gough_model *model, const gough_simulation *simulation,
                                       gough_sink sink, void *context, gough_end *end,
                                       gough_error *error);
 
-/** Writes the sentence of an end with units. The library knows none, so the sentence of a run comes without.
+/** Rewrites the message of an end with units. The library does not know the units, so the message of a run has none.
  *
- *  @param end  its time and limit in the units that are named, converted by the caller where need be
+ *  @param end  with its time and limit in the units that are named; convert them first if necessary
  *  @param length,speed,force,time  what follows a number, such as " m", " m/s", " N" and " s"; "" where numbers have no unit
  *
  *  The message of an end at a leg's limit is written anew from cause, legs, limit and time; in other messages each
@@ -208,11 +213,11 @@ GOUGH_API size_t gough_model_flat_size(const gough_model *model);
 GOUGH_API void gough_model_flatten(const gough_model *model, const gough_simulation *simulation,
                                    double *flat);
 
-/** Bytes of memory that gough_model_unflatten() needs beside the model, for moves or the spline of recorded motion; 0 if it
+/** Bytes of memory that gough_model_unflatten() needs in addition to the model, for moves or the spline of recorded motion; 0 if it
  *  needs none or the head of the array is damaged. Never more than twice the size of the array. */
 GOUGH_API size_t gough_model_flat_memory(const double *flat, size_t count);
 
-/** Reads a model and its options from such an array, which need not be trusted.
+/** Reads a model and its options from such an array, which may come from an untrusted source.
  *
  *  A run of the result has the same bits as a run of the original.
  *  @param[out] model       complete on GOUGH_OK only
@@ -235,12 +240,13 @@ typedef struct gough_leg_summary {
     double speed;      /**< peak |rate| */
     double force_min;  /**< least force; below 0 the leg pulls */
     double force_max;  /**< greatest force */
-    double rms_force;  /**< root of the mean over time */
+    double rms_force;  /**< root mean square over time */
     double power_min;  /**< least power; below 0 the leg absorbs power */
     double power_max;  /**< greatest power */
     double energy;     /**< net work done by the leg */
-    double swing_base; /**< largest angle from its direction at home, seen from the base */
-    double swing_top;  /**< the same, seen from the top */
+    double
+        swing_base; /**< largest angle between its direction and that at home, relative to the base */
+    double swing_top; /**< the same, relative to the top */
 } gough_leg_summary;
 
 /** Summary of the rows so far; fill it by gough_summary_begin(), gough_summary_add(), gough_summary_end(). For the motion
@@ -250,14 +256,15 @@ typedef struct gough_summary {
     size_t rows;                       /**< rows added */
     double first_time;                 /**< t of the first row */
     double last_time;                  /**< t of the last row */
-    double condition;                  /**< largest */
-    double condition_time;             /**< when it occurs */
-    double position_deviation;         /**< largest distance actual – program; NaN for forces */
-    double angle_deviation; /**< largest angle of the rotation between them; NaN for forces */
-    double drift;           /**< largest */
-    double between_rows; /**< how far a leg's length goes between two rows beyond both of them, at
-                              most; 0 without looks between rows */
-    int between_leg;     /**< the leg that does, 1 … 6; 0: none */
+    double condition;                  /**< largest condition number */
+    double condition_time;             /**< time at which it occurs */
+    double position_deviation;         /**< largest distance from the program; NaN for forces */
+    double angle_deviation;            /**< largest angle from the program; NaN for forces */
+    double drift;                      /**< largest violation of (1.2) before projection */
+    double
+        between_rows; /**< greatest excess of a leg's length between two rows over both of them; 0 without looks
+                              between rows */
+    int between_leg;     /**< that leg, 1 … 6; 0: none */
     double drawing_step; /**< rows this close draw the motion: chords miss lengths by a hundredth of
                               the longest stroke at most; 0 where between_leg is 0 */
     double window_
@@ -277,11 +284,12 @@ GOUGH_API void gough_summary_begin(gough_summary *summary);
 /** Adds one row, in the units and order of the run. */
 GOUGH_API void gough_summary_add(gough_summary *summary, const gough_machine *machine,
                                  const gough_row *row);
-/** Adds one moment of the motion, a row or a look between rows, in order of time; do not mix with gough_summary_add().
+/** Adds one instant of the motion, a row or a point between rows (a look), in order of time; do not mix with
+ *  gough_summary_add().
  *
  *  Peaks are then those of the cubics through four neighbouring looks, whose distances may vary: peaks and time integrals are
  *  of fourth order in them. Columns that are NaN (position, condition, deviation) are left out of their peaks.
- *  @param is_row  whether a row of the table stands here */
+ *  @param is_row  true if this instant is a row of the table */
 GOUGH_API void gough_summary_look(gough_summary *summary, const gough_machine *machine,
                                   const gough_row *row, bool is_row);
 /** Marks the last look as a corner: derivatives of the motion may jump there, and nothing is

@@ -1,5 +1,5 @@
 /** @file status.h
- *  What every function of the library returns: a status, a sentence if there was an error, and how a run ended.
+ *  Status of a call, the error as a sentence, and how a run ended.
  */
 #ifndef GOUGH_STATUS_H
 #define GOUGH_STATUS_H
@@ -23,9 +23,9 @@ GOUGH_API const char *gough_version(void);
 
 /** Status of a call. The values are the exit codes of the command. */
 typedef enum gough_status {
-    GOUGH_OK = 0, /**< done */
+    GOUGH_OK = 0, /**< success */
     GOUGH_ERROR_NUMERICAL =
-        1, /**< a limit, a singular pose, no convergence: what came before is valid */
+        1, /**< a limit, a singular pose, no convergence, no solution: earlier results are valid */
     GOUGH_ERROR_INPUT = 2, /**< the caller's numbers or text are invalid */
     GOUGH_ERROR_FILE = 3   /**< reading, writing or memory failed */
 } gough_status;
@@ -33,12 +33,12 @@ typedef enum gough_status {
 /** The error, as one sentence that the user can act on. The message is empty if there was no error. */
 typedef struct gough_error {
     gough_status status; /**< what the function returned */
-    char message[500];   /**< the sentence, without a line end */
+    char message[500];   /**< the sentence, UTF-8, terminated, without a line end */
     const char *
-        key; /**< the key of a study file that it is about, such as "load.mass", where the library knows it; else NULL */
+        key; /**< the key of a study file that it is about, such as "load.mass", if the library knows it; else NULL */
 } gough_error;
 
-/** Fills @p error (which may be NULL) with a printf-style sentence.
+/** Fills @p error (which may be NULL) with a printf-style sentence, as gough_sentence() formats it.
  *  @return @p status, so that a check reads `return gough_fail(error, …)`. Safe to call concurrently on distinct errors. */
 GOUGH_API gough_status gough_fail(gough_error *error, gough_status status, const char *format, ...)
 #if defined(__GNUC__)

@@ -60,12 +60,12 @@ typedef struct gough_study {
     bool dimensionless;          /**< units: dimensionless; else SI */
     gough_model *model;          /**< validated */
     gough_simulation simulation; /**< how to run it */
-    const gough_record *record;  /**< what was found in its recorded motion; NULL: it has none */
+    const gough_record *record;  /**< analysis of its recorded motion; NULL: it has none */
     bool swept;                  /**< true if it has a section `sweep`, see sweep.h */
     bool
-        noise_run_given; /**< it has disturbance.noise.run, be it 0: one noise for all runs of a sweep */
-    char *samples;       /**< path of its recorded motion; NULL: none */
-    void *memory_;       /**< private: samples, moves */
+        noise_run_given; /**< true if it has disturbance.noise.run, even 0: all runs of a sweep have the same noise */
+    char *samples; /**< path of its recorded motion; NULL: none */
+    void *memory_; /**< private: samples, moves */
 } gough_study;
 
 /** One override, as from `--set control.stiffness=50`. */
@@ -75,7 +75,7 @@ typedef struct gough_setting {
 } gough_setting;
 
 /** Opens a file for reading. It is a regular file or a descriptor of the process (`/dev/stdin`, `/dev/fd/3`); "-" is standard
- *  input, and is not to be closed. Folders, and pipes and devices by name, are refused: reading them might wait for ever.
+ *  input, which the caller must not close. Folders, and pipes and devices by name, are refused, because reading them may block.
  *  @return the descriptor; -1 with a sentence, GOUGH_ERROR_FILE */
 GOUGH_API int gough_open_input(const char *path, gough_error *error);
 

@@ -128,7 +128,7 @@ typedef struct gough_sweep_options {
     int threads;  /**< as in gough_batch_options */
     size_t first; /**< first run; 0: 1 */
     size_t last;  /**< last run; 0: all */
-    /** Called in the caller's thread some ten times a second with the number of finished runs; nonzero stops. May be NULL. */
+    /** Called in the caller's thread about ten times a second with the number of finished runs; nonzero stops. May be NULL. */
     int (*progress)(void *context, size_t done);
     void *context; /**< passed to progress */
 } gough_sweep_options;

@@ -1,6 +1,6 @@
 /** @file text.h
- *  Text that users write: the one grammar of decimal numbers, in study files, tables and on the command line, and how any text
- *  is shown in messages and summaries.
+ *  Text: the grammar of decimal numbers, common to study files, tables and the command line; UTF-8; and escapes that make any
+ *  text safe to print in messages and summaries.
  */
 #ifndef GOUGH_TEXT_H
 #define GOUGH_TEXT_H
@@ -22,8 +22,8 @@ extern "C" {
 GOUGH_API size_t gough_decimal_read(const char *text, size_t length, double *value);
 
 /** Reads one character of UTF-8.
- *  @param text,length  what is left of the text
- *  @param[out] code    of the character; may be NULL
+ *  @param text,length  the rest of the text
+ *  @param[out] code    code point of the character; may be NULL
  *  @return the number of bytes it takes; 0 if the text is empty or does not begin with valid UTF-8 (a character that is cut,
  *  overlong, a surrogate or beyond U+10FFFF). Safe to call concurrently. */
 GOUGH_API size_t gough_character_read(const char *text, size_t length, unsigned *code);
@@ -31,9 +31,9 @@ GOUGH_API size_t gough_character_read(const char *text, size_t length, unsigned 
 /** Characters of a terminated text. Bytes that are not UTF-8 count as one each where they could begin a character. */
 GOUGH_API size_t gough_character_count(const char *text);
 
-/** The name that a misspelt word probably means: the one that the fewest letters inserted, left out, replaced or swapped with their
- *  neighbour lead to, capital letters counting as small ones; of several the first. A third of the word and one letter more may
- *  differ, but not more than half of the longer of the two.
+/** The name that a misspelt word probably means: the nearest by number of letters inserted, left out, replaced or swapped with
+ *  their neighbour, ignoring case; the first of several. At most a third of the word plus one letter may differ, and at most half
+ *  of the longer of the two.
  *  @param word,length  need not be terminated
  *  @param names        terminated; each ends at its first space
  *  @return its index, or -1 if none is near enough. Safe to call concurrently. */
@@ -46,13 +46,13 @@ enum { GOUGH_SHOWN_CHARACTER = 12 };
 /** One character of a text in a form that is safe to show: printable characters as they are, and control characters, marks that
  *  change the direction of text, other characters without a glyph, and bytes that are not UTF-8 as escapes (\\x1b, \\u202e,
  *  \\U000e0041).
- *  @param text,length  what is left of the text, at least one byte
+ *  @param text,length  the rest of the text, at least one byte
  *  @param[out] shown   the character or its escape, terminated
  *  @return the number of bytes of @p text that it stands for, at least 1. Safe to call concurrently. */
 GOUGH_API size_t gough_character_show(const char *text, size_t length,
                                       char shown[GOUGH_SHOWN_CHARACTER]);
 
-/** A whole text in that form. What does not fit is left out at the end, never a part of a character or an escape.
+/** A whole text in that form. It is cut at the end if it does not fit, but never within a character or an escape.
  *  @param[out] shown  at most @p size bytes, terminated; may be NULL if @p size is 0
  *  @return the bytes that the whole form takes, without the terminating zero. Safe to call concurrently. */
 GOUGH_API size_t gough_text_show(const char *text, size_t length, char *shown, size_t size);

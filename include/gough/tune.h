@@ -1,6 +1,9 @@
 /** @file tune.h
  *  Choosing the feedback: the least stiffness G, the same in all legs, with which the nonlinear run stays within an accuracy, is
  *  stable and is clear of resonances, and the damping D that goes with it. Theory: docs/theory/tuning.md. In libgough-analyse.
+ *
+ *  Numbers are in the units of the model, angles in radians. Functions may be called from several threads at once; an error
+ *  argument may be NULL.
  */
 #ifndef GOUGH_TUNE_H
 #define GOUGH_TUNE_H
@@ -15,26 +18,31 @@ extern "C" {
 
 /** The request; start from gough_tuning_options_default(). */
 typedef struct gough_tuning_options {
-    double deviation;       /**< greatest distance of the top-frame origin from the program, > 0 */
-    double angle_deviation; /**< greatest angle from it, radians; INFINITY: any angle */
+    double
+        deviation; /**< greatest distance of the top frame's origin from the program allowed, > 0 */
+    double
+        angle_deviation; /**< greatest angle from the program allowed, radians; INFINITY: any angle */
     double
         damping_ratio; /**< D is chosen so that the least damped mode at home has this ratio, in [0, 1); NaN: keep the
                                  model's damping */
-    double margin; /**< no instability within this part of G below and above it, in [0, 0.5] */
+    double margin; /**< margin to instability below and above G, as a fraction of G, in [0, 0.5] */
     double
         least; /**< least G tried; 0: a quarter of the largest threshold at rest, or 1e-3 F/R_b if that is more,
                           F being the weight or the largest force that a leg has to bear */
     double
         greatest; /**< greatest G tried; INFINITY: 1e6 F/R_b, and further if that can help: up to 1e3 times the largest
-                          force over the deviation, and 1e2 times what inertia and damping amount to in an output step */
+                          force over the deviation, and 1e2 times the stiffness to which inertia and damping amount in an
+                          output step */
     int threads;  /**< of the runs; 0: one per processor that the process may use */
-    /** Called occasionally with the part done, from 0 to 1; nonzero stops. May be NULL. Meanwhile `stiffness` of the result is
-     *  the least G known to meet the deviation (0: none yet), and `fails` the greatest below it known not to (NaN: none). */
+    /** Called occasionally with the fraction of the work done, 0 … 1; nonzero stops. May be NULL. Meanwhile `stiffness` of the
+     *  result is the least G known to meet the deviation (0: none yet), and `fails` the greatest G below it known not to meet it
+     *  (NaN: none). */
     int (*progress)(void *context, double part);
-    void *context;              /**< passed to progress */
-    const char *length_unit;    /**< what follows a length in sentences, such as " m"; "": none */
-    const char *time_unit;      /**< what follows a time */
-    const char *stiffness_unit; /**< what follows a stiffness */
+    void *context; /**< passed to progress */
+    const char
+        *length_unit;      /**< unit printed after a length in sentences, such as " m"; "": none */
+    const char *time_unit; /**< unit printed after a time */
+    const char *stiffness_unit; /**< unit printed after a stiffness */
 } gough_tuning_options;
 
 /** A margin of 0.02, the model's damping, any angle, no units; `deviation` is 0 and must be set. */
@@ -42,13 +50,13 @@ GOUGH_API gough_tuning_options gough_tuning_options_default(void);
 
 /** A point of the curve: deviation against G. */
 typedef struct gough_tuning_point {
-    double stiffness;          /**< G */
-    double damping;            /**< D; NaN if no D gives the damping ratio; nothing is run then */
-    gough_cause cause;         /**< how the run ended; GOUGH_END_INVALID: not run */
-    int leg;                   /**< 1 … 6 if a leg is the cause, else 0 */
-    double end_time;           /**< when the run ended */
+    double stiffness;  /**< G */
+    double damping;    /**< D; NaN if no D gives the damping ratio: then this point was not run */
+    gough_cause cause; /**< how the run ended; GOUGH_END_INVALID: not run */
+    int leg;           /**< 1 … 6 if a leg is the cause, else 0 */
+    double end_time;   /**< time at which the run ended */
     double position_deviation; /**< largest distance from the program up to then */
-    double angle_deviation;    /**< largest angle */
+    double angle_deviation;    /**< largest angle from the program */
     double force;              /**< largest |leg force| */
     double speed;              /**< largest |leg rate| */
     double
@@ -56,19 +64,19 @@ typedef struct gough_tuning_point {
     bool stable;  /**< growth is at most 1 + 1e-7 */
     bool regular; /**< follows the trend, see gough_tuning.slope */
     bool
-        small_steps; /**< run with fixed steps of at most a hundredth of the output step, which end at each corner
-                                     of program and disturbance; so is every point 100 times off the trend */
+        small_steps; /**< computed with fixed steps of at most a hundredth of the output step, which end at each corner
+                                     of program and disturbance, as every point is that is 100 times off the trend */
     char mode[GOUGH_MODE_NAME]; /**< the mode that grows fastest or decays slowest */
 } gough_tuning_point;
 
-/** What keeps G from being smaller. */
+/** The requirement that keeps G from being smaller. */
 typedef enum gough_tuning_binding {
     GOUGH_TUNING_POSITION,  /**< the deviation of position */
     GOUGH_TUNING_ANGLE,     /**< the deviation of angle */
     GOUGH_TUNING_END,       /**< runs with a smaller G end early */
     GOUGH_TUNING_THRESHOLD, /**< within the margin below G, the loop is unstable at rest */
     GOUGH_TUNING_TONGUE,    /**< within the margin below G, the program's own motion pumps a mode */
-    GOUGH_TUNING_SEARCH     /**< nothing: G is the least of the search */
+    GOUGH_TUNING_SEARCH     /**< none: G is the least of the search */
 } gough_tuning_binding;
 
 /** "position", "angle", "end", "threshold", "tongue", "search". */
@@ -87,7 +95,7 @@ GOUGH_API const char *gough_tuning_exception_name(gough_tuning_exception_kind ki
 /** Neighbouring points that do not follow the trend. */
 typedef struct gough_tuning_exception {
     double from;                      /**< least G of them */
-    double to;                        /**< greatest */
+    double to;                        /**< greatest G of them */
     gough_tuning_exception_kind kind; /**< why */
     gough_cause cause;                /**< of early ends; else GOUGH_END_DONE */
     bool small_steps;                 /**< all of them were run with small steps */
@@ -106,23 +114,23 @@ typedef struct gough_tuning {
         damping; /**< D, rounded to nine digits; leg 1's if the model's damping differs between legs */
     double damping_ratio;   /**< of the least damped mode at home, with them */
     double deviation;       /**< largest distance from the program */
-    double deviation_time;  /**< when it occurs */
+    double deviation_time;  /**< time at which it occurs */
     double angle_deviation; /**< largest angle, radians */
-    double angle_time;      /**< when it occurs */
+    double angle_time;      /**< time at which it occurs */
     double fails;           /**< the greatest G below it that was found insufficient; NaN: none */
     gough_tuning_binding binding; /**< why it is insufficient */
     gough_cause cause;            /**< why runs with a smaller G end early, if that binds */
     gough_mode
         mode; /**< the mode that binds: the one with the largest part of the worst deviation, or the one that grows */
-    double mode_share;  /**< its part of that deviation; NaN if stability binds */
-    int leg;            /**< the leg that binds, 1 … 6: the one with the largest force */
-    double force;       /**< that force */
-    double force_share; /**< its part of the limit; NaN: no limit */
+    double mode_share;  /**< its share of that deviation; NaN if stability binds */
+    int leg;            /**< the leg with the largest force, 1 … 6 */
+    double force;       /**< that force, pushing or pulling */
+    double force_share; /**< share of the force limit used; NaN: no limit */
     double speed;       /**< largest |leg rate| of any leg */
-    double speed_share; /**< its part of the limit; NaN: no limit */
+    double speed_share; /**< share of the speed limit used; NaN: no limit */
     bool
         periodic; /**< true if stability was computed over a period of the program; else at rest only */
-    char unchecked[240];   /**< why at rest only, or empty */
+    char unchecked[240];   /**< why at rest only, as a sentence, or empty */
     double threshold;      /**< largest threshold of G at rest with feed-forward */
     gough_mode least_mode; /**< its mode */
     double slope; /**< d log deviation / d log G, least squares over regular points; NaN: too few */
@@ -130,10 +138,10 @@ typedef struct gough_tuning {
     size_t points;     /**< number of points of the curve, by rising G */
     size_t exceptions; /**< number of exceptions stored */
     gough_tuning_exception exception[GOUGH_TUNING_EXCEPTIONS]; /**< by rising G */
-    size_t runs;                                               /**< number of nonlinear runs */
+    size_t runs;                                               /**< number of simulations */
 } gough_tuning;
 
-/** Checks the options and computes the memory, aligned to 64, that gough_tune() needs.
+/** Checks the options and computes the size of the memory that gough_tune() needs, in bytes.
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT: an option out of its range, a period that the motion does not have;
  *  GOUGH_ERROR_NUMERICAL: a singular home pose. */
 GOUGH_API gough_status gough_tune_size(const gough_model *model,
@@ -144,7 +152,7 @@ GOUGH_API gough_status gough_tune_size(const gough_model *model,
  *
  *  Disturbances, initial state, program, duration and method are the model's; its stiffness is not used. Adaptive runs take the
  *  smaller of the tolerance given and 1e-4 of the deviation asked for; a fixed step is halved until it follows the fastest mode.
- *  Deviations are taken as often as that mode needs. Before a G is named, a run with steps of a hundredth of the output step must
+ *  Deviations are taken as often as that mode needs. Before a G is reported, a run with steps of a hundredth of the output step must
  *  confirm it; if it does not, the search is repeated with such steps. The resulting G meets the accuracy; a G smaller by 1e-4 of
  *  it does not, nor does any smaller G that was tried, 20 in each decade. Values that meet it but are unstable are skipped.
  *  @param feedforward  whether program forces are fed forward; the model's own choice is not used
@@ -153,7 +161,7 @@ GOUGH_API gough_status gough_tune_size(const gough_model *model,
  *  @param memory       gough_tune_size() bytes, aligned to 64; nothing else is allocated
  *  @return GOUGH_OK, even if none is found; GOUGH_ERROR_INPUT: an option out of its range, a search that stays below the
  *  threshold of a home pose which needs feedback, a period that the motion does not have; GOUGH_ERROR_NUMERICAL: a singular home
- *  pose, or stopped. Not more than GOUGH_TUNING_POINTS points and a million steps a run. Thread-safe. */
+ *  pose, or stopped. At most GOUGH_TUNING_POINTS points, and a million steps in each run. */
 GOUGH_API gough_status gough_tune(const gough_model *model, const gough_simulation *simulation,
                                   bool feedforward, const gough_tuning_options *options,
                                   gough_tuning_point *point, gough_tuning *tuning, void *memory,
@@ -163,7 +171,7 @@ GOUGH_API gough_status gough_tune(const gough_model *model, const gough_simulati
  *  @param model      with the wanted G; its damping is ignored. Without feed-forward, home is where the loop rests
  *  @param ratio      in [0, 1)
  *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL: home is singular or, with this G, unstable, so no damping helps;
- *  GOUGH_ERROR_INPUT: a ratio out of its range. Exact up to rounding of the eigenvalues. Allocates nothing. Thread-safe. */
+ *  GOUGH_ERROR_INPUT: a ratio out of its range. Exact up to rounding of the eigenvalues. Allocates nothing. */
 GOUGH_API gough_status gough_damping_for_ratio(const gough_model *model, double ratio,
                                                double *damping, gough_error *error);
 

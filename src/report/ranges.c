@@ -143,7 +143,8 @@ static scaled_range scaled(range r, double noise, bool pad) {
 scaled_range panel_ordinate(const panel *p) {
     if (p->mapped)
         return (scaled_range){cell_range(p->map.y, p->map.rows, p->map.logarithmic_y), 0};
-    const range r = range_of_lines(p);
+    range r = range_of_lines(p);
+    if (p->logarithmic && r.low < p->least) r.low = p->least;
     return p->logarithmic ? (scaled_range){whole_decades(r), 0} : scaled(r, p->noise, true);
 }
 

@@ -21,7 +21,8 @@ enum {
     BUCKETS = 700, /* of a thinned line: finer than a pixel of a panel */
     MARGIN_LEFT = 64,
     MARGIN_RIGHT = 26,
-    NOTE_HEIGHT = 18, /* of a note below the title */
+    NOTE_HEIGHT = 18, /* of a line of a note below the title */
+    NOTE_LINES = 3,
     TITLE_HEIGHT = 34,
     KEY_LINE = 18,
     KEY_TEXT = 60,   /* characters of a table's name */
@@ -91,8 +92,28 @@ static void lay_out_margins(const sheet *s, const ranges *r, layout *l) {
     }
 }
 
-/* Whether the note is too long to stand beside the title, and has a line of its own. */
+static bool headed(const sheet *s) { return s->title[0] != '\0' || s->note[0] != '\0'; }
+
+/* Whether the note is too long to stand beside the title, and has lines of its own. */
 static bool note_below(const sheet *s) { return strlen(s->note) > 30 && s->title[0] != '\0'; }
+
+/* Characters of a line of the note: small text takes 0.54 of its size for each at most, on average. */
+static size_t note_room(const layout *l) {
+    return (size_t)((l->width - l->left - MARGIN_RIGHT) / (0.54 * SMALL_TEXT));
+}
+
+static int note_lines(const sheet *s, const layout *l) {
+    const char *rest = s->note;
+    int lines = 0;
+    for (; *rest != '\0' && lines < NOTE_LINES; lines++) rest += sheet_line(rest, note_room(l));
+    return lines;
+}
+
+/* Lines of the note below the line of the title. */
+static int lines_below(const sheet *s, const layout *l) {
+    const int lines = note_lines(s, l);
+    return note_below(s) || lines == 0 ? lines : lines - 1;
+}
 
 static layout lay_out(const sheet *s, const ranges *r) {
     layout l = {0};
@@ -102,8 +123,8 @@ static layout lay_out(const sheet *s, const ranges *r) {
     lay_out_margins(s, r, &l);
     l.panel_width = room - l.left - l.right;
     l.width = s->columns * room;
-    l.top = s->title[0] != '\0' || s->note[0] != '\0' ? TITLE_HEIGHT : 8;
-    if (note_below(s)) l.top += NOTE_HEIGHT;
+    l.top = headed(s) ? TITLE_HEIGHT : 8;
+    l.top += NOTE_HEIGHT * lines_below(s, &l);
     if (s->common_key) {
         int entries = 0;
         size_t longest = 1;
@@ -208,6 +229,28 @@ void sheet_write_terminal(FILE *file, sheet_format format, int width, int height
                 width / 100.0, height / 100.0, size);
 }
 
+/* The note, beside the title if it is short, else in lines below; the last one is cut if they are too many. */
+static void write_note(const drawing *pen) {
+    const bool below = note_below(pen->sheet);
+    const size_t room = note_room(&pen->layout);
+    const int lines = note_lines(pen->sheet, &pen->layout);
+    const char *rest = pen->sheet->note;
+    for (int i = 0; i < lines; i++) {
+        char line[SHEET_NOTE], quoted[2 * SHEET_NOTE];
+        const size_t taken = i + 1 < lines ? sheet_line(rest, room) : strlen(rest);
+        snprintf(line, sizeof line, "%.*s", (int)taken, rest);
+        sheet_quote(quoted, sizeof quoted, line, room);
+        fprintf(pen->file,
+                "set label %d '%s' at screen %.6f,screen %.6f %s noenhanced font ',%.4g' textcolor "
+                "rgb '%s'\n",
+                3 + i, quoted,
+                screen_x(pen, below ? pen->layout.left : pen->layout.width - MARGIN_RIGHT),
+                screen_y(pen, 22 + NOTE_HEIGHT * (i + below)), below ? "left" : "right",
+                font_size(pen, SMALL_TEXT), alarm);
+        rest += taken;
+    }
+}
+
 /* What all panels share, and the title. */
 static void write_frame(const drawing *pen) {
     FILE *file = pen->file;
@@ -222,14 +265,7 @@ static void write_frame(const drawing *pen) {
             "set label 1 '%s' at screen %.6f,screen %.6f left noenhanced font 'DejaVu "
             "Sans:Bold,%.4g' textcolor rgb 'black'\n",
             quoted, screen_x(pen, pen->layout.left), screen_y(pen, 22), font_size(pen, TITLE_TEXT));
-    const bool below = note_below(pen->sheet);
-    sheet_quote(quoted, sizeof quoted, pen->sheet->note, 110);
-    fprintf(file,
-            "set label 3 '%s' at screen %.6f,screen %.6f %s noenhanced font ',%.4g' textcolor "
-            "rgb '%s'\n",
-            quoted, screen_x(pen, below ? pen->layout.left : pen->layout.width - MARGIN_RIGHT),
-            screen_y(pen, below ? 22 + NOTE_HEIGHT : 22), below ? "left" : "right",
-            font_size(pen, SMALL_TEXT), alarm);
+    write_note(pen);
 }
 
 static void write_line_style(FILE *file, const series *line) {
@@ -251,6 +287,7 @@ static void write_line_style(FILE *file, const series *line) {
 /* The key stands beside the heading of each panel, or once under the title. */
 static void write_key(const drawing *pen, int number) {
     const double size = font_size(pen, SMALL_TEXT);
+    const int below = NOTE_HEIGHT * lines_below(pen->sheet, &pen->layout);
     if (!pen->sheet->common_key)
         fprintf(pen->file,
                 "set key at graph 1,graph 1 right bottom horizontal Left reverse samplen 1.3 "
@@ -261,7 +298,7 @@ static void write_key(const drawing *pen, int number) {
                 "set key at screen %.6f,screen %.6f left top horizontal Left reverse samplen 1.8 "
                 "width 1 maxcols %d font ',%.4g'\n",
                 screen_x(pen, pen->layout.left),
-                screen_y(pen, pen->sheet->title[0] != '\0' ? TITLE_HEIGHT + 4 : 8),
+                screen_y(pen, below + (headed(pen->sheet) ? TITLE_HEIGHT + 4 : 8)),
                 pen->layout.key_columns, size);
     else
         fprintf(pen->file, "unset key\n");

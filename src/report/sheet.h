@@ -8,6 +8,7 @@ enum {
     SHEET_PANELS = 24,
     SHEET_SERIES = 64, /* in one panel */
     SHEET_TEXT = 160,
+    SHEET_NOTE = 420, /* an end's whole sentence */
     SHEET_ARRAYS = 512
 };
 
@@ -38,6 +39,7 @@ typedef struct panel {
     char unit[32];            /* as in the table: "m/s2"; "" or "1": none */
     bool logarithmic;
     double noise; /* of the numbers, in the unit: what is smaller means nothing; 0: not known */
+    double least; /* a logarithmic axis begins no lower; 0: wherever the numbers do */
     int count;
     series series[SHEET_SERIES];
     bool mapped; /* `map` is drawn, and no series */
@@ -46,7 +48,7 @@ typedef struct panel {
 
 typedef struct sheet {
     char title[SHEET_TEXT];
-    char note[SHEET_TEXT];     /* small, at the right of the title: how the run ended */
+    char note[SHEET_NOTE];     /* small, beside or below the title: how the run ended */
     char abscissa[SHEET_TEXT]; /* name and unit of the abscissa */
     bool logarithmic_abscissa;
     bool common_key; /* one key for all panels, above them */
@@ -112,6 +114,10 @@ size_t sheet_thin(const double *x, const double *y, size_t count, size_t buckets
 /* Text as gnuplot may have it between single quotes: apostrophes become typographic ones (gnuplot takes a doubled quote at
  * the beginning of a string for its end), control characters and broken UTF-8 are replaced; cut to @p characters. */
 void sheet_quote(char *quoted, size_t size, const char *text, size_t characters);
+
+/* Bytes of the first line of a text that is broken at spaces into lines of at most that many characters; a longer word is a line of
+ * its own. The line's last space belongs to it. */
+size_t sheet_line(const char *text, size_t characters);
 
 /* "m/s2" with a power of 1000 as a label: " (mm/s²)", " (10⁻⁶ °)"; power is the exponent of 1000. */
 void sheet_unit_label(char *label, size_t size, const char *unit, int power);

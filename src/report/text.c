@@ -38,6 +38,17 @@ void sheet_quote(char *quoted, size_t size, const char *text, size_t characters)
     quoted[used] = '\0';
 }
 
+size_t sheet_line(const char *text, size_t characters) {
+    size_t fitting = 0, count = 0, at = 0;
+    for (; text[at] != '\0'; at++) {
+        const bool begins = ((unsigned char)text[at] & 0xC0u) != 0x80u;
+        if (begins && count++ >= characters && text[at] != ' ' && fitting > 0) return fitting;
+        if (text[at] == ' ') fitting = at + 1;
+        if (text[at] == ' ' && count > characters) return fitting;
+    }
+    return at;
+}
+
 static void append(char *label, size_t size, const char *text) {
     const size_t used = strlen(label);
     snprintf(label + used, size - used, "%s", text);

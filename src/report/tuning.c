@@ -1,5 +1,5 @@
-/* Figure of gough tune: deviation against the stiffness G, with and without feed-forward, what was asked and what is named, and the
- * leg force that goes with it. */
+/* Figure of gough tune: deviation against the stiffness G, with and without feed-forward, the accuracy asked for, the G chosen, and
+ * the leg force that goes with it. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -85,7 +85,28 @@ static void add_asked(builder *b, panel *p, size_t t) {
         x[1] = fmax(x[1], G[r]);
     }
     y[0] = y[1] = asked[0];
-    set_points(add_series(b, p, "asked", -1), 2, x, y);
+    set_points(add_series(b, p, "accuracy asked for", -1), 2, x, y);
+}
+
+/* The axis of deviations ends four decades below the accuracy asked for, where a curve of errors of the run would take up most of the
+ * panel. The note says what that leaves out. */
+static void limit_axis(builder *b, panel *p) {
+    static const double decades_below = 4;
+    const double *asked = builder_column(b, 0, "asked");
+    if (b->status != GOUGH_OK || b->tables[0]->rows == 0 || !(asked[0] > 0)) return;
+    const double floor_of_axis = pow(10.0, floor(log10(asked[0])) - decades_below);
+    double least = INFINITY;
+    for (int i = 0; i < p->count; i++)
+        for (size_t k = 0; k < p->series[i].count; k++)
+            if (p->series[i].y[k] > 0) least = fmin(least, p->series[i].y[k]);
+    if (!(least < floor_of_axis)) return;
+    p->least = floor_of_axis;
+    const char *unit = builder_unit(b, "position_deviation");
+    const bool bare = unit[0] == '\0' || strcmp(unit, "1") == 0;
+    if (b->sheet->note[0] == '\0')
+        snprintf(b->sheet->note, sizeof b->sheet->note,
+                 "deviations below %.0e%s%s are not drawn; the least is %.1e%s%s", floor_of_axis,
+                 bare ? "" : " ", bare ? "" : unit, least, bare ? "" : " ", bare ? "" : unit);
 }
 
 static void add_curve(builder *b, panel *deviation, panel *force, const curve *c, const char *label,
@@ -99,7 +120,12 @@ static void add_curve(builder *b, panel *deviation, panel *force, const curve *c
     }
     set_points(add_series(b, force, "", colour), c->count, c->G, c->force);
     if (c->named == 0) return;
-    line = add_series(b, deviation, first ? "named" : "", colour);
+    char chosen[SHEET_TEXT];
+    const char *unit = builder_unit(b, "G");
+    const bool bare = unit[0] == '\0' || strcmp(unit, "1") == 0;
+    snprintf(chosen, sizeof chosen, "chosen G = %.6g%s%.20s", c->named_G[0], bare ? "" : " ",
+             bare ? "" : unit);
+    line = add_series(b, deviation, chosen, colour);
     if (line != NULL) line->mark = true;
     set_points(line, c->named, c->named_G, c->named_deviation);
     line = add_series(b, force, "", colour);
@@ -133,5 +159,6 @@ void builder_fill_tuning(builder *b) {
             colour++;
         }
     }
+    if (deviation != NULL && colour > 0) limit_axis(b, deviation);
     if (force != NULL && colour == 0) s->count = 0;
 }

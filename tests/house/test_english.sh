@@ -65,6 +65,33 @@ cat >"$phrases" <<'END'
 \bare none to be had\b
 \bwhere (it|they) (is|are) none\b
 \bwhen memory is\b
+\bwanted motion\b
+\bgoes nowhere\b
+\bis there twice\b
+\bcomes? on top\b
+\bfeels? \S+ least\b
+\ba row each\b
+\bless draws it\b
+\bstays? for ever\b
+\bmakes? no valid\b
+\bends only itself\b
+\bwhat binds\b
+\bis differenced\b
+\bthe move before it\b
+\bseen from the (base|top)\b
+\bleft out here\b
+\bceases to be\b
+\bsome ten\b
+\bwould do\b
+\btake a longer one\b
+\bas (its keys|the study) (say|gives? it)\b
+\bdo not tell\b
+\bis what holds\b
+\bdeviations? goe?s? as\b
+\bthe most possible\b
+\bthe words (used here|mean)\b
+\bwhat (it|they) contains?\b
+\bnot quite known\b
 END
 banned() { # banned NAME: the lines on standard input, as `line:text`, that contain a phrase
     NAME=$1 PHRASES=$phrases perl -Mopen=:std,:utf8 -ne '

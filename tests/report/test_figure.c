@@ -254,6 +254,63 @@ START_TEST(an_early_end_is_told) {
 }
 END_TEST
 
+START_TEST(a_long_note_takes_several_lines) {
+    static const char message[] =
+        "legs 1, 2, 3, 4 and 5 get shorter than their least length 1.17851667 m from t = 7.0605083 "
+        "to 8.12345678 s; limits are exceeded 1234 times";
+    gough_table *run = run_table(101, 0.2);
+    free(run->end_cause);
+    free(run->end_message);
+    run->end_cause = strdup("leg_short");
+    run->end_message = strdup(message);
+    run->end_time = 7.06;
+    const gough_table *table = run;
+    const gough_figure figure = gough_figure_default();
+    char *text = svg_of(&figure, &table, NULL, 1), word[40];
+    for (const char *at = message; *at != '\0'; at += strspn(at, " ")) {
+        snprintf(word, sizeof word, "%.*s", (int)strcspn(at, " "), at);
+        ck_assert_msg(strstr(text, word) != NULL, "'%s' is cut off", word);
+        at += strcspn(at, " ");
+    }
+    ck_assert(strstr(text, "…") == NULL);
+    free(text);
+    gough_table_free(run);
+}
+END_TEST
+
+/* The curve of a run without errors to correct, far below the accuracy. */
+START_TEST(tuning_says_which_deviations_it_leaves_out) {
+    static const char *const name[] = {
+        "feedforward", "G", "position_deviation", "asked", "named", "force", "ended", "stable"};
+    enum { ROWS = 4, COLUMNS = sizeof name / sizeof name[0] };
+    gough_table *curve = gough_table_new("Curve", "tune", COLUMNS, ROWS);
+    for (size_t c = 0; c < COLUMNS; c++) {
+        double *value = gough_table_name(curve, c, name[c], c == 1 ? "N/m" : c == 2 ? "m" : "1");
+        for (size_t r = 0; r < ROWS; r++)
+            value[r] = c == 1   ? 100.0 * (double)(r + 1)
+                       : c == 2 ? 3e-11 / (double)(r + 1)
+                       : c == 3 ? 1e-4
+                       : c == 4 ? r == ROWS - 1
+                                : c != 6;
+    }
+    const gough_table *table = curve;
+    gough_figure figure = gough_figure_default();
+    figure.kind = "tuning";
+    char *text = svg_of(&figure, &table, NULL, 1);
+    ck_assert(strstr(text, "deviations below 1e-08 m are not drawn; the least is") != NULL);
+    ck_assert(strstr(text, "accuracy asked for") != NULL);
+    ck_assert(strstr(text, "chosen G = 400 N/m") != NULL);
+    free(text);
+
+    double *deviation = curve->value[2]; /* no lower than four decades below it: all are drawn */
+    for (size_t r = 0; r < ROWS; r++) deviation[r] = 2e-8 * (double)(r + 1);
+    text = svg_of(&figure, &table, NULL, 1);
+    ck_assert(strstr(text, "not drawn") == NULL);
+    free(text);
+    gough_table_free(curve);
+}
+END_TEST
+
 START_TEST(long_tables_stay_small_files) {
     char folder[PATH_SIZE], path[PATH_SIZE];
     make_folder(folder);
@@ -473,7 +530,8 @@ int main(void) {
         "report/figure", 200, every_kind_is_drawn, the_kind_is_chosen_by_the_table,
         every_format_is_complete_and_the_same_each_time, a_comma_locale_changes_no_byte,
         legs_that_coincide_are_one_line, tables_are_compared_by_their_labels,
-        fonts_of_an_svg_have_substitutes, an_early_end_is_told, long_tables_stay_small_files,
+        fonts_of_an_svg_have_substitutes, an_early_end_is_told, a_long_note_takes_several_lines,
+        tuning_says_which_deviations_it_leaves_out, long_tables_stay_small_files,
         study_text_runs_nothing, columns_of_other_hands_are_drawn_by_their_names,
         wrong_wishes_are_answered_with_what_would_be_right, files_that_cannot_be_written_are_named,
         a_missing_or_failing_gnuplot_is_told, nothing_is_left_behind, any_numbers_are_drawn);

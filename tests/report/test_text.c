@@ -50,6 +50,18 @@ START_TEST(long_text_is_cut_at_a_character) {
 }
 END_TEST
 
+START_TEST(lines_break_at_spaces) {
+    ck_assert_uint_eq(sheet_line("a few words", 11), 11);
+    ck_assert_uint_eq(sheet_line("a few words", 10), 6);
+    ck_assert_uint_eq(sheet_line("a few words", 5), 6); /* the space belongs to the line */
+    ck_assert_uint_eq(sheet_line("a few words", 4), 2);
+    ck_assert_uint_eq(sheet_line("indivisible word", 4), 12);
+    ck_assert_uint_eq(sheet_line("Höhe über Null", 9),
+                      strlen("Höhe über ")); /* characters, not bytes */
+    ck_assert_uint_eq(sheet_line("", 4), 0);
+}
+END_TEST
+
 static void expect_unit(const char *unit, int power, const char *label) {
     char found[48];
     sheet_unit_label(found, sizeof found, unit, power);
@@ -79,5 +91,5 @@ int main(void) {
     return SUITE_RUN("report/text", 10, no_quote_is_left,
                      line_ends_and_control_characters_are_replaced,
                      broken_utf8_is_replaced_and_sound_utf8_kept, long_text_is_cut_at_a_character,
-                     units_take_prefixes_and_superscripts);
+                     lines_break_at_spaces, units_take_prefixes_and_superscripts);
 }
