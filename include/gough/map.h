@@ -63,8 +63,8 @@ typedef struct gough_map_point {
     double growth; /**< largest |μ|: growth per period; NaN if the program is at rest */
     double rate;   /**< ln(growth)/T; at rest the largest Re λ */
     char mode
-        [GOUGH_MODE_NAME]; /**< the mode that grows fastest or decays slowest: "heave", "sway–tilt" …; "" if deviations neither grow nor decay */
-    bool stable;           /**< no |μ| over 1 + 1e-7; at rest no Re λ over 1e-7 √(g/R_b) */
+        [GOUGH_MODE_NAME]; /**< the mode that grows fastest or decays slowest: "heave", "sway–tilt" …; "": neither */
+    bool stable; /**< no |μ| over 1 + 1e-7; at rest no Re λ over 1e-7 √(g/R_b) */
 } gough_map_point;
 
 /** Why a mode grows in an interval of stiffness. */

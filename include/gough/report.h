@@ -34,7 +34,7 @@ GOUGH_API const char *const *gough_figure_kinds(void);
  *  the others. Kind "gain" draws columns G and position_deviation, and draws rings where the column `ended`, if present, is 1.
  *  @param labels  name of each table in the key; NULL, or one of them NULL: its title
  *  @return GOUGH_OK, GOUGH_ERROR_INPUT (unknown extension, kind or column; the message suggests the nearest) or GOUGH_ERROR_FILE
- *  (gnuplot is missing or failed, the folder does not exist, the disk is full). Text from the tables is never executed by gnuplot. */
+ *  (gnuplot is missing or failed, the folder does not exist, the disk is full). gnuplot never executes text of the tables. */
 GOUGH_API gough_status gough_figure_draw(const gough_figure *figure,
                                          const gough_table *const *tables,
                                          const char *const *labels, size_t table_count,

@@ -90,7 +90,7 @@ GOUGH_API gough_status gough_table_read(const char *path, gough_table **table, g
 /** Frees a table; NULL is allowed. */
 GOUGH_API void gough_table_free(gough_table *table);
 
-/** A table of zeros with unnamed columns; the caller fills it. Its tolerance, step and end are unknown. Free it with gough_table_free().
+/** A table of zeros with unnamed columns, without tolerance, step and end; the caller fills it. Free it with gough_table_free().
  *  @return NULL if out of memory. */
 GOUGH_API gough_table *gough_table_new(const char *title, const char *verb, size_t columns,
                                        size_t rows);

@@ -152,9 +152,10 @@ GOUGH_API gough_status gough_tune_size(const gough_model *model,
  *
  *  Disturbances, initial state, program, duration and method are the model's; its stiffness is not used. Adaptive runs take the
  *  smaller of the tolerance given and 1e-4 of the deviation asked for; a fixed step is halved until it follows the fastest mode.
- *  Deviations are taken as often as that mode needs. Before a G is reported, a run with steps of a hundredth of the output step must
- *  confirm it; if it does not, the search is repeated with such steps. The resulting G meets the accuracy; a G smaller by 1e-4 of
- *  it does not, nor does any smaller G that was tried, 20 in each decade. Values that meet it but are unstable are skipped.
+ *  Deviations are taken as often as that mode needs. Before a G is reported, a run with steps of a hundredth of the output step
+ *  must confirm it; if it does not, the search is repeated with such steps. The resulting G meets the accuracy; a G smaller
+ *  by 1e-4 of it does not, nor does any smaller G that was tried, 20 in each decade. Unstable values that meet it are
+ *  skipped.
  *  @param feedforward  whether program forces are fed forward; the model's own choice is not used
  *  @param[out] point   GOUGH_TUNING_POINTS of them, the curve
  *  @param[out] tuning  `found` is false if no G meets the request, with the reason

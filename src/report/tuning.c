@@ -88,7 +88,7 @@ static void add_asked(builder *b, panel *p, size_t t) {
     set_points(add_series(b, p, "accuracy asked for", -1), 2, x, y);
 }
 
-/* The axis of deviations ends four decades below the accuracy asked for, where a curve of errors of the run would take up most of the
+/* The axis of deviations ends four decades below the accuracy asked for: a curve of errors of the run would take up most of the
  * panel. The note says what that leaves out. */
 static void limit_axis(builder *b, panel *p) {
     static const double decades_below = 4;
