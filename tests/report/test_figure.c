@@ -265,7 +265,8 @@ START_TEST(a_long_note_takes_several_lines) {
     run->end_message = strdup(message);
     run->end_time = 7.06;
     const gough_table *table = run;
-    const gough_figure figure = gough_figure_default();
+    gough_figure figure = gough_figure_default();
+    figure.kind = "forces";
     char *text = svg_of(&figure, &table, NULL, 1), word[40];
     for (const char *at = message; *at != '\0'; at += strspn(at, " ")) {
         snprintf(word, sizeof word, "%.*s", (int)strcspn(at, " "), at);
