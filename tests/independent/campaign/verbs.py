@@ -14,6 +14,7 @@ PEAKS = 1e-6  # what peaks and integrals of the motion may be off, of the larges
 
 
 DRIFT = Skip("round-off of the constraints: only that it is small is checked")
+EFFORT = Skip("steps and evaluations of the stepper, which the independent computation does not have")
 SENTENCE = Skip("a sentence; its numbers are read where it is printed")
 
 
@@ -254,7 +255,9 @@ def summary_lines(meaning, units, simulated, title):
     if simulated:
         text += ["deviation at most {position .4 length} and {angle .4 angle} from the program",
                  "drift at most {drift .2} (violation of the constraints before projection)"]
-    return known + [Line(x, u) for x in text]
+    effort = [Line("steps {steps}" + rejected + "; {evaluations} evaluations of the equations of motion", u, True)
+              for rejected in ("", ", and {rejected} rejected") if simulated]
+    return known + [Line(x, u) for x in text] + effort
 
 
 def rows_lines(units):
@@ -322,7 +325,7 @@ class Run:
                         "limit": limits.sentence_facts(self.end).get("end_limit")},
                 "legs": [self.leg_json(leg) for leg in self.legs],
                 "condition": Q(self.condition, None, self.condition_slack),
-                "deviation": {"position": None, "angle": None}, "drift": None, "limits": limits.json(self)}
+                "deviation": {"position": None, "angle": None}, "drift": None, "statistics": None, "limits": limits.json(self)}
 
     def limit_lines(self, units):
         return limits.lines(self, units)
@@ -537,4 +540,4 @@ class Simulate(Run):
 
     def json(self):
         position, angle = self.deviation()
-        return super().json() | {"deviation": {"position": position, "angle": angle}, "drift": DRIFT}
+        return super().json() | {"deviation": {"position": position, "angle": angle}, "drift": DRIFT, "statistics": EFFORT}
