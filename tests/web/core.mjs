@@ -121,12 +121,29 @@ for (const method of ["rk4", "dop853", "rattle4"]) {
   }
 }
 
+// a record that passes a pitch of 90 degrees at 2 degrees, Rx(2 degrees) Ry(θ), where it is interpolated about turned axes
+const steep = ["t,roll,pitch,yaw"];
+for (let i = 0; i <= 24; i++) {
+  const angle = (50 * Math.PI * (1 - Math.cos((Math.PI * i) / 24))) / 180, tilt = (2 * Math.PI) / 180;
+  const [c, s, C, S] = [Math.cos(angle), Math.sin(angle), Math.cos(tilt), Math.sin(tilt)];
+  const triple = [Math.atan2(S, C * c), Math.asin(C * s), Math.atan2(S * s, c)];
+  steep.push([i / 4, ...triple.map((radians) => (radians * 180) / Math.PI)].join(","));
+}
+writeFileSync(join(SCRATCH, "steep.csv"), steep.join("\n") + "\n");
+
+test("a steep record is interpolated about turned axes", () => {
+  const file = write(machine + "motion: {samples: steep.csv}\n" + held + stepped("dop853", 5));
+  const check = JSON.parse(execFileSync(GOUGH, ["check", file, "--json", "-q"], { stdio: "pipe" }));
+  assert.equal(check.program.record.turned, true);
+});
+
 // Here sine, exponential and the like, of two libraries; angles in radians, relative to what is above 1 in the column.
 for (const [name, text] of Object.entries({
   "waves, rk4": waves + held + stepped("rk4"),
   "waves, dop853": waves + held + stepped("dop853"),
   "waves larger and faster": waves.replace("}", ", amplitude: 0.7, frequency: 1.3}") + held + stepped("dop853"),
   "noise": noise + held + stepped("dop853"),
+  "recorded about turned axes": "motion: {samples: steep.csv}\n" + held + stepped("dop853", 5),
   "adaptive": waves + held + "simulation: {duration: 6, output_step: 0.1, tolerance: 1e-10}\n",
 })) {
   test(`within 1e-12 of the command: ${name}`, async () => {
