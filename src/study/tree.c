@@ -73,7 +73,9 @@ study_node *study_node_follow(const study_node *root, const char *path, const ch
     for (*rest = path; **rest;) {
         char name[40];
         const size_t length = strcspn(*rest, ".");
-        snprintf(name, sizeof name, "%.*s", (int)length, *rest);
+        if (length >= sizeof name) break; /* longer than any key */
+        memcpy(name, *rest, length);
+        name[length] = '\0';
         study_node *child = study_node_child(node ? node : root, name);
         if (!child) break;
         node = child;

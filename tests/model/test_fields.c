@@ -2,19 +2,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "gough/fields.h"
-#include "gough/simulate.h"
 #include "gough/text.h"
+#include "support/fields.h"
 #include "support/suite.h"
 
-static size_t size_of(const gough_place *place) {
-    static const size_t size[] = {[GOUGH_KIND_NUMBER] = sizeof(double),
-                                  [GOUGH_KIND_FORMULA] = sizeof(gough_formula),
-                                  [GOUGH_KIND_FLAG] = sizeof(bool),
-                                  [GOUGH_KIND_CHOICE] = sizeof(int),
-                                  [GOUGH_KIND_WHOLE] = sizeof(uint64_t)};
-    return place->count * size[place->kind];
-}
+static size_t size_of(const gough_place *place) { return place->count * field_value_size(place); }
 
 /* From `start` to before `end` of a struct there is no input: pointers of the caller, numbers derived from the input. */
 typedef struct {

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "support/fields.h"
 #include "support/machines.h"
 #include "support/suite.h"
 
@@ -133,56 +134,25 @@ static gough_model *recorded_model(gough_simulation *s, double store[14 * ROWS])
 
 /* ---- the same back ---- */
 
-static void same_formula(const gough_formula *a, const gough_formula *b) {
-    ck_assert_int_eq(a->count, b->count);
-    for (int i = 0; i < a->count; i++) {
-        ck_assert_int_eq(a->operation[i].code, b->operation[i].code);
-        ck_assert_int_eq(a->operation[i].constant, b->operation[i].constant);
-        ck_assert(a->operation[i].value == b->operation[i].value);
-    }
-}
-
 static void same_fields(const gough_model *a, const gough_model *b) {
     const gough_motion *m = &a->motion, *n = &b->motion;
+    const char *differs = field_differs(GOUGH_OWNER_MODEL, a, b);
 
+    ck_assert_msg(differs == NULL, "%s", differs);
     ck_assert(memcmp(&a->machine, &b->machine, sizeof a->machine) == 0);
-    ck_assert(m->kind == n->kind && m->period == n->period && m->angle_unit == n->angle_unit);
-    ck_assert(m->scaled == n->scaled && m->amplitude == n->amplitude);
-    ck_assert(m->frequency == n->frequency && memcmp(m->about, n->about, sizeof m->about) == 0);
-    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
-        same_formula(&m->formula[c], &n->formula[c]);
-        ck_assert(a->initial.given[c] == b->initial.given[c]);
-        ck_assert(a->initial.component[c] == b->initial.component[c]);
-    }
     ck_assert(m->moves == n->moves && m->samples.count == n->samples.count);
-    ck_assert(memcmp(m->samples.axes, n->samples.axes, sizeof m->samples.axes) == 0);
+    for (size_t i = 0; i < m->moves; i++) {
+        differs = field_differs(GOUGH_OWNER_MOVE, &m->move[i], &n->move[i]);
+        ck_assert_msg(differs == NULL, "%s", differs);
+    }
     for (size_t i = 0; i < m->samples.count * 6; i++)
         ck_assert(m->samples.curvature[i] == n->samples.curvature[i]);
-
-    ck_assert(a->control.feedforward == b->control.feedforward);
-    for (int v = 0; v < GOUGH_LEGS; v++) {
-        ck_assert(a->control.stiffness[v] == b->control.stiffness[v]);
-        ck_assert(a->control.damping[v] == b->control.damping[v]);
-        same_formula(&a->disturbance.leg_force[v], &b->disturbance.leg_force[v]);
-    }
-    same_formula(&a->disturbance.vertical_force, &b->disturbance.vertical_force);
-    for (int c = 0; c < 3; c++) {
-        same_formula(&a->disturbance.force[c], &b->disturbance.force[c]);
-        same_formula(&a->disturbance.moment[c], &b->disturbance.moment[c]);
-        ck_assert(a->initial.velocity[c] == b->initial.velocity[c]);
-        ck_assert(a->initial.angular_velocity[c] == b->initial.angular_velocity[c]);
-    }
-    ck_assert(memcmp(&a->disturbance.noise, &b->disturbance.noise, sizeof(gough_noise)) == 0);
-    ck_assert(a->initial.velocity_given == b->initial.velocity_given);
-    ck_assert(a->initial.angular_velocity_given == b->initial.angular_velocity_given);
 }
 
 static void same_options(const gough_simulation *a, const gough_simulation *b) {
-    ck_assert(a->duration == b->duration && a->output_step == b->output_step);
-    ck_assert(a->method == b->method && a->step == b->step && a->tolerance == b->tolerance);
-    ck_assert(a->constraints == b->constraints && a->precision == b->precision);
-    ck_assert(a->baumgarte[0] == b->baumgarte[0] && a->baumgarte[1] == b->baumgarte[1]);
-    ck_assert(a->reactions == b->reactions);
+    const char *differs = field_differs(GOUGH_OWNER_SIMULATION, a, b);
+
+    ck_assert_msg(differs == NULL, "%s", differs);
 }
 
 typedef struct {
