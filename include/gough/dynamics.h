@@ -99,7 +99,7 @@ GOUGH_API gough_status gough_conditioning(const gough_machine *machine, const go
  *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if the condition exceeds GOUGH_GREATEST_CONDITION or a force is not finite;
  *          GOUGH_ERROR_INPUT if the matrix of the state is not a rotation. Use @p force only if the status is GOUGH_OK.
  *
- *  Limits of the legs are not checked. The relative error of the forces is about 1e-16 times the condition number. */
+ *  Limits of the legs are not checked. The forces have a relative error below 3e-14 times the condition number. */
 GOUGH_API gough_status gough_inverse_dynamics(const gough_machine *machine,
                                               const gough_state *state,
                                               const gough_acceleration *acceleration,
@@ -139,8 +139,10 @@ GOUGH_API gough_status gough_reactions(const gough_machine *machine, const gough
  *  its own F^p, l^p and l̇^p.
  *  @param control         stiffness G and damping D of each leg; without feed-forward, F^p is taken as 0
  *  @param program_force   F^p, such as from gough_inverse_dynamics(); read only with feed-forward, else it may be NULL
- *  @param program_length  l^p, and @p program_rate l̇^p, of the commanded motion
- *  @param length          l, and @p rate l̇, as measured
+ *  @param program_length  l^p of the commanded motion
+ *  @param program_rate    l̇^p of the commanded motion
+ *  @param length          l, as measured
+ *  @param rate            l̇, as measured
  *  @param[out] force      six leg forces; a push is positive. May be the same array as any input
  *
  *  Nothing is limited: saturation and limits of the legs are the caller's. A leg with a NaN in its inputs gets NaN, the others
