@@ -3,6 +3,7 @@
 #include "gough/sweep.h"
 
 #include "result/by_hand.h"
+#include "result/sweep_identity.h"
 #include "support/suite.h"
 
 static const char study[] = "units: dimensionless\n"
@@ -247,8 +248,25 @@ START_TEST(without_a_path_there_is_a_summary) {
 }
 END_TEST
 
+/* Else the column of a swept key would claim to have no dimension. */
+START_TEST(the_unit_of_every_key_has_a_label) {
+    size_t keys, units = 0;
+    const gough_key *key = gough_study_keys(&keys);
+    for (size_t i = 0; i < keys; i++) {
+        const bool degrees = strstr(key[i].unit, "[degrees]") != NULL;
+        if (key[i].unit[0] == '\0' || strcmp(key[i].unit, "as KEY") == 0) continue;
+        ck_assert_msg(strcmp(sweep_unit_label(key[i].unit, false), "1") != 0, "%s: %s", key[i].path,
+                      key[i].unit);
+        ck_assert_msg(degrees == (strncmp(sweep_unit_label(key[i].unit, true), "deg", 3) == 0),
+                      "%s: %s", key[i].path, key[i].unit);
+        units++;
+    }
+    ck_assert_uint_gt(units, 50);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("result/sweep", 120, damaged_shards_are_refused, parts_of_any_length_go_on,
                      forged_shards_are_refused, parts_are_tied_to_plan_and_numbers,
-                     without_a_path_there_is_a_summary);
+                     without_a_path_there_is_a_summary, the_unit_of_every_key_has_a_label);
 }
