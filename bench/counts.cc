@@ -79,14 +79,14 @@ counting hypot(counting x, counting y) { return counting(std::hypot(x.v, y.v)); 
 #define double counting
 #include "bench/kernels.h"
 #include "integrate/rk4.h"
-#include "simulate/stage.h"
+#include "system/system.h"
 
 static tally since(const tally &before) {
     return tally{counted.add_multiply - before.add_multiply, counted.divide - before.divide,
                  counted.root - before.root, counted.compare - before.compare};
 }
 
-static void hold(run *, real) {}
+static void hold(struct system *, real) {}
 
 static kernel_flops flops(const tally &t) {
     return kernel_flops{t.add_multiply, t.divide, t.root, t.compare};
@@ -94,31 +94,31 @@ static kernel_flops flops(const tally &t) {
 
 // the layout of a reference is that of the C program: a counting double is a double
 extern "C" int kernels_count(const reference *ref, kernel_counts *counts) {
-    static run r;
+    static struct system r;
     static gough_simulation options;
-    run_lane lane = {};
+    system_lane lane = {};
     lane.machine = &ref->model.machine;
     lane.control = &ref->model.control;
     lane.disturbance = &ref->model.disturbance;
-    number y[STATE], rate[STATE], raw[STATE], wrench[1][6];
+    number y[STATE_SIZE], rate[STATE_SIZE], raw[STATE_SIZE], wrench[1][6];
     rattle_state s;
-    instant m;
+    signals m;
     legs g;
 
     options.constraints = GOUGH_PROJECTION;
-    run_begin(&r, &ref->model.motion, &options, &lane);
-    run_stage(&r, 5);
-    r.replay = hold;
+    system_begin(&r, &ref->model.motion, &options, &lane);
+    system_wanted(&r, 5);
+    r.provide = hold;
     coordinates x = r.now.x[0], v = r.now.x[1];
     const vector none = {number_of(0), number_of(0), number_of(0)};
     coordinates_store(&x, y);
     coordinates_store(&v, y + COORDINATES);
 
     tally before = counted;
-    run_rates(&r, 5, y, rate);
+    system_rates(&r, 5, y, rate);
     counts->right_hand_side = flops(since(before));
 
-    run_instant(&r, 5, y, &m);
+    system_signals(&r, 5, y, &m);
     before = counted;
     legs_at(&r.h, &m.x, &g);
     required_wrench(&r.h, &m.x, &m.rate, &m.acceleration, none, none, wrench[0]);
@@ -127,13 +127,13 @@ extern "C" int kernels_count(const reference *ref, kernel_counts *counts) {
 
     // a step with the rate at its beginning, and the constraints kept at its end
     before = counted;
-    run_rates(&r, 5, y, rate);
-    rk4_step(run_rates, &r, STATE, 5, 0.001, y, rate, raw);
+    system_rates(&r, 5, y, rate);
+    rk4_step(system_rates, &r, r.states, 5, 0.001, y, rate, raw);
     x = coordinates_load(raw), v = coordinates_load(raw + COORDINATES);
     coordinates_project(&x, &v);
     counts->rk4_step = flops(since(before));
 
-    const rattle rule = {&r.h.load, run_wrench, &r, 0};
+    const rattle rule = {&r.h.load, system_wrench, &r, 0};
     s.x = x;
     s.velocity = v.rho;
     s.omega = none;

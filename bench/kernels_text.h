@@ -2,7 +2,7 @@
 #include "bench/kernels.h"
 #include "integrate/dop853.h"
 #include "integrate/rk4.h"
-#include "simulate/stage.h"
+#include "system/system.h"
 
 /* states that the kernels are called on in turn */
 enum { STATES = 4 };
@@ -10,9 +10,9 @@ enum { STATES = 4 };
 static const double kernel_step_length = 0.001;
 
 typedef struct {
-    run r;
+    struct system r;
     gough_simulation options;
-    number y[STATES][STATE], rate[STATES][STATE];
+    number y[STATES][STATE_SIZE], rate[STATES][STATE_SIZE];
     coordinates x[STATES], velocity[STATES], acceleration[STATES];
     number u[STATES][LEGS], back[STATES][LEGS];
     dop853 work;
@@ -20,25 +20,25 @@ typedef struct {
 } kernel;
 
 /* a stage is as good as any other: the program is timed by itself */
-static void hold(run *r, real t) {
+static void hold(struct system *r, real t) {
     (void)r;
     (void)t;
 }
 
 static void begin(void *memory, const reference *ref) {
     kernel *k = memory;
-    run_lane lane[NUMBER_WIDTH];
-    instant m;
+    system_lane lane[NUMBER_WIDTH];
+    signals m;
 
     k->options = gough_simulation_default();
     for (int i = 0; i < NUMBER_WIDTH; i++) {
-        lane[i] = (run_lane){.machine = &ref->model.machine,
-                             .control = &ref->model.control,
-                             .disturbance = &ref->model.disturbance};
+        lane[i] = (system_lane){.machine = &ref->model.machine,
+                                .control = &ref->model.control,
+                                .disturbance = &ref->model.disturbance};
     }
-    run_begin(&k->r, &ref->model.motion, &k->options, lane);
-    (void)run_stage(&k->r, 5);
-    k->r.replay = hold;
+    system_begin(&k->r, &ref->model.motion, &k->options, lane);
+    (void)system_wanted(&k->r, 5);
+    k->r.provide = hold;
 
     for (int s = 0; s < STATES; s++) {
         coordinates x = k->r.now.x[0], v = k->r.now.x[1];
@@ -50,11 +50,11 @@ static void begin(void *memory, const reference *ref) {
         coordinates_project(&x, &v);
         coordinates_store(&x, k->y[s]);
         coordinates_store(&v, k->y[s] + COORDINATES);
-        run_instant(&k->r, 5, k->y[s], &m);
+        system_signals(&k->r, 5, k->y[s], &m);
         k->x[s] = m.x;
         k->velocity[s] = m.rate;
         k->acceleration[s] = m.acceleration;
-        for (int v2 = 0; v2 < LEGS; v2++) k->u[s][v2] = m.u[v2];
+        for (int v2 = 0; v2 < LEGS; v2++) k->u[s][v2] = m.force[v2];
     }
     for (int i = 0; i < 8; i++) k->bits[i] = k->out[i] = number_of(1.5 + i);
 }
@@ -63,7 +63,7 @@ static void right_hand_side(void *memory) {
     kernel *k = memory;
 
     for (int c = 0; c < KERNEL_CALLS; c++) {
-        run_rates(&k->r, 5, k->y[c % STATES], k->rate[c % STATES]);
+        system_rates(&k->r, 5, k->y[c % STATES], k->rate[c % STATES]);
     }
 }
 
@@ -111,11 +111,11 @@ static inline void keep(const number *raw, number *y) {
 static void kernel_rk4_step(void *memory) {
     kernel *k = memory;
     const real h = kernel_step_length;
-    number raw[STATE];
+    number raw[STATE_SIZE];
 
     for (int c = 0; c < KERNEL_CALLS; c++) {
-        run_rates(&k->r, 5, k->y[0], k->rate[0]);
-        rk4_step(run_rates, &k->r, STATE, 5 + c * h, h, k->y[0], k->rate[0], raw);
+        system_rates(&k->r, 5, k->y[0], k->rate[0]);
+        rk4_step(system_rates, &k->r, STATE_SIZE, 5 + c * h, h, k->y[0], k->rate[0], raw);
         keep(raw, k->y[0]);
     }
 }
@@ -123,18 +123,18 @@ static void kernel_rk4_step(void *memory) {
 static void kernel_dop853_step(void *memory) {
     kernel *k = memory;
     const real h = kernel_step_length;
-    number raw[STATE];
+    number raw[STATE_SIZE];
 
     for (int c = 0; c < KERNEL_CALLS; c++) {
-        run_rates(&k->r, 5, k->y[0], k->work.slope[0]);
-        dop853_step(&k->work, run_rates, &k->r, STATE, 5 + c * h, h, k->y[0], raw);
+        system_rates(&k->r, 5, k->y[0], k->work.slope[0]);
+        dop853_step(&k->work, system_rates, &k->r, STATE_SIZE, 5 + c * h, h, k->y[0], raw);
         keep(raw, k->y[0]);
     }
 }
 
 static void kernel_rattle2_step(void *memory) {
     kernel *k = memory;
-    const rattle rule = {&k->r.h.load, run_wrench, &k->r, 0};
+    const rattle rule = {&k->r.h.load, system_wrench, &k->r, 0};
     const coordinates rate = coordinates_load(k->y[1] + COORDINATES);
     rattle_state s;
 
@@ -151,7 +151,7 @@ static void kernel_rattle2_step(void *memory) {
 static void program(void *memory) {
     kernel *k = memory;
 
-    for (int c = 0; c < KERNEL_CALLS; c++) run_evaluate(&k->r, 5 + c * 0.01, &k->r.now);
+    for (int c = 0; c < KERNEL_CALLS; c++) wanted_evaluate(&k->r, 5 + c * 0.01, &k->r.now);
 }
 
 static void divide(void *memory) {

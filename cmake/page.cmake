@@ -11,7 +11,7 @@ file(GLOB GOUGH_PAGE_CORE_SOURCES CONFIGURE_DEPENDS web/core/*.c
     src/base/*.c src/kernel/*.c src/model/*.c src/dynamics/*.c src/integrate/*.c src/simulate/*.c)
 list(FILTER GOUGH_PAGE_CORE_SOURCES EXCLUDE REGEX "(_quad|_complex|crew|version|(simulate_double|ahead)[^/]*)\\.c$")
 file(GLOB GOUGH_PAGE_CORE_HEADERS CONFIGURE_DEPENDS web/core/*.h include/gough/*.h
-    src/base/*.h src/kernel/*.h src/model/*.h src/dynamics/*.h src/integrate/*.h src/simulate/*.h)
+    src/base/*.h src/kernel/*.h src/model/*.h src/dynamics/*.h src/integrate/*.h src/system/*.h src/simulate/*.h)
 
 # -Os is about as fast here as -O3, and a quarter smaller. Numbers beyond the integers saturate rather than trap. The stack of a
 # module is 64 KiB unless told; runs keep their steps on it. No entry: the page calls what web/core/live.h names.

@@ -100,7 +100,7 @@ static void fill_defects(const monodromy *m, const spectrum *s, gough_floquet *f
 static gough_status go_round(monodromy *m, gough_state *state, gough_error *error) {
     gough_acceleration acceleration;
     gough_status status;
-    double y[LINEAR_STATE];
+    double y[MOTION];
 
     if (m->loop.control->feedforward) {
         gough_program(m->loop.machine, m->loop.motion, m->start, state, &acceleration);

@@ -2,6 +2,7 @@
 #ifndef GOUGH_ANALYSE_LINEAR_H
 #define GOUGH_ANALYSE_LINEAR_H
 
+#include "dynamics/layout.h"
 #include "gough/analyse.h"
 
 /* A closed loop without disturbances. */
@@ -10,9 +11,6 @@ typedef struct {
     const gough_motion *motion;
     const gough_control *control;
 } linear_loop;
-
-/* numbers of a state as a stepper sees it: (ρ, i, j, k) and rates */
-enum { LINEAR_STATE = 24 };
 
 typedef double linear_matrix[GOUGH_LINEAR][GOUGH_LINEAR];
 
@@ -30,8 +28,8 @@ struct linear_complex {
                                  double acceleration[6], double force[GOUGH_LEGS]);
 
     /* rates of (ρ, i, j, k) and their rates, and (stab-13) there */
-    const char *(*flow)(const linear_loop *loop, double t, const double y[LINEAR_STATE],
-                        double rate[LINEAR_STATE], linear_matrix matrix);
+    const char *(*flow)(const linear_loop *loop, double t, const double y[MOTION],
+                        double rate[MOTION], linear_matrix matrix);
 };
 
 extern const struct linear_complex linear_complex;

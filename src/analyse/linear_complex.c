@@ -4,17 +4,17 @@
 #define NUMBER_COMPLEX
 #include "analyse/linear.h"
 
-#include "simulate/stage.h"
+#include "system/system.h"
 
 /* far below the rounding of any real part, far above the least double */
 static const double imaginary_step = 1e-30;
 
 static const gough_disturbance undisturbed;
 
-static void begin(run *r, const linear_loop *loop, const gough_simulation *options) {
-    const run_lane lane = {loop->machine, loop->control, &undisturbed, 0};
+static void begin(struct system *r, const linear_loop *loop, const gough_simulation *options) {
+    const system_lane lane = {loop->machine, loop->control, &undisturbed, 0};
 
-    run_begin(r, loop->motion, options, &lane);
+    system_begin(r, loop->motion, options, &lane);
 }
 
 static gough_simulation unstabilised(void) {
@@ -69,19 +69,19 @@ static void displace(int direction, coordinates *x, coordinates *rate) {
 }
 
 /* (stab-13): δṙ = δv, δθ̇ = δω + ω × δθ, and δv̇, δω̇ from the equations of motion */
-static void column(run *r, double t, coordinates x, coordinates rate, int direction,
+static void column(struct system *r, double t, coordinates x, coordinates rate, int direction,
                    linear_matrix matrix) {
     const vector omega = triad_angular_velocity(&x.q, &rate.q);
     const vector unit = unit_vector(direction % 3), none = {0, 0, 0};
     const int kind = direction / 3;
     const vector turning = kind == 1 ? cross(omega, unit) : kind == 3 ? unit : none;
-    number y[STATE], change[STATE], out[GOUGH_LINEAR];
+    number y[STATE_SIZE], change[STATE_SIZE], out[GOUGH_LINEAR];
     coordinates a;
 
     displace(direction, &x, &rate);
     coordinates_store(&x, y);
     coordinates_store(&rate, y + COORDINATES);
-    run_rates(r, t, y, change);
+    system_rates(r, t, y, change);
     a = coordinates_load(change + COORDINATES);
 
     vector_store(kind == 2 ? unit : none, out);
@@ -91,7 +91,7 @@ static void column(run *r, double t, coordinates x, coordinates rate, int direct
     for (int i = 0; i < GOUGH_LINEAR; i++) matrix[i][direction] = creal(out[i]);
 }
 
-static void columns(run *r, double t, const coordinates *x, const coordinates *rate,
+static void columns(struct system *r, double t, const coordinates *x, const coordinates *rate,
                     linear_matrix matrix) {
     for (int direction = 0; direction < GOUGH_LINEAR; direction++)
         column(r, t, *x, *rate, direction, matrix);
@@ -100,12 +100,12 @@ static void columns(run *r, double t, const coordinates *x, const coordinates *r
 static const char *complex_matrix(const linear_loop *loop, double t, const gough_state *state,
                                   linear_matrix matrix) {
     const gough_simulation options = unstabilised();
-    run r;
+    struct system r;
     coordinates x, rate;
 
     begin(&r, loop, &options);
     if (state == NULL) {
-        const stage *s = run_stage(&r, t);
+        const wanted *s = system_wanted(&r, t);
         x = s->x[0], rate = s->x[1];
     } else {
         state_of_top(&r.h, state, &x, &rate);
@@ -117,11 +117,11 @@ static const char *complex_matrix(const linear_loop *loop, double t, const gough
 static const char *complex_along(const linear_loop *loop, const double *t, size_t count,
                                  linear_matrix *matrix) {
     const gough_simulation options = unstabilised();
-    run r;
+    struct system r;
 
     begin(&r, loop, &options);
     for (size_t k = 0; k < count && r.fault.what == NULL; k++) {
-        const stage *s = run_stage(&r, t[k]);
+        const wanted *s = system_wanted(&r, t[k]);
         const coordinates x = s->x[0], rate = s->x[1];
         columns(&r, t[k], &x, &rate, matrix[k]);
     }
@@ -132,34 +132,34 @@ static const char *complex_accelerations(const linear_loop *loop, double t,
                                          const gough_state *state, double acceleration[6],
                                          double force[GOUGH_LEGS]) {
     const gough_simulation options = unstabilised();
-    number y[STATE], out[6];
+    number y[STATE_SIZE], out[6];
     coordinates x, rate;
-    instant m;
-    run r;
+    signals m;
+    struct system r;
 
     begin(&r, loop, &options);
     state_of_top(&r.h, state, &x, &rate);
     coordinates_store(&x, y);
     coordinates_store(&rate, y + COORDINATES);
-    run_instant(&r, t, y, &m);
+    system_signals(&r, t, y, &m);
     vector_store(m.acceleration.rho, out);
     vector_store(angular_velocity_of(&x, &m.acceleration), out + 3);
     for (int i = 0; i < 6; i++) acceleration[i] = creal(out[i]);
-    for (int v = 0; v < LEGS; v++) force[v] = creal(m.u[v]);
+    for (int v = 0; v < LEGS; v++) force[v] = creal(m.force[v]);
     return r.fault.what;
 }
 
-static const char *complex_flow(const linear_loop *loop, double t, const double y[LINEAR_STATE],
-                                double rate[LINEAR_STATE], linear_matrix matrix) {
+static const char *complex_flow(const linear_loop *loop, double t, const double y[MOTION],
+                                double rate[MOTION], linear_matrix matrix) {
     const gough_simulation options = unstabilised();
-    number z[STATE], change[STATE];
+    number z[STATE_SIZE], change[STATE_SIZE];
     coordinates x, v;
-    run r;
+    struct system r;
 
     begin(&r, loop, &options);
-    for (int i = 0; i < STATE; i++) z[i] = y[i];
-    run_rates(&r, t, z, change);
-    for (int i = 0; i < STATE; i++) rate[i] = creal(change[i]);
+    for (int i = 0; i < r.states; i++) z[i] = y[i];
+    system_rates(&r, t, z, change);
+    for (int i = 0; i < r.states; i++) rate[i] = creal(change[i]);
     x = coordinates_load(z);
     v = coordinates_load(z + COORDINATES);
     columns(&r, t, &x, &v, matrix);

@@ -27,7 +27,7 @@ typedef struct {
 
     /* the motion itself, where it is not the program */
     bool moving;
-    double y[LINEAR_STATE], rate[LINEAR_STATE], size[LINEAR_STATE];
+    double y[MOTION], rate[MOTION], size[MOTION];
 
     double side;                        /* of the singular surface, as the sign of a determinant */
     linear_matrix stage[DOP853_STAGES]; /* A at the stages of the step, in units of m */
@@ -93,7 +93,7 @@ void monodromy_product(const monodromy *m, double product[MONODROMY_SIZE]) {
 /* ---- states ---- */
 
 void monodromy_unfold(const gough_machine *machine, const gough_state *state,
-                      double y[LINEAR_STATE]) {
+                      double y[MOTION]) {
     const vector none = {0, 0, 0};
     const double(*r)[3] = state->rotation;
     const triad R = {
@@ -108,7 +108,7 @@ void monodromy_unfold(const gough_machine *machine, const gough_state *state,
     coordinates_store(&rate, y + COORDINATES);
 }
 
-void monodromy_fold(const gough_machine *machine, const double y[LINEAR_STATE],
+void monodromy_fold(const gough_machine *machine, const double y[MOTION],
                     gough_state *state) {
     const coordinates x = coordinates_load(y), rate = coordinates_load(y + COORDINATES);
     hexapod h;
@@ -168,8 +168,8 @@ static double stages_of_program(passage *p, double h) {
 static double stages_of_motion(passage *p, double h, double *after) {
     memcpy(p->work.slope[0], p->rate, sizeof p->rate);
     p->row = 1;
-    dop853_step(&p->work, motion_rates, p, LINEAR_STATE, p->t, h, p->y, after);
-    return dop853_error(&p->work, LINEAR_STATE, h, p->y, after, p->size, p->m->tolerance);
+    dop853_step(&p->work, motion_rates, p, MOTION, p->t, h, p->y, after);
+    return dop853_error(&p->work, MOTION, h, p->y, after, p->size, p->m->tolerance);
 }
 
 /* Tries a step; returns its error over the tolerance. */
@@ -276,7 +276,7 @@ static gough_status stuck(const passage *p, gough_error *error) {
 typedef struct {
     passage *p;
     double end;                                  /* of the part */
-    double phi[MONODROMY_SIZE], y[LINEAR_STATE]; /* at the end of the step being tried */
+    double phi[MONODROMY_SIZE], y[MOTION]; /* at the end of the step being tried */
     double step,
         count; /* its length, and how many such steps the rest of the part is divided into */
     gough_status status;
@@ -359,7 +359,7 @@ gough_status monodromy_of_program(monodromy *m, gough_error *error) {
     return go_round(&p, error);
 }
 
-gough_status monodromy_of_motion(monodromy *m, double y[LINEAR_STATE], gough_error *error) {
+gough_status monodromy_of_motion(monodromy *m, double y[MOTION], gough_error *error) {
     passage p = {.m = m, .t = m->start, .moving = true};
     gough_status status;
 

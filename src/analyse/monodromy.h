@@ -27,7 +27,7 @@ void monodromy_begin(monodromy *m, const gough_model *model, const gough_period 
 gough_status monodromy_of_program(monodromy *m, gough_error *error);
 
 /* The same about the motion that begins in y, which is then where the motion is a period later. */
-gough_status monodromy_of_motion(monodromy *m, double y[LINEAR_STATE], gough_error *error);
+gough_status monodromy_of_motion(monodromy *m, double y[MOTION], gough_error *error);
 
 /* The product of all factors, columns one after the other, in the units of m. */
 void monodromy_product(const monodromy *m, double product[MONODROMY_SIZE]);
@@ -37,7 +37,7 @@ void monodromy_multiply(const double *a, const double *b, double *c);
 
 /* Between the state of a top and (ρ, i, j, k) with rates. */
 void monodromy_unfold(const gough_machine *machine, const gough_state *state,
-                      double y[LINEAR_STATE]);
-void monodromy_fold(const gough_machine *machine, const double y[LINEAR_STATE], gough_state *state);
+                      double y[MOTION]);
+void monodromy_fold(const gough_machine *machine, const double y[MOTION], gough_state *state);
 
 #endif

@@ -38,7 +38,7 @@ static vector turned(vector theta, vector e) {
 }
 
 /* the state y changed by ξ */
-static void change(const double y[LINEAR_STATE], const double xi[N], double out[LINEAR_STATE]) {
+static void change(const double y[MOTION], const double xi[N], double out[MOTION]) {
     coordinates x = coordinates_load(y), rate = coordinates_load(y + COORDINATES);
     const vector theta = vector_load(xi + 3);
     const vector omega = add(triad_angular_velocity(&x.q, &rate.q), vector_load(xi + 9));
@@ -52,8 +52,8 @@ static void change(const double y[LINEAR_STATE], const double xi[N], double out[
 }
 
 /* ξ from y to z, in the units of m; of the rotation between them, its axis times the sine of its angle */
-static void difference(const monodromy *m, const double y[LINEAR_STATE],
-                       const double z[LINEAR_STATE], double xi[N]) {
+static void difference(const monodromy *m, const double y[MOTION],
+                       const double z[MOTION], double xi[N]) {
     const coordinates x = coordinates_load(y), rate = coordinates_load(y + COORDINATES);
     const coordinates u = coordinates_load(z), other = coordinates_load(z + COORDINATES);
     const vector turn = add(add(cross(x.q.i, u.q.i), cross(x.q.j, u.q.j)), cross(x.q.k, u.q.k));
@@ -66,9 +66,9 @@ static void difference(const monodromy *m, const double y[LINEAR_STATE],
 }
 
 /* one way round from y: what is missing to closure; false where the way ends before */
-static bool go_round(monodromy *m, const double y[LINEAR_STATE], double missing[N],
+static bool go_round(monodromy *m, const double y[MOTION], double missing[N],
                      gough_error *error) {
-    double after[LINEAR_STATE];
+    double after[MOTION];
 
     memcpy(after, y, sizeof after);
     if (monodromy_of_motion(m, after, error) != GOUGH_OK) return false;
@@ -91,7 +91,7 @@ static double newton_step(const monodromy *m, const double missing[N], double xi
 }
 
 /* Newton's method from y, each step shorter than the one before it; whether it came to a motion that closes */
-static bool close_motion(monodromy *m, double y[LINEAR_STATE], gough_error *error) {
+static bool close_motion(monodromy *m, double y[MOTION], gough_error *error) {
     double missing[N], xi[N], before = farthest / shrinks;
 
     for (int step = 0; step < MOST_STEPS; step++) {
@@ -120,9 +120,9 @@ static gough_control eased(const monodromy *m, const gough_control *asked, doubl
 }
 
 /* from eased legs to those asked for, in steps half as long where they fail; y begins at the program */
-static bool ease(monodromy *m, const gough_control *asked, double y[LINEAR_STATE]) {
+static bool ease(monodromy *m, const gough_control *asked, double y[MOTION]) {
     const double tolerance = m->tolerance;
-    double held = 1, share = 1, begin[LINEAR_STATE];
+    double held = 1, share = 1, begin[MOTION];
     bool found = false;
     gough_error why;
 
@@ -147,7 +147,7 @@ static bool ease(monodromy *m, const gough_control *asked, double y[LINEAR_STATE
     return found && !(held > 0);
 }
 
-gough_status orbit_find(monodromy *m, double y[LINEAR_STATE], gough_error *error) {
+gough_status orbit_find(monodromy *m, double y[MOTION], gough_error *error) {
     const gough_control *asked = m->loop.control;
     gough_acceleration acceleration;
     gough_error why = {.message = ""};

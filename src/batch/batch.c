@@ -7,9 +7,9 @@
 
 #include "base/crew.h"
 #include "batch/width.h"
+#include "integrate/fixed.h"
 #include "model/appointments.h"
 #include "simulate/ahead.h"
-#include "integrate/fixed.h"
 #include "simulate/simulate.h"
 
 /* groups that a thread walks together; steps of a block; records of its tape: at most 18 stages a step */

@@ -1,7 +1,7 @@
 /* What one lane does alone: groups of a single run, beginnings and ends as in gough_simulate(), recorded stages, adaptive runs. */
 #define NUMBER_DOUBLE
 #include "batch/group.h"
-#include "simulate/drive.h"
+#include "simulate/forward.h"
 
 const struct batch_width batch_width_1 = {1, (sizeof(group) + 63) / 64 * 64, group_begin,
                                           group_advance, group_finish};
@@ -91,18 +91,18 @@ void batch_alone(const batch_job *job, size_t which) {
 
 /* ---- beginnings and ends ---- */
 
-int batch_start(const batch_job *job, size_t which, double state[STATE], double side[2]) {
+int batch_start(const batch_job *job, size_t which, double state[STATE_SIZE], double side[2]) {
     const simulate_parts parts = parts_of(job, which);
     gough_end end = {.cause = GOUGH_END_DONE};
     listener l;
-    drive d;
+    forward d;
 
     listen_begin(&l, job, which);
-    drive_open(&d, &parts, job->simulation, listen, &l, &end);
-    drive_start(&d);
+    forward_open(&d, &parts, job->simulation, listen, &l, &end);
+    forward_start(&d);
     d.side = (limits_side){1, 1};
-    const gough_status status = drive_begin(&d);
-    for (int i = 0; i < STATE; i++) state[i] = d.y[i];
+    const gough_status status = forward_begin(&d);
+    for (int i = 0; i < d.r.states; i++) state[i] = d.y[i];
     side[0] = d.side.pose;
     side[1] = d.side.program;
     if (status == GOUGH_OK) return 1;
@@ -110,18 +110,18 @@ int batch_start(const batch_job *job, size_t which, double state[STATE], double 
     return 0;
 }
 
-/* a look at the moment that ends a run, as drive_rows() takes one */
-static void look_at_end(drive *d, real until, batch_step *step) {
-    number y[STATE];
-    instant m;
+/* a look at the moment that ends a run, as forward_rows() takes one */
+static void look_at_end(forward *d, real until, batch_step *step) {
+    number y[STATE_SIZE];
+    signals m;
 
     step->until = until;
     step->looked = until > d->m.t0;
     if (!step->looked) return;
-    for (int i = 0; i < STATE; i++) y[i] = d->y[i];
-    if (until < d->t) drive_inside(d, (until - d->m.t0) / d->m.h, y);
-    const stage *s = run_whole_stage(&d->r, until);
-    run_instant(&d->r, until, y, &m);
+    for (int i = 0; i < d->r.states; i++) y[i] = d->y[i];
+    if (until < d->t) forward_inside(d, (until - d->m.t0) / d->m.h, y);
+    const wanted *s = system_whole(&d->r, until);
+    system_signals(&d->r, until, y, &m);
     looks_fill(s, &m, onto(&d->r.h.axes, d->r.h.center), step->look);
     for (int c = 0; c < LOOKS_COLUMNS; c++) step->looked &= isfinite(step->look[c]) != 0;
 }
@@ -131,21 +131,21 @@ int batch_locate(const batch_job *job, size_t which, batch_step *step) {
     gough_outcome *out = &job->outcomes[which];
     gough_end end = {.cause = GOUGH_END_DONE};
     real until;
-    drive d;
+    forward d;
 
-    drive_open(&d, &parts, job->simulation, NULL, NULL, &end);
+    forward_open(&d, &parts, job->simulation, NULL, NULL, &end);
     d.side = (limits_side){step->side[0], step->side[1]};
     d.m.t0 = step->t0;
     d.t = step->t;
     d.m.h = step->h;
     d.row = d.rows = 0;
     d.drift = 0;
-    for (int i = 0; i < STATE; i++) {
+    for (int i = 0; i < d.r.states; i++) {
         d.y0[i] = step->y0[i];
         d.rate0[i] = step->rate0[i];
         d.raw[i] = step->raw[i];
     }
-    if (drive_check(&d, step->residual, &until) == GOUGH_OK) return 0;
+    if (forward_check(&d, step->residual, &until) == GOUGH_OK) return 0;
     look_at_end(&d, until, step);
     out->cause = end.cause;
     out->leg = end.leg;
@@ -153,7 +153,7 @@ int batch_locate(const batch_job *job, size_t which, batch_step *step) {
     return 1;
 }
 
-void batch_last_row(const batch_job *job, size_t which, const double state[STATE]) {
+void batch_last_row(const batch_job *job, size_t which, const double state[STATE_SIZE]) {
     gough_outcome *out = &job->outcomes[which];
     const coordinates x = coordinates_load(state), rate = coordinates_load(state + COORDINATES);
     real value[GOUGH_COLUMNS];
@@ -173,20 +173,20 @@ void batch_last_row(const batch_job *job, size_t which, const double state[STATE
 /* ---- recorded stages ---- */
 
 static void record_stage(stage_tape *tape, double t, tape_record *record) {
-    run *r = tape->recorder;
+    struct system *r = tape->recorder;
     jet component[GOUGH_COMPONENTS];
-    stage s;
+    wanted s;
 
     record->time = t;
-    run_components(r, t, component);
+    wanted_components(r, t, component);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         record->component[c][0] = component[c].v;
         record->component[c][1] = component[c].d;
         record->component[c][2] = component[c].dd;
     }
-    run_program(r, component, &s);
-    record->vertical = r->share ? run_vertical(r, t) : 0;
-    if (tape->machine_shared && r->solves) run_program_forces(r, record->vertical, &s);
+    wanted_program(r, component, &s);
+    record->vertical = r->share ? wanted_vertical(r, t) : 0;
+    if (tape->machine_shared && r->solves) wanted_forces(r, record->vertical, &s);
     for (int v = 0; v < LEGS; v++) {
         record->force[v] = s.force[v];
         record->length[v] = s.program.length[v];
@@ -196,20 +196,20 @@ static void record_stage(stage_tape *tape, double t, tape_record *record) {
     coordinates_store(&s.x[0], record->pose);
     record->determinant = s.singularity.determinant;
     record->pivot_ratio = s.singularity.pivot_ratio;
-    run_disturbances(r, t, &s);
+    wanted_disturb(r, t, &s);
     for (int v = 0; v < LEGS; v++) record->leg[v] = s.force[v];
     vector_store(s.push, record->push);
     vector_store(s.turn, record->turn);
 }
 
-size_t batch_recorder_size(void) { return (sizeof(run) + 63) / 64 * 64; }
+size_t batch_recorder_size(void) { return (sizeof(struct system) + 63) / 64 * 64; }
 
 void batch_recorder_begin(stage_tape *tape, const batch_job *job, void *recorder) {
-    run *r = recorder;
+    struct system *r = recorder;
     const gough_batch_run *one = &job->runs[0];
-    const run_lane lane = {one->machine, one->control, one->disturbance, one->number};
+    const system_lane lane = {one->machine, one->control, one->disturbance, one->number};
 
-    run_begin(r, job->motion, job->simulation, &lane);
+    system_begin(r, job->motion, job->simulation, &lane);
     tape->recorder = r;
     tape->write = record_stage;
 }

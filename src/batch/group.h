@@ -8,7 +8,7 @@
 #include "batch/width.h"
 
 typedef struct {
-    run r;
+    struct system r;
     appointments when; /* the same in all lanes */
     march m;
     size_t first;
@@ -20,7 +20,7 @@ typedef struct {
 
     /* state and rates at both ends of the last step, constraints kept; `now` is its end */
     struct {
-        number y[STATE], rate[STATE];
+        number y[STATE_SIZE], rate[STATE_SIZE];
     } at[2];
     int now;
     rattle_state body;
@@ -28,7 +28,7 @@ typedef struct {
     int watchful;
 
     number drift; /* since the look before */
-    number last[STATE];
+    number last[STATE_SIZE];
     vector center; /* of mass, from the top frame's origin, central axes */
     looks looks;
 } group;
@@ -61,7 +61,8 @@ static inline vector group_vector(const double v[3]) {
 }
 
 /* own machine in each lane: the equations from the jets on */
-static inline void group_solve(run *r, real t, const stage_tape *tape, const tape_record *record) {
+static inline void group_solve(struct system *r, real t, const stage_tape *tape,
+                               const tape_record *record) {
     jet component[GOUGH_COMPONENTS];
     number vertical = number_of(record->vertical);
 
@@ -69,18 +70,18 @@ static inline void group_solve(run *r, real t, const stage_tape *tape, const tap
         component[c] =
             (jet){record->component[c][0], record->component[c][1], record->component[c][2]};
     }
-    run_program(r, component, &r->now);
-    if (r->share && !tape->disturbance_shared) vertical = run_vertical(r, t);
-    if (r->solves) run_program_forces(r, vertical, &r->now);
+    wanted_program(r, component, &r->now);
+    if (r->share && !tape->disturbance_shared) vertical = wanted_vertical(r, t);
+    if (r->solves) wanted_forces(r, vertical, &r->now);
 }
 
 /* what disturbs: as recorded where it is one for all runs, else by each lane's formulas; noise is each lane's own */
-static inline void group_disturb(run *r, real t, const stage_tape *tape,
+static inline void group_disturb(struct system *r, real t, const stage_tape *tape,
                                  const tape_record *record) {
-    stage *s = &r->now;
+    wanted *s = &r->now;
 
     if (!tape->disturbance_shared) {
-        run_disturbances(r, t, s);
+        wanted_disturb(r, t, s);
     } else {
         for (int v = 0; v < LEGS; v++) {
             if (r->shaken[v]) s->force[v] = s->force[v] + number_of(record->leg[v]);
@@ -90,20 +91,20 @@ static inline void group_disturb(run *r, real t, const stage_tape *tape,
             s->turn = group_vector(record->turn);
         }
     }
-    if (r->noise.present) run_add_noise(r, t, s);
+    if (r->noise.present) noise_add(r, t, s);
 }
 
-static inline void group_replay(run *r, real t) {
-    stage_tape *tape = r->tape;
+static inline void group_replay(struct system *r, real t) {
+    stage_tape *tape = r->provider;
     const tape_record *record = tape_at(tape, t);
-    stage *s = &r->now;
+    wanted *s = &r->now;
 
     if (tape->machine_shared) {
         for (int v = 0; v < LEGS; v++) {
             s->force[v] = number_of(record->force[v]);
             s->program.length[v] = number_of(record->length[v]);
         }
-        for (int v = 0; r->damped && v < LEGS; v++) {
+        for (int v = 0; (r->traits & NEEDS_RATES) && v < LEGS; v++) {
             s->program.rate[v] = number_of(record->rate[v]);
         }
         s->singularity =
@@ -115,8 +116,8 @@ static inline void group_replay(run *r, real t) {
 }
 
 /* the program's pose in the stage at t, which no step needs, only rows */
-static inline void group_program_pose(run *r) {
-    const stage_tape *tape = r->tape;
+static inline void group_program_pose(struct system *r) {
+    const stage_tape *tape = r->provider;
     const double *pose = tape->last->pose;
     coordinates *x = &r->now.x[0];
 
@@ -128,7 +129,7 @@ static inline void group_program_pose(run *r) {
 /* ---- looks ---- */
 
 /* a look at the end of a step */
-static inline void group_look(group *g, const stage *s, const instant *m, double t) {
+static inline void group_look(group *g, const wanted *s, const signals *m, double t) {
     group_program_pose(&g->r);
     looks_fill(s, m, g->center, looks_next(&g->looks));
     looks_take(&g->looks, g->going_mask, g->drift, t);
@@ -140,9 +141,9 @@ static inline void group_look(group *g, const stage *s, const instant *m, double
 static inline void group_write(const group *g, const batch_job *job, const looks *l, int lane) {
     const size_t which = group_run(g, lane);
     gough_outcome *out = &job->outcomes[which];
-    double last[STATE];
+    double last[STATE_SIZE];
 
-    group_lane(g->last, lane, last, STATE);
+    group_lane(g->last, lane, last, g->r.states);
     batch_last_row(job, which, last);
     out->position_deviation = number_lane(l->distance, lane);
     out->angle_deviation = looks_angle(number_lane(l->turn, lane));
@@ -159,18 +160,18 @@ static inline void group_write(const group *g, const batch_job *job, const looks
 static inline void group_begin(void *memory, const batch_job *job, size_t first, int count,
                                stage_tape *tape) {
     group *g = memory;
-    run_lane lane[NUMBER_WIDTH];
-    instant m;
+    system_lane lane[NUMBER_WIDTH];
+    signals m;
 
     g->first = first;
     g->count = count;
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         const gough_batch_run *one = &job->runs[group_run(g, i)];
-        lane[i] = (run_lane){one->machine, one->control, one->disturbance, one->number};
+        lane[i] = (system_lane){one->machine, one->control, one->disturbance, one->number};
     }
-    run_begin(&g->r, job->motion, job->simulation, lane);
-    g->r.replay = group_replay;
-    g->r.tape = tape;
+    system_begin(&g->r, job->motion, job->simulation, lane);
+    g->r.provide = group_replay;
+    g->r.provider = tape;
     g->r.now.push = g->r.now.turn = (vector){number_of(0), number_of(0), number_of(0)};
     appointments_begin(&g->when, job->motion, lane[0].disturbance, 0, job->simulation->duration,
                        job->simulation->output_step);
@@ -180,27 +181,27 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
     g->center = onto(&g->r.h.axes, g->r.h.center);
     looks_begin(&g->looks);
     for (int i = 0; i < NUMBER_WIDTH; i++) {
-        double state[STATE], side[2];
+        double state[STATE_SIZE], side[2];
         const int starts = batch_start(job, group_run(g, i), state, side);
         g->going[i] = i < count && starts;
         number_put(&g->going_mask, i, g->going[i]);
         number_put(&g->side_pose, i, side[0]);
         number_put(&g->side_program, i, side[1]);
-        for (int k = 0; k < STATE; k++) number_put(&g->at[0].y[k], i, state[k]);
+        for (int k = 0; k < g->r.states; k++) number_put(&g->at[0].y[k], i, state[k]);
     }
-    for (int k = 0; k < STATE; k++) g->last[k] = g->at[0].y[k];
+    for (int k = 0; k < g->r.states; k++) g->last[k] = g->at[0].y[k];
 
     g->now = 0;
-    run_instant(&g->r, 0, g->at[0].y, &m);
+    system_signals(&g->r, 0, g->at[0].y, &m);
     coordinates_store(&m.rate, g->at[0].rate);
     coordinates_store(&m.acceleration, g->at[0].rate + COORDINATES);
     g->drift = triad_violation(&m.x.q);
-    group_look(g, run_stage(&g->r, 0), &m, 0);
+    group_look(g, system_wanted(&g->r, 0), &m, 0);
     g->rows = 1;
     g->determinant = limits_pose(&g->r, &m).determinant;
-    g->m = run_march(job->simulation, &g->when);
+    g->m = system_march(job->simulation, &g->when);
     if (g->m.method >= MARCH_RATTLE) {
-        const march_problem problem = run_problem(&g->r);
+        const march_problem problem = system_problem(&g->r);
         g->body.x = coordinates_load(g->at[0].y);
         g->body.velocity = m.rate.rho;
         g->body.omega = onto(&g->body.x.q, triad_angular_velocity(&g->body.x.q, &m.rate.q));
@@ -209,8 +210,8 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
 }
 
 /* the stepper's step; returns the residual of an implicit one */
-static inline number group_step(group *g, number raw[STATE]) {
-    const march_problem problem = run_problem(&g->r);
+static inline number group_step(group *g, number raw[STATE_SIZE]) {
+    const march_problem problem = system_problem(&g->r);
     dop853 work;
     const number residual =
         march_step(&g->m, &problem, &work, &g->body, g->at[g->now].y, g->at[g->now].rate, raw);
@@ -225,7 +226,7 @@ static inline number group_step(group *g, number raw[STATE]) {
 }
 
 /* 1 in lanes where something may have ended the run; cheap, and never wrong on the safe side */
-static inline number group_trouble(group *g, const stage *s, const instant *m, number residual) {
+static inline number group_trouble(group *g, const wanted *s, const signals *m, number residual) {
     const number zero = number_of(0), one = number_of(1);
     const number least = limits_least(&g->r, m);
     number sum = zero;
@@ -233,8 +234,8 @@ static inline number group_trouble(group *g, const stage *s, const instant *m, n
 
     /* not finite anywhere is not finite in the sum; velocities are among the rates */
     for (int i = 0; i < COORDINATES; i++) sum = sum + g->at[g->now].y[i];
-    for (int i = 0; i < STATE; i++) sum = sum + g->at[g->now].rate[i];
-    for (int v = 0; v < LEGS; v++) sum = sum + m->g.length[v] + m->u[v];
+    for (int i = 0; i < g->r.states; i++) sum = sum + g->at[g->now].rate[i];
+    for (int v = 0; v < LEGS; v++) sum = sum + m->g.length[v] + m->force[v];
     number suspicion = number_select(number_greater(zero, least), one, zero);
     fine = number_greater(number_of(1e300), number_magnitude(sum));
     suspicion = suspicion + number_select(fine, zero, one);
@@ -284,9 +285,9 @@ static inline void group_inspect(group *g, const batch_job *job, number trouble,
                            .residual = number_lane(residual, i),
                            .side = {number_lane(g->side_pose, i), number_lane(g->side_program, i)}};
         if (!(number_lane(trouble, i) > 0)) continue;
-        group_lane(g->at[1 - g->now].y, i, step.y0, STATE);
-        group_lane(g->at[1 - g->now].rate, i, step.rate0, STATE);
-        group_lane(raw, i, step.raw, STATE);
+        group_lane(g->at[1 - g->now].y, i, step.y0, g->r.states);
+        group_lane(g->at[1 - g->now].rate, i, step.rate0, g->r.states);
+        group_lane(raw, i, step.raw, g->r.states);
         if (!batch_locate(job, group_run(g, i), &step)) continue;
         group_end_within(g, job, &step, i);
     }
@@ -300,11 +301,12 @@ static inline int group_going(const group *g) {
 }
 
 /* a row, and whether determinants must be watched at each step up to the next */
-static inline void group_row_due(group *g, const instant *m) {
+static inline void group_row_due(group *g, const signals *m) {
     const number before = g->determinant;
 
     g->rows++;
-    for (int i = 0; i < STATE; i++) g->last[i] = group_heard(g, g->at[g->now].y[i], g->last[i]);
+    for (int i = 0; i < g->r.states; i++)
+        g->last[i] = group_heard(g, g->at[g->now].y[i], g->last[i]);
     g->determinant = limits_pose(&g->r, m).determinant;
     const number slack = number_magnitude(g->determinant) -
                          number_of(determinant_ease) * number_magnitude(g->determinant - before);
@@ -324,7 +326,7 @@ static inline int group_row_ends(const group *g, const batch_job *job, long long
 typedef struct {
     group *g;
     const batch_job *job;
-    instant end; /* of the last part of a step */
+    signals end; /* of the last part of a step */
 } group_loop;
 
 /* one part of a step in all lanes; 1 where none goes on */
@@ -333,8 +335,8 @@ static inline int group_move(void *context, long long k, int part) {
     group *g = l->g;
     const batch_job *job = l->job;
     const int projecting = job->simulation->constraints == GOUGH_PROJECTION;
-    instant *m = &l->end;
-    number raw[STATE];
+    signals *m = &l->end;
+    number raw[STATE_SIZE];
     const number residual = group_step(g, raw);
     const double t = g->m.t1;
 
@@ -346,16 +348,16 @@ static inline int group_move(void *context, long long k, int part) {
     g->now = 1 - g->now;
     coordinates_store(&x, g->at[g->now].y);
     coordinates_store(&v, g->at[g->now].y + COORDINATES);
-    run_instant(&g->r, t, g->at[g->now].y, m);
+    system_signals(&g->r, t, g->at[g->now].y, m);
     coordinates_store(&m->rate, g->at[g->now].rate);
     coordinates_store(&m->acceleration, g->at[g->now].rate + COORDINATES);
 
-    const number trouble = group_trouble(g, run_stage(&g->r, t), m, residual);
+    const number trouble = group_trouble(g, system_wanted(&g->r, t), m, residual);
     double sum = 0;
     for (int i = 0; i < NUMBER_WIDTH; i++) sum += number_lane(trouble, i);
     if (sum > 0) group_inspect(g, job, trouble, residual, raw);
     if (group_going(g) == 0) return 1;
-    group_look(g, run_stage(&g->r, t), m, t);
+    group_look(g, system_wanted(&g->r, t), m, t);
     if (group_row_ends(g, job, k)) group_row_due(g, m);
     return 0;
 }

@@ -70,15 +70,15 @@ static inline void looks_deviation(const coordinates *x, const coordinates *prog
 }
 
 /* what is seen at one moment */
-static inline void looks_fill(const stage *s, const instant *m, vector center,
+static inline void looks_fill(const wanted *s, const signals *m, vector center,
                               number look[LOOKS_COLUMNS]) {
     number total = number_of(0), force = total, speed = total;
     number power = number_of(-HUGE_VAL), braking = power;
 
     looks_deviation(&m->x, &s->x[0], center, look);
     for (int v = 0; v < LEGS; v++) {
-        const number p = m->u[v] * m->g.rate[v];
-        look[LOOKS_FORCE + v] = number_magnitude(m->u[v]);
+        const number p = m->force[v] * m->g.rate[v];
+        look[LOOKS_FORCE + v] = number_magnitude(m->force[v]);
         look[LOOKS_SPEED + v] = number_magnitude(m->g.rate[v]);
         look[LOOKS_POWER + v] = p;
         total = total + p;

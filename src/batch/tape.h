@@ -3,6 +3,7 @@
 #ifndef GOUGH_BATCH_TAPE_H
 #define GOUGH_BATCH_TAPE_H
 
+#include "dynamics/layout.h"
 #include "gough/batch.h"
 
 typedef struct {
@@ -12,7 +13,7 @@ typedef struct {
     /* where all runs have one machine: F^p with the legs' shares of a vertical force, l^p, l̇^p, (ρ, i, j, k) of the program,
      * determinant and pivots of its six equations */
     double force[GOUGH_LEGS], length[GOUGH_LEGS], rate[GOUGH_LEGS];
-    double pose[12];
+    double pose[COORDINATES];
     double determinant, pivot_ratio;
 
     /* where all runs have one disturbance */

@@ -3,6 +3,7 @@
 #define GOUGH_BATCH_WIDTH_H
 
 #include "batch/tape.h"
+#include "dynamics/layout.h"
 
 /* what is common to all runs of a batch */
 typedef struct {
@@ -33,7 +34,7 @@ extern const struct batch_width batch_width_1, batch_width_2, batch_width_4, bat
 /* ---- what one lane does alone, over double: beginnings, ends and last rows (batch_double.c) ---- */
 
 /* the state at t = 0; returns 1 if the run goes on, else 0 with the outcome's end filled. rows: 1 if the first row stands */
-int batch_start(const batch_job *job, size_t run, double state[24], double side[2]);
+int batch_start(const batch_job *job, size_t run, double state[STATE_SIZE], double side[2]);
 
 /* numbers of a look at a run (looks.h) */
 enum { BATCH_LOOK = 3 * GOUGH_LEGS + 7 };
@@ -41,7 +42,7 @@ enum { BATCH_LOOK = 3 * GOUGH_LEGS + 7 };
 /* a step that may have broken something, as gough_simulate() would see it; side: signs of the determinants at the beginning */
 typedef struct {
     double t0, h, t, residual; /* h: how long it is, t - t0 but for rounding */
-    double y0[24], rate0[24], raw[24], side[2];
+    double y0[STATE_SIZE], rate0[STATE_SIZE], raw[STATE_SIZE], side[2];
 
     /* found: when the run ends, and what is seen there if any motion is left to be seen */
     double until, look[BATCH_LOOK];
@@ -52,7 +53,7 @@ typedef struct {
 int batch_locate(const batch_job *job, size_t run, batch_step *step);
 
 /* pose and velocities of the last row, from its state */
-void batch_last_row(const batch_job *job, size_t run, const double state[24]);
+void batch_last_row(const batch_job *job, size_t run, const double state[STATE_SIZE]);
 
 /* the least and the greatest power of a leg into an outcome */
 void batch_put_power(gough_outcome *outcome, double least, double greatest);

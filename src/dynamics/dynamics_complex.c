@@ -7,8 +7,8 @@
 #include "dynamics/machine.h"
 #include "dynamics/state.h"
 
-static void complex_legs(const gough_machine *machine, const number state[24], number length[LEGS],
-                         number rate[LEGS]) {
+static void complex_legs(const gough_machine *machine, const number state[MOTION],
+                         number length[LEGS], number rate[LEGS]) {
     const coordinates x = coordinates_load(state), v = coordinates_load(state + COORDINATES);
     hexapod h;
     legs g;
@@ -19,9 +19,9 @@ static void complex_legs(const gough_machine *machine, const number state[24], n
     for (int i = 0; i < LEGS; i++) length[i] = g.length[i], rate[i] = g.rate[i];
 }
 
-static void complex_accelerations(const gough_machine *machine, const number state[24],
+static void complex_accelerations(const gough_machine *machine, const number state[MOTION],
                                   const number leg_force[LEGS], const number force[3],
-                                  const number moment[3], number acceleration[12]) {
+                                  const number moment[3], number acceleration[COORDINATES]) {
     const coordinates x = coordinates_load(state), v = coordinates_load(state + COORDINATES);
     coordinates a;
     hexapod h;
@@ -33,8 +33,8 @@ static void complex_accelerations(const gough_machine *machine, const number sta
     coordinates_store(&a, acceleration);
 }
 
-static void complex_forces(const gough_machine *machine, const number state[24],
-                           const number acceleration[12], number leg_force[LEGS]) {
+static void complex_forces(const gough_machine *machine, const number state[MOTION],
+                           const number acceleration[COORDINATES], number leg_force[LEGS]) {
     const coordinates x = coordinates_load(state), v = coordinates_load(state + COORDINATES);
     const coordinates a = coordinates_load(acceleration);
     const vector none = {0, 0, 0};

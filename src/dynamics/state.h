@@ -1,10 +1,9 @@
-/* The state as a stepper sees it, 24 numbers: ρ, i, j, k and their rates. */
+/* Pose and rate as numbers of a state. */
 #ifndef GOUGH_DYNAMICS_STATE_H
 #define GOUGH_DYNAMICS_STATE_H
 
+#include "dynamics/layout.h"
 #include "kernel/top.h"
-
-enum { COORDINATES = 12, STATE = 24 };
 
 static inline vector vector_load(const number y[3]) { return (vector){y[0], y[1], y[2]}; }
 static inline void vector_store(vector v, number y[3]) { y[0] = v.x, y[1] = v.y, y[2] = v.z; }

@@ -13,7 +13,7 @@ typedef struct {
 } dop853;
 
 /* components that are summed together: as many as stay in registers, of which lanes of 2 and 4 have sixteen */
-enum { DOP853_BLOCK = NUMBER_WIDTH == 2 || NUMBER_WIDTH == 4 ? 12 : 24 };
+enum { DOP853_BLOCK = NUMBER_WIDTH == 2 || NUMBER_WIDTH == 4 ? COORDINATES : MOTION };
 
 /* z = y + h Σ a_j slope_j for `width` components from `first` on */
 KERNEL_INLINE void dop853_block(const dop853 *s, int first, int width, int row, real h,

@@ -11,6 +11,7 @@ static inline void rk4_step(rate_function f, void *context, int n, real t, real 
     const number sixth = number_of_real(h / 6), two = number_of(2);
     number k2[STEPPER_SIZE], k3[STEPPER_SIZE], k4[STEPPER_SIZE], z[STEPPER_SIZE];
 
+    STEPPER_SOME(n);
     for (int i = 0; i < n; i++) z[i] = y[i] + half * rate[i];
     f(context, t + h / 2, z, k2);
     for (int i = 0; i < n; i++) z[i] = y[i] + half * k2[i];

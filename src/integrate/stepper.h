@@ -2,10 +2,15 @@
 #ifndef GOUGH_INTEGRATE_STEPPER_H
 #define GOUGH_INTEGRATE_STEPPER_H
 
+#include "dynamics/layout.h"
 #include "kernel/number.h"
 
 /* most unknowns of a system; arrays of this size live on the stack */
-enum { STEPPER_SIZE = 24 };
+enum { STEPPER_SIZE = STATE_SIZE };
+
+/* tells the compiler that there are unknowns, which arrays of them are then not taken to be empty */
+#define STEPPER_SOME(n)                                                                            \
+    if ((n) < 1) __builtin_unreachable()
 
 /* rate = f(t, y) */
 typedef void (*rate_function)(void *context, real t, const number *y, number *rate);

@@ -12,7 +12,7 @@ typedef struct {
     int count, cursor;
     double time[AHEAD_TIMES];
     const char *fault[AHEAD_TIMES]; /* a formula that is not finite there, or NULL */
-    /* F^p with the legs' shares of a vertical force, l^p, l̇^p where a leg is damped, determinant and pivots of the
+    /* F^p with the legs' shares of a vertical force, l^p, l̇^p where forces need rates, determinant and pivots of the
      * equations */
     double force[GOUGH_LEGS][AHEAD_TIMES], length[GOUGH_LEGS][AHEAD_TIMES],
         rate[GOUGH_LEGS][AHEAD_TIMES];

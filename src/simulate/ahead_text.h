@@ -5,19 +5,20 @@
 #include <string.h>
 
 #include "simulate/ahead.h"
-#include "simulate/stage.h"
+#include "system/system.h"
 
 _Static_assert((int)AHEAD_TIMES <= (int)FORMULA_TIMES, "formulas take as many times together");
 _Static_assert(AHEAD_TIMES % NUMBER_WIDTH == 0, "whole packs");
-_Static_assert(sizeof(run) <= AHEAD_ROOM, "room for the lanes' own memory");
+_Static_assert(sizeof(struct system) <= AHEAD_ROOM, "room for the lanes' own memory");
 
 static inline void ahead_begin(void *room, const gough_motion *motion, const gough_machine *machine,
                                const gough_control *control, const gough_disturbance *disturbance) {
     static const gough_simulation unused = {.constraints = GOUGH_NONE};
-    run_lane lane[NUMBER_WIDTH];
+    system_lane lane[NUMBER_WIDTH];
 
-    for (int i = 0; i < NUMBER_WIDTH; i++) lane[i] = (run_lane){machine, control, disturbance, 0};
-    run_begin(room, motion, &unused, lane);
+    for (int i = 0; i < NUMBER_WIDTH; i++)
+        lane[i] = (system_lane){machine, control, disturbance, 0};
+    system_begin(room, motion, &unused, lane);
 }
 
 static inline void ahead_put_vector(vector *v, int lane, real x, real y, real z) {
@@ -50,13 +51,13 @@ static inline void ahead_keep(double *where, number x) { memcpy(where, &x, sizeo
 
 /* Times from `first` on, as many as there are lanes; lanes beyond repeat the last. 0 where the equations are not the same in all
  * lanes, since only some of the times turn the load. */
-static inline int ahead_pack(run *r, ahead_block *b, int first,
+static inline int ahead_pack(struct system *r, ahead_block *b, int first,
                              jet component[AHEAD_TIMES][GOUGH_COMPONENTS]) {
     const int left = b->count - first, count = left < NUMBER_WIDTH ? left : NUMBER_WIDTH;
     number vertical = number_of(0);
     displacement d;
     int still = 0;
-    stage s;
+    wanted s;
 
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         const int at = first + (i < count ? i : count - 1);
@@ -68,13 +69,13 @@ static inline int ahead_pack(run *r, ahead_block *b, int first,
     }
     if (still != 0 && still != NUMBER_WIDTH) return 0;
 
-    run_displacement(r, &d, &s);
-    if (r->damped) legs_rates(&r->h, &s.x[1], &s.program);
-    if (r->solves) run_program_forces(r, vertical, &s);
+    wanted_displacement(r, &d, &s);
+    if (r->traits & NEEDS_RATES) legs_rates(&r->h, &s.x[1], &s.program);
+    if (r->solves) wanted_forces(r, vertical, &s);
     for (int v = 0; v < LEGS; v++) {
         ahead_keep(&b->force[v][first], s.force[v]);
         ahead_keep(&b->length[v][first], s.program.length[v]);
-        if (r->damped) ahead_keep(&b->rate[v][first], s.program.rate[v]);
+        if (r->traits & NEEDS_RATES) ahead_keep(&b->rate[v][first], s.program.rate[v]);
     }
     ahead_keep(&b->determinant[first], s.singularity.determinant);
     ahead_keep(&b->pivot_ratio[first], s.singularity.pivot_ratio);
@@ -83,10 +84,10 @@ static inline int ahead_pack(run *r, ahead_block *b, int first,
 
 static inline void ahead_fill(void *room, ahead_block *b) {
     jet component[AHEAD_TIMES][GOUGH_COMPONENTS];
-    run *r = room;
+    struct system *r = room;
 
     motion_components_at(r->motion, b->count, b->time, component);
-    for (int k = 0; k < b->count; k++) b->fault[k] = run_flaw(component[k]);
+    for (int k = 0; k < b->count; k++) b->fault[k] = wanted_flaw(component[k]);
     for (int first = 0; first < b->count; first += NUMBER_WIDTH) {
         if (!ahead_pack(r, b, first, component)) b->count = first;
     }

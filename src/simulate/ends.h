@@ -26,14 +26,14 @@ typedef struct {
 
 static inline real limits_sign(real determinant) { return determinant < 0 ? -1 : 1; }
 
-static inline limits_side limits_begin(const run *r, const stage *s, const instant *m) {
+static inline limits_side limits_begin(const struct system *r, const wanted *s, const signals *m) {
     return (limits_side){limits_sign(limits_pose(r, m).determinant),
                          limits_sign(s->singularity.determinant)};
 }
 
 /* all margins; for scalar number types, whose reals are numbers */
-static inline void limits_margins(const run *r, const stage *s, const instant *m, real determinant,
-                                  const limits_side *side, real margin[MARGINS]) {
+static inline void limits_margins(const struct system *r, const wanted *s, const signals *m,
+                                  real determinant, const limits_side *side, real margin[MARGINS]) {
     limits_legs(r, m, margin);
     margin[MARGIN_POSE] = side->pose * determinant;
     margin[MARGIN_PROGRAM] = side->program * s->singularity.determinant;
@@ -48,7 +48,7 @@ static inline int limits_broken(const real margin[MARGINS], int from, int to) {
 }
 
 /* whether the pose at t, or the pose of a program whose forces are asked for, is nearly singular */
-static inline int limits_nearly_singular(run *r, real t, const instant *m,
+static inline int limits_nearly_singular(struct system *r, real t, const signals *m,
                                          const elimination *pose) {
     const real worst = greatest_condition;
 
@@ -56,12 +56,12 @@ static inline int limits_nearly_singular(run *r, real t, const instant *m,
         !(legs_condition(&r->h, &m->x, &m->g) <= worst)) {
         return 1;
     }
-    if (!(run_stage(r, t)->singularity.pivot_ratio < (real)suspicious_pivots)) return 0;
-    const stage *s = run_whole_stage(r, t);
+    if (!(system_wanted(r, t)->singularity.pivot_ratio < (real)suspicious_pivots)) return 0;
+    const wanted *s = system_whole(r, t);
     return !(legs_condition(&r->h, &s->x[0], &s->program) <= worst);
 }
 
-static inline gough_cause limits_cause(const run *r, int margin) {
+static inline gough_cause limits_cause(const struct system *r, int margin) {
     const gough_machine *machine = r->lane[0].machine;
 
     if (margin >= MARGIN_POSE) return GOUGH_END_SINGULAR;
@@ -77,7 +77,7 @@ static inline gough_cause limits_cause(const run *r, int margin) {
  * for what a stepper's tolerance leaves */
 static const double limits_together = 1e-6;
 
-static inline double limits_of(const run *r, gough_cause cause) {
+static inline double limits_of(const struct system *r, gough_cause cause) {
     const gough_platform *p = &r->lane[0].machine->platform;
 
     switch (cause) {
@@ -113,7 +113,7 @@ static inline int limits_lowest(unsigned which) {
 }
 
 /* which: bit v for leg v + 1, at least one */
-static inline void limits_say(const run *r, gough_cause cause, unsigned which, double t,
+static inline void limits_say(const struct system *r, gough_cause cause, unsigned which, double t,
                               gough_end *end) {
     end->cause = cause;
     end->time = t;
@@ -146,7 +146,7 @@ static inline void limits_say_singular(int of_program, double t, gough_end *end)
 }
 
 /* the end where margin e is the first of those that are gone */
-static inline void limits_end(const run *r, const real margin[MARGINS], int e, real t,
+static inline void limits_end(const struct system *r, const real margin[MARGINS], int e, real t,
                               gough_end *end) {
     if (e >= MARGIN_POSE) {
         limits_say_singular(e == MARGIN_PROGRAM, (double)t, end);
@@ -155,7 +155,7 @@ static inline void limits_end(const run *r, const real margin[MARGINS], int e, r
     }
 }
 
-static inline gough_status limits_fault(const run *r, gough_end *end) {
+static inline gough_status limits_fault(const struct system *r, gough_end *end) {
     limits_no_leg(end, GOUGH_END_NOT_FINITE, (double)r->fault.time);
     end_say(end, "%s (value or derivatives) is not finite at t = %.9g", r->fault.what, end->time);
     return GOUGH_ERROR_INPUT;

@@ -2,7 +2,7 @@
 #ifndef GOUGH_SIMULATE_LIMITS_H
 #define GOUGH_SIMULATE_LIMITS_H
 
-#include "simulate/stage.h"
+#include "system/system.h"
 
 /* what round-off may take from a limit that is just met, relative */
 static const double limit_slack = 1e-12;
@@ -20,12 +20,13 @@ enum {
     MARGINS
 };
 
-static inline elimination limits_pose(const run *r, const instant *m) {
+static inline elimination limits_pose(const struct system *r, const signals *m) {
     return legs_determinant(&r->h, &m->x, &m->g);
 }
 
 /* margins of the legs, relative; 1 where there is no limit */
-static inline void limits_legs(const run *r, const instant *m, number margin[MARGIN_POSE]) {
+static inline void limits_legs(const struct system *r, const signals *m,
+                               number margin[MARGIN_POSE]) {
     const number one = number_of(1), slack = number_of(limit_slack);
 
     for (int v = 0; v < LEGS; v++) {
@@ -41,12 +42,12 @@ static inline void limits_legs(const run *r, const instant *m, number margin[MAR
         margin[MARGIN_SPEED + v] = one - number_magnitude(m->g.rate[v]) * r->fastest + slack;
     }
     for (int v = 0; r->limited[2] && v < LEGS; v++) {
-        margin[MARGIN_FORCE + v] = one - number_magnitude(m->u[v]) * r->strongest + slack;
+        margin[MARGIN_FORCE + v] = one - number_magnitude(m->force[v]) * r->strongest + slack;
     }
 }
 
 /* the least of them, in each lane */
-static inline number limits_least(const run *r, const instant *m) {
+static inline number limits_least(const struct system *r, const signals *m) {
     number margin[MARGIN_POSE], least;
 
     limits_legs(r, m, margin);

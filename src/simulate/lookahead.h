@@ -3,7 +3,7 @@
 #ifndef GOUGH_SIMULATE_LOOKAHEAD_H
 #define GOUGH_SIMULATE_LOOKAHEAD_H
 
-#include "simulate/stage.h"
+#include "system/system.h"
 
 #if defined(NUMBER_DOUBLE) && (defined(__x86_64__) || defined(__aarch64__))
 
@@ -15,24 +15,24 @@ typedef struct {
     _Alignas(64) unsigned char room[AHEAD_ROOM];
 } lookahead;
 
-/* a stage from the block; what disturbs is added as run_evaluate() does */
-static inline void lookahead_take(run *r, real t, const ahead_block *b, int at) {
-    stage *s = &r->now;
+/* a stage from the block; what disturbs is added as wanted_evaluate() does */
+static inline void lookahead_take(struct system *r, real t, const ahead_block *b, int at) {
+    wanted *s = &r->now;
 
-    if (b->fault[at]) run_blame(r, b->fault[at], t);
+    if (b->fault[at]) wanted_blame(r, b->fault[at], t);
     for (int v = 0; v < LEGS; v++) {
         s->force[v] = b->force[v][at];
         s->program.length[v] = b->length[v][at];
-        if (r->damped) s->program.rate[v] = b->rate[v][at];
+        if (r->traits & NEEDS_RATES) s->program.rate[v] = b->rate[v][at];
     }
     s->singularity = (elimination){b->determinant[at], b->pivot_ratio[at]};
-    run_disturbances(r, t, s);
-    if (r->noise.present) run_add_noise(r, t, s);
+    wanted_disturb(r, t, s);
+    if (r->noise.present) noise_add(r, t, s);
     r->partial = 1;
 }
 
-static inline void lookahead_replay(run *r, real t) {
-    ahead_block *b = &((lookahead *)r->tape)->block;
+static inline void lookahead_replay(struct system *r, real t) {
+    ahead_block *b = &((lookahead *)r->provider)->block;
 
     for (int i = 0, at = b->cursor; i < b->count; i++, at = at + 1 < b->count ? at + 1 : 0) {
         if (b->time[at] < t || b->time[at] > t) continue;
@@ -40,17 +40,17 @@ static inline void lookahead_replay(run *r, real t) {
         b->cursor = at + 1 < b->count ? at + 1 : 0;
         return;
     }
-    run_evaluate(r, t, &r->now);
+    wanted_evaluate(r, t, &r->now);
     r->partial = 0;
 }
 
-static inline void lookahead_begin(lookahead *l, run *r) {
+static inline void lookahead_begin(lookahead *l, struct system *r) {
     l->width = ahead_widest();
     l->width->begin(l->room, r->motion, r->lane[0].machine, r->lane[0].control,
                     r->lane[0].disturbance);
     l->block.count = l->block.cursor = 0;
-    r->tape = l;
-    r->replay = lookahead_replay;
+    r->provider = l;
+    r->provide = lookahead_replay;
 }
 
 /* a time that steps will ask for; beyond the block's size it is forgotten, and evaluated when asked for */
@@ -72,7 +72,7 @@ typedef struct {
     int none;
 } lookahead;
 
-static inline void lookahead_begin(lookahead *l, run *r) {
+static inline void lookahead_begin(lookahead *l, struct system *r) {
     (void)r;
     l->none = 0;
 }

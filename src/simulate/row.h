@@ -3,7 +3,7 @@
 #define GOUGH_SIMULATE_ROW_H
 
 #include "dynamics/rotation.h"
-#include "simulate/stage.h"
+#include "system/system.h"
 
 static inline void row_vector(vector v, real *value, int column) {
     value[column] = v.x, value[column + 1] = v.y, value[column + 2] = v.z;
@@ -37,7 +37,7 @@ static inline real row_wrapped(real angle) {
     return angle;
 }
 
-static inline void row_deviation(const run *r, const stage *s, real *value) {
+static inline void row_deviation(const struct system *r, const wanted *s, real *value) {
     real program[6];
 
     row_pose(&r->h, &s->x[0], program, 0, 3);
@@ -47,19 +47,19 @@ static inline void row_deviation(const run *r, const stage *s, real *value) {
     }
 }
 
-static inline void row_reactions(const run *r, const stage *s, const instant *m, int simulated,
-                                 real *value) {
+static inline void row_reactions(const struct system *r, const wanted *s, const signals *m,
+                                 int simulated, real *value) {
     const number zero = number_of(0);
     const vector turn = simulated ? s->turn : (vector){zero, zero, zero};
-    const triad Q = legs_generalised(&r->h, &m->g, &m->x.q, m->u, turn);
+    const triad Q = legs_generalised(&r->h, &m->g, &m->x.q, m->force, turn);
 
     body_reactions(&r->h.load, &m->x.q, &m->rate.q, &Q, value + GOUGH_RXX);
 }
 
 /* Fills a row. simulated: with deviation and drift, which the forces of a program do not have.
  * conditioned: with the condition number, half of the work; else 0 stands there. */
-static inline void row_fill(const run *r, const stage *s, real t, const instant *m, int simulated,
-                            int conditioned, real drift, real value[GOUGH_COLUMNS]) {
+static inline void row_fill(const struct system *r, const wanted *s, real t, const signals *m,
+                            int simulated, int conditioned, real drift, real value[GOUGH_COLUMNS]) {
     for (int c = 0; c < GOUGH_COLUMNS; c++) value[c] = (real)NAN;
     value[GOUGH_T] = t;
     row_pose(&r->h, &m->x, value, GOUGH_X, GOUGH_ROLL_ANGLE);
@@ -68,8 +68,8 @@ static inline void row_fill(const run *r, const stage *s, real t, const instant 
     for (int v = 0; v < LEGS; v++) {
         value[GOUGH_L + v] = m->g.length[v];
         value[GOUGH_DL + v] = m->g.rate[v];
-        value[GOUGH_F + v] = m->u[v];
-        value[GOUGH_P + v] = m->u[v] * m->g.rate[v];
+        value[GOUGH_F + v] = m->force[v];
+        value[GOUGH_P + v] = m->force[v] * m->g.rate[v];
     }
     value[GOUGH_CONDITION] = conditioned ? legs_condition(&r->h, &m->x, &m->g) : 0;
     if (simulated) {
@@ -80,7 +80,8 @@ static inline void row_fill(const run *r, const stage *s, real t, const instant 
 }
 
 /* whether every number that the row should have is finite */
-static inline int row_finite(const run *r, int simulated, const real value[GOUGH_COLUMNS]) {
+static inline int row_finite(const struct system *r, int simulated,
+                             const real value[GOUGH_COLUMNS]) {
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
         if (!gough_column_filled(c, simulated, r->options->reactions)) continue;
         if (!real_finite(value[c])) return 0;

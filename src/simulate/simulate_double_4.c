@@ -2,7 +2,7 @@
 #define NUMBER_DOUBLE
 #include "simulate/simulate.h"
 
-#include "simulate/drive.h"
-#include "simulate/walk.h"
+#include "simulate/forward.h"
+#include "simulate/forces_along.h"
 
-const struct simulate_table simulate_double_4 = {walk_run, drive_run};
+const struct simulate_table simulate_double_4 = {walk_run, forward_run};

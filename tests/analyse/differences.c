@@ -2,7 +2,7 @@
 #define NUMBER_QUAD
 #include "differences.h"
 
-#include "simulate/stage.h"
+#include "system/system.h"
 
 static const gough_disturbance undisturbed;
 
@@ -53,14 +53,14 @@ static moving displaced(const moving *m, int direction, real h) {
 }
 
 /* ρ̈ and ω̇ = ½ Σ e × ë, the terms of e × (ω × (ω × e)) being 0 in sum */
-static void accelerations(run *r, real t, const moving *m, real out[6]) {
+static void accelerations(struct system *r, real t, const moving *m, real out[6]) {
     const coordinates x = {m->rho, m->q}, rate = {m->v, triad_rate(&m->q, m->omega)};
-    number y[STATE], change[STATE];
+    number y[STATE_SIZE], change[STATE_SIZE];
     coordinates a;
 
     coordinates_store(&x, y);
     coordinates_store(&rate, y + COORDINATES);
-    run_rates(r, t, y, change);
+    system_rates(r, t, y, change);
     a = coordinates_load(change + COORDINATES);
     vector_store(a.rho, out);
     vector_store(angular_velocity_of(&x, &a), out + 3);
@@ -90,7 +90,7 @@ static vector turning(const moving *m, int direction, real h) {
 }
 
 /* δṙ, δθ̇, δv̇, δω̇ per displacement, by steps of h to both sides */
-static void column(run *r, real t, const moving *m, int direction, real h, real out[GOUGH_LINEAR]) {
+static void column(struct system *r, real t, const moving *m, int direction, real h, real out[GOUGH_LINEAR]) {
     const moving plus = displaced(m, direction, h), minus = displaced(m, direction, -h);
     real up[6], down[6];
 
@@ -101,12 +101,12 @@ static void column(run *r, real t, const moving *m, int direction, real h, real 
     for (int i = 0; i < 6; i++) out[6 + i] = (up[i] - down[i]) / (2 * h);
 }
 
-static moving state_of(run *r, real t, const gough_state *state) {
+static moving state_of(struct system *r, real t, const gough_state *state) {
     const vector none = {0, 0, 0};
     coordinates x, rate;
 
     if (state == NULL) {
-        x = run_stage(r, t)->x[0], rate = run_stage(r, t)->x[1];
+        x = system_wanted(r, t)->x[0], rate = system_wanted(r, t)->x[1];
     } else {
         const triad R = {
             {state->rotation[0][0], state->rotation[1][0], state->rotation[2][0]},
@@ -123,12 +123,12 @@ static moving state_of(run *r, real t, const gough_state *state) {
 void difference_matrix(const gough_model *model, double t, const gough_state *state,
                        double matrix[GOUGH_LINEAR][GOUGH_LINEAR]) {
     gough_simulation options = gough_simulation_default();
-    const run_lane lane = {&model->machine, &model->control, &undisturbed, 0};
+    const system_lane lane = {&model->machine, &model->control, &undisturbed, 0};
     moving m;
-    run r;
+    struct system r;
 
     options.constraints = GOUGH_NONE;
-    run_begin(&r, &model->motion, &options, &lane);
+    system_begin(&r, &model->motion, &options, &lane);
     m = state_of(&r, t, state);
     for (int direction = 0; direction < GOUGH_LINEAR; direction++) {
         real coarse[GOUGH_LINEAR], fine[GOUGH_LINEAR];

@@ -3,7 +3,7 @@
 # public headers; public headers include only public headers.
 set -euo pipefail
 cd "${SOURCE:-$(dirname "$0")/../..}"
-rooms=(base kernel model dynamics integrate simulate batch analyse study result report cli)
+rooms=(base kernel model dynamics integrate system simulate batch analyse study result report cli)
 declare -A rank
 for i in "${!rooms[@]}"; do rank[${rooms[i]}]=$i; done
 public_only=" study result report cli "

@@ -2,7 +2,7 @@
 #define NUMBER_DOUBLE
 #include <stdio.h>
 
-#include "simulate/drive.h"
+#include "simulate/forward.h"
 #include "support/machines.h"
 #include "support/suite.h"
 
@@ -21,7 +21,7 @@ static gough_model *closed_loop(void) {
 
 /* the violation of (1.2) in the state that a run goes on from, at each row; and in the rates */
 typedef struct {
-    const drive *d;
+    const forward *d;
     double worst, worst_rate, drift;
 } projected;
 
@@ -43,7 +43,7 @@ START_TEST(projection_holds_over_a_million_steps) {
     gough_model *model = closed_loop();
     gough_simulation s = gough_simulation_default();
     gough_end end = {0};
-    drive d;
+    forward d;
     projected p = {&d, 0, 0, 0};
 
     s.duration = 1000;
@@ -52,10 +52,10 @@ START_TEST(projection_holds_over_a_million_steps) {
     s.method = GOUGH_RK4;
     const simulate_parts parts = {&model->motion,      &model->machine, &model->control,
                                   &model->disturbance, &model->initial, 0};
-    drive_open(&d, &parts, &s, look, &p, &end);
-    drive_start(&d);
-    ck_assert_int_eq(drive_begin(&d), GOUGH_OK);
-    ck_assert_int_eq(drive_fixed(&d), GOUGH_OK);
+    forward_open(&d, &parts, &s, look, &p, &end);
+    forward_start(&d);
+    ck_assert_int_eq(forward_begin(&d), GOUGH_OK);
+    ck_assert_int_eq(forward_fixed(&d), GOUGH_OK);
     ck_assert_int_eq((int)d.row, 20001);
     printf("1e6 steps: constraints %.1e after projection (%.1e before), their rates %.1e\n",
            p.worst, p.drift, p.worst_rate);

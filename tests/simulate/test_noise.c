@@ -2,27 +2,27 @@
 #define NUMBER_DOUBLE
 #include <stdio.h>
 
-#include "simulate/stage.h"
 #include "support/machines.h"
 #include "support/suite.h"
+#include "system/system.h"
 
 typedef struct {
     gough_model *model;
     gough_simulation simulation;
-    run r;
+    struct system r;
 } noisy;
 
 static noisy *new_noisy(uint64_t seed, uint64_t which) {
     noisy *n = calloc(1, sizeof *n);
-    run_lane lane;
+    system_lane lane;
 
     n->model = calloc(1, sizeof *n->model);
     n->simulation = gough_simulation_default();
     paper_machine(&n->model->machine);
     n->model->disturbance.noise =
         (gough_noise){.leg_force = 2, .force = 3, .moment = 0.5, .interval = 0.25, .seed = seed};
-    lane = (run_lane){&n->model->machine, &n->model->control, &n->model->disturbance, which};
-    run_begin(&n->r, &n->model->motion, &n->simulation, &lane);
+    lane = (system_lane){&n->model->machine, &n->model->control, &n->model->disturbance, which};
+    system_begin(&n->r, &n->model->motion, &n->simulation, &lane);
     return n;
 }
 
@@ -33,7 +33,7 @@ static void free_noisy(noisy *n) {
 
 /* all twelve channels at t; no feed-forward, so that nothing else acts */
 static void noise_at(noisy *n, double t, double value[12]) {
-    const stage *s = run_stage(&n->r, t);
+    const wanted *s = system_wanted(&n->r, t);
 
     for (int v = 0; v < 6; v++) value[v] = s->force[v];
     vector_store(s->push, value + 6);

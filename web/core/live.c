@@ -8,11 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "simulate/drive.h"
-#include "simulate/walk.h"
+#include "simulate/forces_along.h"
+#include "simulate/forward.h"
 
 /* in place of simulate_double.c; the page has no quadruple precision, and live_begin() takes none */
-const struct simulate_table simulate_double = {walk_run, drive_run};
+const struct simulate_table simulate_double = {walk_run, forward_run};
 const struct simulate_table simulate_quad = {NULL, NULL};
 
 /* A number that a slider moves, and its passage from `from` since time `since` to `to`. */
@@ -37,7 +37,7 @@ static struct {
     double passage; /* how long a setting takes */
 
     gough_simulation options; /* how it is stepped */
-    drive d;
+    forward d;
     appointments program,
         disturbances; /* under the sliders: of the program in its own time, and of the rest */
     dop853 work;
@@ -84,29 +84,29 @@ static jet clock_at(real t) {
     return (jet){live.phase + f->from * all + (f->to - f->from) * gained, rate.v, rate.d};
 }
 
-/* In place of run_evaluate(): the program larger and faster, the disturbances larger, the push added. */
-static void live_stage(run *r, real t) {
+/* In place of wanted_evaluate(): the program larger and faster, the disturbances larger, the push added. */
+static void live_stage(struct system *r, real t) {
     const jet clock = clock_at(t), amplitude = setting_at(&live.amplitude, t);
     const real factor = live.disturbance;
     jet component[GOUGH_COMPONENTS];
     number program[LEGS];
-    stage *s = &r->now;
+    wanted *s = &r->now;
     const int sound = r->fault.what == NULL;
 
-    run_components(r, clock.v, component);
+    wanted_components(r, clock.v, component);
     if (sound && r->fault.what) r->fault.time = t;
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         const jet *at = &component[c];
         component[c] = jet_multiply(amplitude, jet_chain(clock, at->v, at->d, at->dd));
     }
-    run_program(r, component, s);
+    wanted_program(r, component, s);
     if (r->solves) {
-        run_program_forces(r, r->share ? factor * run_vertical(r, t) : number_of(0), s);
+        wanted_forces(r, r->share ? factor * wanted_vertical(r, t) : number_of(0), s);
     }
 
     for (int v = 0; v < LEGS; v++) program[v] = s->force[v], s->force[v] = number_of(0);
-    run_disturbances(r, t, s);
-    if (r->noise.present) run_add_noise(r, t, s);
+    wanted_disturb(r, t, s);
+    if (r->noise.present) noise_add(r, t, s);
     for (int v = 0; v < LEGS; v++) s->force[v] = program[v] + factor * s->force[v];
     s->push = along(live.push, factor, s->push);
     s->turn = scale(factor, s->turn);
@@ -131,19 +131,19 @@ static int as_given(void) {
 /* ---- steps ---- */
 
 static void set_up_run(void) {
-    const run_lane lane = {&live.model.machine, &live.control, &live.model.disturbance,
-                           live.model.disturbance.noise.run};
-    run *r = &live.d.r;
+    const system_lane lane = {&live.model.machine, &live.control, &live.model.disturbance,
+                              live.model.disturbance.noise.run};
+    struct system *r = &live.d.r;
 
-    run_begin(r, &live.model.motion, &live.options, &lane);
+    system_begin(r, &live.model.motion, &live.options, &lane);
     if (as_given()) return;
-    r->replay = live_stage;
+    r->provide = live_stage;
     r->loaded = r->loaded || pushed();
 }
 
 /* after a change of settings; before the first step the run begins anew, as they may change where it starts */
 static void settle(void) {
-    drive *d = &live.d;
+    forward *d = &live.d;
     const int solved = d->r.solves;
 
     if (!live.begun || live.end.cause != GOUGH_END_DONE) return;
@@ -155,9 +155,9 @@ static void settle(void) {
     }
     set_up_run();
     if (d->r.solves != solved) {
-        d->side.program = limits_sign(run_stage(&d->r, d->t)->singularity.determinant);
+        d->side.program = limits_sign(system_wanted(&d->r, d->t)->singularity.determinant);
     }
-    drive_refresh(&live.d);
+    forward_refresh(&live.d);
 }
 
 static void conclude(void) {
@@ -167,7 +167,7 @@ static void conclude(void) {
 
 /* when the program's own time comes to `inner`, between two times */
 static real clock_reaches(real inner, real low, real high) {
-    for (int i = 0; i < DRIVE_HALVINGS; i++) {
+    for (int i = 0; i < FORWARD_HALVINGS; i++) {
         const real middle = (low + high) / 2;
         if (clock_at(middle).v < inner) {
             low = middle;
@@ -191,14 +191,14 @@ static double part_end(void *clock, double t, double end, double h) {
 
 /* one part of a step; 1 where the motion ends */
 static int move(void *context, long long k, int part) {
-    drive *d = context;
+    forward *d = context;
     real until;
 
     (void)k, (void)part;
-    (void)drive_go(d, &live.work, NULL);
+    (void)forward_go(d, &live.work, NULL);
     d->t = d->m.t1;
-    if (drive_settle(d, 0, &until) == GOUGH_OK) return 0;
-    drive_return(d, until);
+    if (forward_settle(d, 0, &until) == GOUGH_OK) return 0;
+    forward_return(d, until);
     conclude();
     return 1;
 }
@@ -217,7 +217,7 @@ static int step_on(void) {
 }
 
 int live_advance(double duration, double step) {
-    drive *d = &live.d;
+    forward *d = &live.d;
 
     if (!live.begun || !(step > 0) || !(duration >= 0) || !(duration / step <= most_steps) ||
         !(live.goal + duration <= most_durations * live.study.duration)) {
@@ -260,13 +260,13 @@ static void start(void) {
                                   &live.model.initial,
                                   live.model.disturbance.noise.run};
 
-    drive_open(&live.d, &parts, &live.options, NULL, NULL, &live.end);
+    forward_open(&live.d, &parts, &live.options, NULL, NULL, &live.end);
     if (!is_one(&live.amplitude) || !is_one(&live.frequency)) {
         motion->amplitude = live.amplitude.to * (given.scaled ? given.amplitude : 1);
         motion->frequency = live.frequency.to * (given.scaled ? given.frequency : 1);
         motion->scaled = true;
     }
-    drive_start(&live.d);
+    forward_start(&live.d);
     *motion = given;
     appointments_begin(&live.program, motion, NULL, 0, live.options.duration,
                        live.options.output_step);
@@ -286,11 +286,11 @@ void live_restart(void) {
     live.message[0] = '\0';
     start();
     live.step = 0;
-    if (drive_begin(&live.d) != GOUGH_OK) {
+    if (forward_begin(&live.d) != GOUGH_OK) {
         live.d.r.fault.what = NULL;
         conclude();
     } else {
-        drive_refresh(&live.d);
+        forward_refresh(&live.d);
     }
 }
 
@@ -382,21 +382,21 @@ void live_push(double x, double y, double z) {
 /* ---- what there is to see ---- */
 
 const double *live_row(void) {
-    drive *d = &live.d;
-    instant m;
+    forward *d = &live.d;
+    signals m;
 
     if (!live.begun) return NULL;
-    run_instant(&d->r, d->t, d->y, &m);
-    row_fill(&d->r, run_stage(&d->r, d->t), d->t, &m, 1, 1, d->drift, live.row);
+    system_signals(&d->r, d->t, d->y, &m);
+    row_fill(&d->r, system_wanted(&d->r, d->t), d->t, &m, 1, 1, d->drift, live.row);
     live.seen = 1;
     return live.row;
 }
 
 const double *live_program(void) {
-    drive *d = &live.d;
+    forward *d = &live.d;
 
     if (!live.begun) return NULL;
-    row_pose(&d->r.h, &run_stage(&d->r, d->t)->x[0], live.pose, 0, 3);
+    row_pose(&d->r.h, &system_wanted(&d->r, d->t)->x[0], live.pose, 0, 3);
     return live.pose;
 }
 

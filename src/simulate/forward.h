@@ -1,15 +1,17 @@
 /* One run of forward dynamics: a stepper with adaptive or fixed steps. For scalar number types; theory: docs/theory/steppers.md. */
-#ifndef GOUGH_SIMULATE_DRIVE_H
-#define GOUGH_SIMULATE_DRIVE_H
+#ifndef GOUGH_SIMULATE_FORWARD_H
+#define GOUGH_SIMULATE_FORWARD_H
 
-#include "simulate/drive_settle.h"
+#include "simulate/forward_settle.h"
 
 /* (step-2): a first step from the size of the rates and of their change over a small explicit step */
-static inline real drive_first_step(drive *d, const real *size, real tolerance, real longest) {
+static inline real forward_first_step(forward *d, const real *size, real tolerance, real longest) {
+    const int n = d->r.states;
     real y = 0, rate = 0, change = 0, h, other;
-    number z[STATE], after[STATE];
+    number z[STATE_SIZE], after[STATE_SIZE];
 
-    for (int i = 0; i < STATE; i++) {
+    STEPPER_SOME(n);
+    for (int i = 0; i < n; i++) {
         const real scale = tolerance * (size[i] + real_magnitude(number_first(d->y[i])));
         const real a = number_first(d->y[i]) / scale, b = number_first(d->rate[i]) / scale;
         y = y + a * a;
@@ -17,9 +19,9 @@ static inline real drive_first_step(drive *d, const real *size, real tolerance, 
     }
     h = rate > (real)1e-10 && y > (real)1e-10 ? real_root(y / rate) / 100 : (real)1e-6;
     if (h > longest) h = longest;
-    for (int i = 0; i < STATE; i++) z[i] = d->y[i] + number_of_real(h) * d->rate[i];
-    run_rates(&d->r, d->t + h, z, after);
-    for (int i = 0; i < STATE; i++) {
+    for (int i = 0; i < n; i++) z[i] = d->y[i] + number_of_real(h) * d->rate[i];
+    system_rates(&d->r, d->t + h, z, after);
+    for (int i = 0; i < n; i++) {
         const real scale = tolerance * (size[i] + real_magnitude(number_first(d->y[i])));
         const real c = number_first(after[i] - d->rate[i]) / scale;
         change = change + c * c;
@@ -34,7 +36,7 @@ static inline real drive_first_step(drive *d, const real *size, real tolerance, 
 }
 
 /* makes the stages of the step from t0 ready */
-static inline void drive_look_ahead(drive *d) {
+static inline void forward_look_ahead(forward *d) {
     if (d->ahead == NULL) return;
     lookahead_clear(d->ahead);
     for (int row = 1; row < DOP853_STAGES; row++) {
@@ -44,11 +46,11 @@ static inline void drive_look_ahead(drive *d) {
 }
 
 /* the same for fixed steps from step k on: rk4 comes to few times in a step, so several steps go together */
-static inline void drive_look_far(drive *d, long long k, int part) {
+static inline void forward_look_far(forward *d, long long k, int part) {
     enum { TOGETHER = 5 };
     const real h = d->r.options->step;
 
-    if (d->r.options->method == GOUGH_DOP853) drive_look_ahead(d);
+    if (d->r.options->method == GOUGH_DOP853) forward_look_ahead(d);
     if (d->ahead == NULL || d->r.options->method != GOUGH_RK4 || k % TOGETHER != 0) return;
     if (part > 0) return;
     lookahead_clear(d->ahead);
@@ -63,7 +65,7 @@ static inline void drive_look_far(drive *d, long long k, int part) {
 
 /* an adaptive step that meets what is `left` up to the next corner, and steps over nothing: two nearly equal steps rather than a
  * tiny one */
-static inline real drive_limited(drive *d, real wish, real left) {
+static inline real forward_limited(forward *d, real wish, real left) {
     const double longest = d->r.options->max_step;
     real step = wish;
 
@@ -84,12 +86,12 @@ typedef struct {
 } stiffness_watch;
 
 /* after an accepted step, d->y and d->rate being its end */
-static inline void drive_watch_stiffness(drive *d, stiffness_watch *w, const real *size) {
+static inline void forward_watch_stiffness(forward *d, stiffness_watch *w, const real *size) {
     gough_statistics *s = &d->statistics;
     real reach;
 
     if (s->stiff_rate > 0 || (w->near == 0 && s->steps % STIFF_EVERY != 0)) return;
-    reach = dop853_stiffness(d->dense, STATE, d->m.h, d->y0, d->y, d->rate, size);
+    reach = dop853_stiffness(d->dense, d->r.states, d->m.h, d->y0, d->y, d->rate, size);
     if (!(reach > (real)stiff_limit)) {
         if (++w->far == STIFF_OTHERS) *w = (stiffness_watch){0, 0};
         return;
@@ -103,7 +105,7 @@ static inline void drive_watch_stiffness(drive *d, stiffness_watch *w, const rea
 /* ---- one step ---- */
 
 /* rattle: the state goes on as velocities, and is read out as rates of the triad */
-static inline void drive_rattle_read(const rattle_state *s, number *y) {
+static inline void forward_rattle_read(const rattle_state *s, number *y) {
     const coordinates rate = {s->velocity, triad_rate(&s->x.q, out_of(&s->x.q, s->omega))};
 
     coordinates_store(&s->x, y);
@@ -111,12 +113,12 @@ static inline void drive_rattle_read(const rattle_state *s, number *y) {
 }
 
 /* makes the part of a step whose times are set, up to d->raw; returns what an implicit step leaves of its equation */
-static inline number drive_go(drive *d, dop853 *work, rattle_state *carried) {
-    const march_problem problem = run_problem(&d->r);
+static inline number forward_go(forward *d, dop853 *work, rattle_state *carried) {
+    const march_problem problem = system_problem(&d->r);
 
-    for (int i = 0; i < STATE; i++) d->y0[i] = d->y[i], d->rate0[i] = d->rate[i];
+    for (int i = 0; i < d->r.states; i++) d->y0[i] = d->y[i], d->rate0[i] = d->rate[i];
     const number residual = march_step(&d->m, &problem, work, carried, d->y0, d->rate0, d->raw);
-    if (d->m.method >= MARCH_RATTLE) drive_rattle_read(carried, d->raw);
+    if (d->m.method >= MARCH_RATTLE) forward_rattle_read(carried, d->raw);
     return residual;
 }
 
@@ -124,19 +126,19 @@ static inline number drive_go(drive *d, dop853 *work, rattle_state *carried) {
 
 /* dop853 with steps of its own choice */
 typedef struct {
-    drive *d;
+    forward *d;
     dop853 work;
     stiffness_watch watch;
-    real size[STATE], unit; /* of the state's numbers; the unit of time */
-    real stop;              /* no step goes beyond */
+    real size[STATE_SIZE], unit; /* of the state's numbers; the unit of time */
+    real stop;                   /* no step goes beyond */
     long long steps;
     gough_status status; /* why the loop ends */
 } adaptation;
 
 /* the next step; 0 at the end, and where no step will do */
-static inline real drive_length(void *context, real wish, int rejected) {
+static inline real forward_length(void *context, real wish, int rejected) {
     adaptation *a = context;
-    drive *d = a->d;
+    forward *d = a->d;
     const real duration = d->r.options->duration;
 
     if (!(d->t < duration)) return 0;
@@ -144,41 +146,42 @@ static inline real drive_length(void *context, real wish, int rejected) {
     d->statistics.rejected += rejected;
     a->stop = corner < duration ? corner : duration;
     if (wish < 16 * REAL_EPSILON * (d->t > a->unit ? d->t : a->unit)) {
-        a->status = drive_stuck(d, a->unit);
+        a->status = forward_stuck(d, a->unit);
         return 0;
     }
-    if (a->steps++ == drive_most_steps) {
-        a->status = drive_stiff(d);
+    if (a->steps++ == forward_most_steps) {
+        a->status = forward_stiff(d);
         return 0;
     }
-    return drive_limited(d, wish, a->stop - d->t);
+    return forward_limited(d, wish, a->stop - d->t);
 }
 
-static inline real drive_attempt(void *context, real length) {
+static inline real forward_attempt(void *context, real length) {
     adaptation *a = context;
-    drive *d = a->d;
+    forward *d = a->d;
 
     d->m.t0 = d->t;
     d->m.h = length;
     d->prepared = 0;
-    drive_look_ahead(d);
-    (void)drive_go(d, &a->work, NULL);
-    return dop853_error(&a->work, STATE, length, d->y0, d->raw, a->size, d->r.options->tolerance);
+    forward_look_ahead(d);
+    (void)forward_go(d, &a->work, NULL);
+    return dop853_error(&a->work, d->r.states, length, d->y0, d->raw, a->size,
+                        d->r.options->tolerance);
 }
 
-static inline int drive_keep(void *context) {
+static inline int forward_keep(void *context) {
     adaptation *a = context;
-    drive *d = a->d;
+    forward *d = a->d;
 
     d->r.fault.what = NULL; /* what a trial met is not the run's fault */
     d->t = d->m.h < a->stop - d->m.t0 ? d->m.t0 + d->m.h : a->stop;
-    a->status = drive_accept(d, 1);
-    if (a->status == GOUGH_OK) drive_watch_stiffness(d, &a->watch, a->size);
+    a->status = forward_accept(d, 1);
+    if (a->status == GOUGH_OK) forward_watch_stiffness(d, &a->watch, a->size);
     return a->status != GOUGH_OK;
 }
 
-static inline gough_status drive_adaptive(drive *d) {
-    static const march_rules rules = {drive_length, drive_attempt, drive_keep};
+static inline gough_status forward_adaptive(forward *d) {
+    static const march_rules rules = {forward_length, forward_attempt, forward_keep};
     const gough_machine *machine = d->r.lane[0].machine;
     const real length = machine->base_radius, gravity = machine->gravity_magnitude;
     adaptation a;
@@ -195,8 +198,8 @@ static inline gough_status drive_adaptive(drive *d) {
     }
     d->dense = &a.work;
     d->m.method = MARCH_DOP853;
-    run_rates(&d->r, 0, d->y, d->rate);
-    wish = drive_first_step(d, a.size, d->r.options->tolerance, d->r.options->duration);
+    system_rates(&d->r, 0, d->y, d->rate);
+    wish = forward_first_step(d, a.size, d->r.options->tolerance, d->r.options->duration);
     march_adaptive(&rules, &a, &wish);
     return a.status;
 }
@@ -205,29 +208,29 @@ static inline gough_status drive_adaptive(drive *d) {
 
 /* what a loop of fixed steps works with */
 typedef struct {
-    drive *d;
+    forward *d;
     dop853 work;
     rattle_state body;
     gough_status status; /* why the loop ends */
 } fixed_loop;
 
 /* one part of fixed step k */
-static inline int drive_move(void *context, long long k, int part) {
+static inline int forward_move(void *context, long long k, int part) {
     fixed_loop *f = context;
-    drive *d = f->d;
+    forward *d = f->d;
 
-    drive_look_far(d, k, part);
-    const number residual = drive_go(d, &f->work, &f->body);
-    if (d->m.method >= MARCH_RATTLE) f->status = drive_converged(d, residual);
+    forward_look_far(d, k, part);
+    const number residual = forward_go(d, &f->work, &f->body);
+    if (d->m.method >= MARCH_RATTLE) f->status = forward_converged(d, residual);
     if (f->status != GOUGH_OK) return 1;
     d->t = d->m.t1;
-    f->status = drive_accept(d, 0);
+    f->status = forward_accept(d, 0);
     return f->status != GOUGH_OK;
 }
 
-static inline gough_status drive_fixed(drive *d) {
+static inline gough_status forward_fixed(forward *d) {
     const gough_simulation *o = d->r.options;
-    const march_problem problem = run_problem(&d->r);
+    const march_problem problem = system_problem(&d->r);
     fixed_loop f;
 
     f.d = d;
@@ -239,18 +242,18 @@ static inline gough_status drive_fixed(drive *d) {
         f.body.omega = onto(&f.body.x.q, triad_angular_velocity(&f.body.x.q, &rate.q));
         rattle_begin(&problem.rule, 0, &f.body);
     }
-    run_rates(&d->r, 0, d->y, d->rate);
-    (void)march_fixed(&d->m, 0, fixed_steps(o->duration, o->step), drive_move, &f);
+    system_rates(&d->r, 0, d->y, d->rate);
+    (void)march_fixed(&d->m, 0, fixed_steps(o->duration, o->step), forward_move, &f);
     return f.status;
 }
 
 /* a run that is ready to begin */
-static inline void drive_open(drive *d, const simulate_parts *parts,
-                              const gough_simulation *options, gough_sink sink, void *context,
-                              gough_end *end) {
-    const run_lane lane = {parts->machine, parts->control, parts->disturbance, parts->number};
+static inline void forward_open(forward *d, const simulate_parts *parts,
+                                const gough_simulation *options, gough_sink sink, void *context,
+                                gough_end *end) {
+    const system_lane lane = {parts->machine, parts->control, parts->disturbance, parts->number};
 
-    run_begin(&d->r, parts->motion, options, &lane);
+    system_begin(&d->r, parts->motion, options, &lane);
     d->initial = parts->initial;
     d->sink = sink;
     d->context = context;
@@ -259,26 +262,26 @@ static inline void drive_open(drive *d, const simulate_parts *parts,
     d->dense = NULL;
     d->prepared = 0;
     d->ahead = NULL;
-    d->m = run_march(options, &d->when);
+    d->m = system_march(options, &d->when);
     d->statistics = (gough_statistics){.steps = 0};
     appointments_begin(&d->when, parts->motion, parts->disturbance, 0, options->duration,
                        options->output_step);
 }
 
-static inline gough_status drive_run(const simulate_parts *parts, const gough_simulation *options,
-                                     gough_sink sink, void *context, gough_end *end) {
+static inline gough_status forward_run(const simulate_parts *parts, const gough_simulation *options,
+                                       gough_sink sink, void *context, gough_end *end) {
     gough_status status;
     lookahead ahead;
-    drive d;
+    forward d;
 
-    drive_open(&d, parts, options, sink, context, end);
+    forward_open(&d, parts, options, sink, context, end);
     d.ahead = &ahead;
     lookahead_begin(d.ahead, &d.r);
-    drive_start(&d);
-    status = drive_begin(&d);
+    forward_start(&d);
+    status = forward_begin(&d);
     if (status == GOUGH_OK) {
-        status = options->method == GOUGH_DOP853 && !(options->step > 0) ? drive_adaptive(&d)
-                                                                         : drive_fixed(&d);
+        status = options->method == GOUGH_DOP853 && !(options->step > 0) ? forward_adaptive(&d)
+                                                                         : forward_fixed(&d);
     }
     if (status == GOUGH_OK) end->time = options->duration;
     d.statistics.evaluations = d.r.evaluations;

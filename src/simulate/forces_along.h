@@ -6,8 +6,8 @@
  * and powers, or while the program at 128 times from row to row is not where the looks expect it: what the looks do not meet,
  * these do.
  * Looks are taken in, in order of time, one late: where a margin dips between looks, another is put at the bottom of the dip. */
-#ifndef GOUGH_SIMULATE_WALK_H
-#define GOUGH_SIMULATE_WALK_H
+#ifndef GOUGH_SIMULATE_FORCES_ALONG_H
+#define GOUGH_SIMULATE_FORCES_ALONG_H
 
 #include "model/appointments.h"
 #include "simulate/ends.h"
@@ -41,7 +41,7 @@ typedef struct {
 } look;
 
 typedef struct {
-    run r;
+    struct system r;
     gough_sink sink;
     gough_crossing_sink crossings;
     void *context, *crossings_context;
@@ -62,33 +62,33 @@ typedef struct {
 } walk;
 
 /* the program as an instant: its forces are what the legs give */
-static inline void walk_at(walk *a, real t, instant *m) {
-    const stage *s = run_stage(&a->r, t);
+static inline void walk_at(walk *a, real t, signals *m) {
+    const wanted *s = system_wanted(&a->r, t);
 
     m->x = s->x[0];
     m->rate = s->x[1];
     m->acceleration = s->x[2];
     m->g = s->program;
-    for (int v = 0; v < LEGS; v++) m->u[v] = s->force[v];
+    for (int v = 0; v < LEGS; v++) m->force[v] = s->force[v];
 }
 
-static inline void walk_margins(walk *a, real t, instant *m, real margin[MARGINS]) {
+static inline void walk_margins(walk *a, real t, signals *m, real margin[MARGINS]) {
     walk_at(a, t, m);
-    limits_margins(&a->r, run_stage(&a->r, t), m, limits_pose(&a->r, m).determinant, &a->side,
+    limits_margins(&a->r, system_wanted(&a->r, t), m, limits_pose(&a->r, m).determinant, &a->side,
                    margin);
 }
 
 static inline void walk_look(walk *a, real t, look *l) {
-    instant m;
+    signals m;
 
     l->t = t;
     l->row = 0;
     walk_at(a, t, &m);
     motion_components(a->r.motion, t, l->component);
     const elimination pose = limits_pose(&a->r, &m);
-    limits_margins(&a->r, run_stage(&a->r, t), &m, pose.determinant, &a->side, l->margin);
+    limits_margins(&a->r, system_wanted(&a->r, t), &m, pose.determinant, &a->side, l->margin);
     l->near = limits_nearly_singular(&a->r, t, &m, &pose);
-    row_fill(&a->r, run_stage(&a->r, t), t, &m, 0, 1, 0, l->value);
+    row_fill(&a->r, system_wanted(&a->r, t), t, &m, 0, 1, 0, l->value);
 }
 
 /* ---- what is between two looks ---- */
@@ -96,7 +96,7 @@ static inline void walk_look(walk *a, real t, look *l) {
 /* when margin e passes its end between `low` and `high`, which differ in it */
 static inline real walk_root(walk *a, int e, real low, real high, int broken_at_low) {
     real margin[MARGINS];
-    instant m;
+    signals m;
 
     for (int i = 0; i < WALK_HALVINGS; i++) {
         const real middle = (low + high) / 2;
@@ -112,7 +112,7 @@ static inline real walk_root(walk *a, int e, real low, real high, int broken_at_
 
 /* when the pose becomes nearly singular between `low` and `high` */
 static inline real walk_near_root(walk *a, real low, real high) {
-    instant m;
+    signals m;
 
     for (int i = 0; i < WALK_HALVINGS; i++) {
         const real middle = (low + high) / 2;
@@ -150,7 +150,7 @@ static inline void walk_close(walk *a, int e, double leave) {
 
 static inline void walk_open(walk *a, int e, double enter, double value) {
     real margin[MARGINS];
-    instant m;
+    signals m;
 
     a->open[e] = (gough_crossing){.cause = limits_cause(&a->r, e),
                                   .leg = e % LEGS + 1,
@@ -361,9 +361,9 @@ static inline int walk_expected(walk *a, const look *p, const look *q) {
         while (count < FORMULA_TIMES && (real)k * step < q->t) t[count++] = (real)k++ * step;
         motion_components_at(a->r.motion, count, t, component);
         for (int i = 0; i < count; i++) {
-            const char *flaw = run_flaw(component[i]);
+            const char *flaw = wanted_flaw(component[i]);
             if (flaw) {
-                run_blame(&a->r, flaw, t[i]);
+                wanted_blame(&a->r, flaw, t[i]);
                 return 0;
             }
         }
@@ -470,12 +470,12 @@ static inline gough_status walk_all(walk *a) {
     const gough_simulation *o = a->r.options;
     const long long rows = (long long)floor(o->duration / o->output_step + 1e-9) + 1;
     gough_status status;
-    instant m;
+    signals m;
     look at;
 
     walk_at(a, 0, &m);
     if (a->r.fault.what) return limits_fault(&a->r, a->end);
-    a->side = limits_begin(&a->r, run_stage(&a->r, 0), &m);
+    a->side = limits_begin(&a->r, system_wanted(&a->r, 0), &m);
     walk_look(a, 0, &at);
     walk_learn(a, &at);
     at.row = 1;
@@ -493,13 +493,13 @@ static inline gough_status walk_all(walk *a) {
 static inline gough_status walk_run(const gough_model *model, const gough_simulation *options,
                                     gough_sink sink, void *context, gough_crossing_sink crossings,
                                     void *crossings_context, gough_end *end) {
-    const run_lane lane = {&model->machine, &model->control, &model->disturbance, 0};
+    const system_lane lane = {&model->machine, &model->control, &model->disturbance, 0};
     const real radius = (real)model->machine.base_radius, duration = (real)options->duration;
     gough_status status;
     walk a;
 
-    run_begin(&a.r, &model->motion, options, &lane);
-    run_program_only(&a.r);
+    system_begin(&a.r, &model->motion, options, &lane);
+    system_program_only(&a.r);
     appointments_begin(&a.when, &model->motion, NULL, 0, options->duration, options->output_step);
     a.sink = sink;
     a.context = context;

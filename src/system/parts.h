@@ -1,0 +1,167 @@
+/* A machine in motion as its parts: plant, controller, disturbances and program, in lanes. What a stepper sees of them. Text over
+ * the number type. Theory: docs/theory/control.md. */
+#ifndef GOUGH_SYSTEM_PARTS_H
+#define GOUGH_SYSTEM_PARTS_H
+
+#include "base/limits.h"
+#include "dynamics/forward.h"
+#include "dynamics/inverse.h"
+#include "dynamics/machine.h"
+#include "dynamics/program.h"
+#include "dynamics/state.h"
+#include "gough/random.h"
+#include "gough/simulate.h"
+#include "kernel/law.h"
+#include "kernel/real.h"
+
+/* What the program and the disturbances are at one time. It depends on time alone, so that it may be prefetched, recorded and
+ * replayed; nothing else may. */
+typedef struct {
+    coordinates x[3];        /* the program and its derivatives */
+    legs program;            /* l^p, l̇^p */
+    number force[LEGS];      /* F^p, if fed forward, and what disturbs the legs */
+    vector push, turn;       /* force at the centre of mass and moment on the load, base axes */
+    elimination singularity; /* of the six equations of F^p; determinant 1 where none were solved */
+} wanted;
+
+/* What is not finite: a sentence's subject, or NULL. */
+typedef struct {
+    const char *what;
+    real time;
+} wanted_fault;
+
+/* What one lane of a run has of its own. */
+typedef struct {
+    const gough_machine *machine;
+    const gough_control *control;
+    const gough_disturbance *disturbance;
+    uint64_t number; /* of the run, for its noise */
+} system_lane;
+
+/* the noise between two knots: four coefficients for each leg, force and moment along three axes */
+enum { NOISE_CHANNELS = LEGS + 6 };
+typedef struct {
+    int present, fresh;
+    real knot; /* the one before */
+    number coefficient[NOISE_CHANNELS][4];
+} noise_state;
+
+/* What the parts need, found once from what is there, the same in all lanes. */
+enum {
+    NEEDS_RATES = 1, /* forces of the legs depend on their rates */
+    LINEAR_IN_RATES =
+        2 /* and fall in proportion to them: RATTLE's closing kick can be solved for */
+};
+
+struct system {
+    const gough_motion *motion;
+    const gough_simulation *options;
+    system_lane lane[NUMBER_WIDTH];
+    int traits;
+    slice pose, rate; /* of the state */
+    int states;       /* numbers of a state */
+
+    /* plant */
+    hexapod h;
+    double height;      /* of home, the same in every lane */
+    number alpha, beta; /* Baumgarte, or 0 */
+    number least, most, fastest,
+        strongest;  /* reciprocals of the legs' limits, 0 where there is none */
+    int limited[3]; /* some lane has a greatest length, speed, force */
+
+    /* controller */
+    number G[LEGS], D[LEGS];
+    int feeds;  /* F^p is fed forward */
+    int solves; /* the six equations of the program are needed */
+
+    /* disturbances */
+    int share;        /* a vertical force is shared by the legs */
+    int loaded;       /* force or moment on the load */
+    int shaken[LEGS]; /* leg disturbances present */
+    noise_state noise;
+
+    /* what depends on time alone, at `time`, kept since steppers come back to it */
+    wanted now;
+    real time;
+    int valid;
+    void (*provide)(
+        struct system *r,
+        real t);    /* fills it from what was prefetched or recorded; NULL: from the formulas */
+    void *provider; /* its context */
+    int partial;    /* what was provided lacks the program's pose and the legs' directions in it */
+    wanted_fault fault;
+
+    long long evaluations; /* of the equations of motion */
+};
+
+/* gains, limits and disturbances of a lane */
+static inline void system_add_lane(struct system *r, int lane) {
+    const gough_control *control = r->lane[lane].control;
+    const gough_disturbance *d = r->lane[lane].disturbance;
+    const gough_platform *p = &r->lane[lane].machine->platform;
+    const double nothing = leg_no_length * r->lane[lane].machine->base_radius;
+
+    number_put(&r->least, lane, 1 / (real)(p->length_min > nothing ? p->length_min : nothing));
+    number_put(&r->most, lane, 1 / (real)p->length_max);
+    number_put(&r->fastest, lane, 1 / (real)p->speed_max);
+    number_put(&r->strongest, lane, 1 / (real)p->force_max);
+
+    r->limited[0] |= p->length_max < INFINITY;
+    r->limited[1] |= p->speed_max < INFINITY;
+    r->limited[2] |= p->force_max < INFINITY;
+
+    for (int v = 0; v < LEGS; v++) {
+        number_put(&r->G[v], lane, control->stiffness[v]);
+        number_put(&r->D[v], lane, control->damping[v]);
+        if (control->damping[v] > 0) r->traits |= NEEDS_RATES | LINEAR_IN_RATES;
+        r->shaken[v] = r->shaken[v] || !gough_formula_is_zero(&d->leg_force[v]);
+    }
+    r->noise.present |= d->noise.leg_force > 0 || d->noise.force > 0 || d->noise.moment > 0;
+    r->loaded |= d->noise.force > 0 || d->noise.moment > 0;
+    r->share = r->share || !gough_formula_is_zero(&d->vertical_force);
+    for (int c = 0; c < 3; c++) {
+        r->loaded = r->loaded || !gough_formula_is_zero(&d->force[c]) ||
+                    !gough_formula_is_zero(&d->moment[c]);
+    }
+}
+
+/* Lanes that move by one motion, with one height of home and one choice of feed-forward; each has its own machine otherwise,
+ * gains and disturbances. */
+static inline void system_begin(struct system *r, const gough_motion *motion,
+                                const gough_simulation *options,
+                                const system_lane lane[NUMBER_WIDTH]) {
+    r->motion = motion;
+    r->options = options;
+    r->height = lane[0].machine->platform.height;
+    r->share = r->loaded = r->traits = 0;
+    r->pose = (slice){0, COORDINATES};
+    r->rate = (slice){COORDINATES, COORDINATES};
+    r->states = r->rate.at + r->rate.count;
+    r->noise.present = r->noise.fresh = 0;
+    for (int kind = 0; kind < 3; kind++) r->limited[kind] = 0;
+    for (int v = 0; v < LEGS; v++) r->shaken[v] = 0;
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        r->lane[i] = lane[i];
+        hexapod_put_machine(&r->h, i, lane[i].machine);
+        system_add_lane(r, i);
+    }
+    r->feeds = lane[0].control->feedforward;
+    r->solves = r->feeds || r->share;
+    r->alpha = number_of(options->constraints == GOUGH_BAUMGARTE ? options->baumgarte[0] : 0);
+    r->beta = number_of(options->constraints == GOUGH_BAUMGARTE ? options->baumgarte[1] : 0);
+    r->provide = NULL;
+    r->provider = NULL;
+    r->partial = 0;
+    r->valid = 0;
+    r->evaluations = 0;
+    r->fault = (wanted_fault){NULL, 0};
+}
+
+/* F^p alone, whatever control and disturbances the study has: the direct problem */
+static inline void system_program_only(struct system *r) {
+    r->feeds = r->solves = 1;
+    r->share = r->loaded = r->noise.present = 0;
+    for (int v = 0; v < LEGS; v++) r->shaken[v] = 0;
+}
+
+#endif

@@ -1,0 +1,54 @@
+/* One instant of a machine in motion, filled in one order, each line from lines above it: wanted (of time alone), legs of the
+ * pose, forces of the legs, accelerations. Text over the number type. Theory: docs/theory/control.md.
+ *
+ * While drives are ideal, the force of a leg is what the controller commands and what disturbs the leg, in one sum. */
+#ifndef GOUGH_SYSTEM_SIGNALS_H
+#define GOUGH_SYSTEM_SIGNALS_H
+
+#include "system/wanted.h"
+
+/* (law-1), with the disturbances of the legs */
+static inline void signals_forces(const struct system *r, const wanted *s, const legs *g,
+                                  number u[LEGS]) {
+    for (int v = 0; v < LEGS; v++) {
+        u[v] = law_stiff(s->force[v], r->G[v], s->program.length[v], g->length[v]);
+        if (r->traits & NEEDS_RATES) {
+            u[v] = law_force(s->force[v], r->G[v], r->D[v], s->program.length[v],
+                             s->program.rate[v], g->length[v], g->rate[v]);
+        }
+    }
+}
+
+/* All of one instant: legs, forces and accelerations in a state. */
+typedef struct {
+    coordinates x, rate, acceleration;
+    legs g;
+    number force[LEGS];
+} signals;
+
+/* what the legs and all else that acts do to the load in a state */
+KERNEL_INLINE coordinates signals_acceleration(const struct system *r, const wanted *s,
+                                               const coordinates *x, const coordinates *rate,
+                                               const legs *g, const number u[LEGS]) {
+    const push p = legs_push(&r->h, g, u);
+    coordinates a = accelerations_under(&r->h, x, rate, &p, r->loaded ? &s->push : NULL, &s->turn);
+
+    if (r->options->constraints == GOUGH_BAUMGARTE) {
+        triad_stabilise(&r->h.load, &x->q, &rate->q, r->alpha, r->beta, &a.q);
+    }
+    return a;
+}
+
+static inline void system_signals(struct system *r, real t, const number *y, signals *m) {
+    const wanted *s = system_wanted(r, t);
+
+    r->evaluations++;
+    m->x = coordinates_load(y);
+    m->rate = coordinates_load(y + COORDINATES);
+    legs_at(&r->h, &m->x, &m->g);
+    legs_rates(&r->h, &m->rate, &m->g);
+    signals_forces(r, s, &m->g, m->force);
+    m->acceleration = signals_acceleration(r, s, &m->x, &m->rate, &m->g, m->force);
+}
+
+#endif

@@ -1,0 +1,85 @@
+/* What the steppers see of a machine in motion: rates of a state, for RATTLE a body under a wrench, and how it goes through
+ * time. Text over the number type. Theory: docs/theory/steppers.md. */
+#ifndef GOUGH_SYSTEM_SYSTEM_H
+#define GOUGH_SYSTEM_SYSTEM_H
+
+#include "integrate/march.h"
+#include "model/appointments.h"
+#include "system/signals.h"
+
+/* The rate_function of a run: system_signals() without the rates of legs that only rows and limits need */
+static inline void system_rates(void *context, real t, const number *y, number *rate) {
+    struct system *r = context;
+    const wanted *s = system_wanted(r, t);
+    const coordinates x = coordinates_load(y), v = coordinates_load(y + COORDINATES);
+    number u[LEGS];
+    coordinates a;
+    legs g;
+
+    r->evaluations++;
+    legs_at(&r->h, &x, &g);
+    if (r->traits & NEEDS_RATES) legs_rates(&r->h, &v, &g);
+    signals_forces(r, s, &g, u);
+    a = signals_acceleration(r, s, &x, &v, &g, u);
+    coordinates_store(&v, rate);
+    coordinates_store(&a, rate + COORDINATES);
+}
+
+/* The wrench_function of a run: forces with the legs at rest, and damping Σ D w wᵀ, where l̇ = w·(ρ̇, Ω), w = (n, arm × n) */
+static inline void system_wrench(void *context, real t, const coordinates *x, number wrench[6],
+                                 number damping[6][6]) {
+    struct system *r = context;
+    const wanted *s = system_wanted(r, t);
+    number u[LEGS];
+    vector F, L;
+    legs g;
+    push p;
+
+    r->evaluations++;
+    legs_at(&r->h, x, &g);
+    for (int v = 0; v < LEGS; v++) g.rate[v] = number_of(0);
+    signals_forces(r, s, &g, u);
+    p = legs_push(&r->h, &g, u);
+    F = along(add(p.F, s->push), r->h.load.mass, r->h.gravity);
+    L = add(push_moment(&p, &x->q), onto(&x->q, s->turn));
+    vector_store(F, wrench);
+    vector_store(L, wrench + 3);
+    if (!(r->traits & LINEAR_IN_RATES)) return;
+
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++) damping[i][j] = number_of(0);
+    }
+    for (int v = 0; v < LEGS; v++) {
+        number w[6];
+        vector_store(g.n[v], w);
+        vector_store(cross(r->h.arm[v], onto(&x->q, g.n[v])), w + 3);
+        for (int i = 0; i < 6; i++) {
+            for (int j = 0; j < 6; j++) damping[i][j] = damping[i][j] + r->D[v] * w[i] * w[j];
+        }
+    }
+}
+
+/* what the steppers see of a run */
+static inline march_problem system_problem(struct system *r) {
+    return (march_problem){
+        r->states, system_rates, {&r->h.load, system_wrench, r, r->traits & LINEAR_IN_RATES}, r};
+}
+
+static inline double system_part(void *clock, double t, double end, double length) {
+    return appointments_part(clock, t, end, length);
+}
+
+/* how a run goes through time, from 0 */
+static inline march system_march(const gough_simulation *o, appointments *when) {
+    const int method = o->method == GOUGH_DOP853 ? MARCH_DOP853
+                       : o->method == GOUGH_RK4  ? MARCH_RK4
+                                                 : MARCH_RATTLE + (int)o->method - GOUGH_RATTLE2;
+
+    return (march){.method = method,
+                   .length = o->step,
+                   .until = o->duration,
+                   .part = system_part,
+                   .clock = when};
+}
+
+#endif
