@@ -67,6 +67,7 @@ UNCOUNTED(exp)
 UNCOUNTED(log)
 UNCOUNTED(tanh)
 UNCOUNTED(floor)
+UNCOUNTED(ceil)
 UNCOUNTED(fabs)
 counting pow(counting x, counting y) { return counting(std::pow(x.v, y.v)); }
 counting atan2(counting y, counting x) { return counting(std::atan2(y.v, x.v)); }

@@ -6,6 +6,7 @@
 
 #include "batch/looks.h"
 #include "batch/width.h"
+#include "system/problem.h"
 
 typedef struct {
     struct system r;

@@ -3,12 +3,11 @@
 #ifndef GOUGH_SIMULATE_FORWARD_SETTLE_H
 #define GOUGH_SIMULATE_FORWARD_SETTLE_H
 
-#include "integrate/march.h"
-#include "model/appointments.h"
 #include "simulate/ends.h"
 #include "simulate/lookahead.h"
 #include "simulate/row.h"
 #include "simulate/simulate.h"
+#include "system/problem.h"
 
 /* halvings of a bracket around an end: to round-off of the step */
 enum { FORWARD_HALVINGS = 64 };

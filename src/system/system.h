@@ -1,10 +1,9 @@
-/* What the steppers see of a machine in motion: rates of a state, for RATTLE a body under a wrench, and how it goes through
- * time. Text over the number type. Theory: docs/theory/steppers.md. */
+/* What the steppers see of a machine in motion: rates of a state, and for RATTLE a body under a wrench. Text over the number
+ * type. Theory: docs/theory/steppers.md. */
 #ifndef GOUGH_SYSTEM_SYSTEM_H
 #define GOUGH_SYSTEM_SYSTEM_H
 
-#include "integrate/march.h"
-#include "model/appointments.h"
+#include "integrate/rattle.h"
 #include "system/signals.h"
 
 /* The rate_function of a run: system_signals() without the rates of legs that only rows and limits need */
@@ -57,29 +56,6 @@ static inline void system_wrench(void *context, real t, const coordinates *x, nu
             for (int j = 0; j < 6; j++) damping[i][j] = damping[i][j] + r->D[v] * w[i] * w[j];
         }
     }
-}
-
-/* what the steppers see of a run */
-static inline march_problem system_problem(struct system *r) {
-    return (march_problem){
-        r->states, system_rates, {&r->h.load, system_wrench, r, r->traits & LINEAR_IN_RATES}, r};
-}
-
-static inline double system_part(void *clock, double t, double end, double length) {
-    return appointments_part(clock, t, end, length);
-}
-
-/* how a run goes through time, from 0 */
-static inline march system_march(const gough_simulation *o, appointments *when) {
-    const int method = o->method == GOUGH_DOP853 ? MARCH_DOP853
-                       : o->method == GOUGH_RK4  ? MARCH_RK4
-                                                 : MARCH_RATTLE + (int)o->method - GOUGH_RATTLE2;
-
-    return (march){.method = method,
-                   .length = o->step,
-                   .until = o->duration,
-                   .part = system_part,
-                   .clock = when};
 }
 
 #endif
