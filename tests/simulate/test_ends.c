@@ -384,7 +384,7 @@ START_TEST(step_too_long_is_said) {
     model->initial.angular_velocity_given = true;
     ck_assert_int_eq(gough_simulate(model, &s, take, &rows, &end, &error), GOUGH_ERROR_NUMERICAL);
     ck_assert_int_eq(end.cause, GOUGH_END_NO_CONVERGENCE);
-    ck_assert(strstr(error.message, "shorter step") != NULL);
+    ck_assert(strstr(error.message, "shorter simulation.step") != NULL);
     free(model);
 }
 END_TEST
