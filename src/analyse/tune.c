@@ -215,11 +215,11 @@ static gough_status find_period(tune *t, gough_error *error) {
         return gough_fail(error, status, "%s", why.message);
     tuning->periodic = status == GOUGH_OK && !t->period.resting;
     if (status != GOUGH_OK) {
-        gough_fail(&why, status, "the program has no period; home is checked");
+        gough_fail(&why, status, "the program has no period, so home was checked");
         t->period = (gough_period){.resting = true};
         memset(&t->steady->motion, 0, sizeof t->steady->motion);
     } else if (t->period.resting) {
-        gough_fail(&why, status, "the program ends at rest; the pose there is checked");
+        gough_fail(&why, status, "the program ends at rest, so the pose there was checked");
     }
     t->map_top = most_stiffness * fmax(t->unit, tuning->threshold);
     if (!t->period.resting) t->map_top = pow(most_phase / (t->period.period * t->frequency), 2);

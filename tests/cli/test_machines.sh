@@ -263,7 +263,7 @@ reaches "$G" 1e-4 own.yaml --set gravity=0.1 "${short[@]}" --set control.feedfor
 reaches "$(awk -v G="$G" 'BEGIN { print 0.8 * G }')" 1e-4 own.yaml --set gravity=0.1 "${short[@]}" --set control.feedforward=none &&
     fail "$what: 0.8 G would do"
 tune "gravity 0.1, with feed-forward" own.yaml --set gravity=0.1 "${short[@]}" --deviation 1e-2 --feedforward program --stiffness 0:1e6
-says "the program ends at rest; the pose there is checked"
+says "the program ends at rest, so the pose there was checked"
 never "at home only"
 threshold() { "$GOUGH" stability own.yaml --set gravity=0.1 --pose "$1" --json | jq '[.thresholds[].stiffness] | max'; }
 near "$what: at home" "$(sed -n 's/^At rest at home, .* needs G above \([^ ]*\) N.m.*/\1/p' out)" "$(threshold surge=0)" 1e-5

@@ -118,8 +118,8 @@ export function causeWords(status) {
   return (
     {
       done: "completed",
-      leg_short: "a leg is shorter than it can be",
-      leg_long: "a leg is longer than it can be",
+      leg_short: "a leg is shorter than its limit",
+      leg_long: "a leg is longer than its limit",
       leg_speed: "a leg exceeds its greatest speed",
       leg_force: "a leg exceeds its greatest force",
       leg_no_length: "both joints of a leg coincided",
