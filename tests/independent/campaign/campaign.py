@@ -282,6 +282,25 @@ class Case:
         run = verbs.Forces(self.meaning, axes)
         for scaled in scales:
             self.verb(run, title, scaled, reactions=scaled)
+        try:
+            self.moved(axes, title, scales)
+        except verbs.Singular:
+            self.singular()
+
+    def singular(self):
+        """The motion passes a singular pose, in the study or in a run of its sweep: that much must be said."""
+        self.skipped["simulate, sweep"] = "of motions through a singular pose only their end is compared"
+        name = os.path.basename(self.path)
+        if self.number % 2 == 0:
+            data = self.data("simulate", name, "--json", allowed=(0, 1))
+        if self.number % 2 or data["end"]["status"] == "done":
+            data = self.data("sweep", name, "--json")
+            self.same("sweep: a run ends at a singular pose", data.get("ended", {}).get("singular", 0) > 0, True)
+        else:
+            self.same("simulate: end at a singular pose", data["end"]["status"], "singular")
+
+    def moved(self, axes, title, scales):
+        """What moves under forces: simulate and sweep."""
         if self.number % 2 == 0:
             run = verbs.Simulate(self.meaning, axes)
             for scaled in scales:

@@ -398,12 +398,19 @@ class Forces(Run):
             self.end = limits.ending(first["kind"], limits.given(self.meaning)[first["kind"]], first["enter"], slack, beyond)
 
 
+NEAR_A_LIMIT = 0.05  # a share of the limit: no further does a run go between two moments that are kept
+
+
+class Singular(Exception):
+    """The motion passes a singular pose."""
+
+
 class Simulate(Run):
     verb, simulated = "simulate", True
 
     def __init__(self, meaning, axes=None, tolerance=1e-11):
         super().__init__(meaning)
-        self.axes, self.table = axes, []
+        self.axes, self.table, self.side = axes, [], None
         plant = meaning.plant
         plant.set_scale(self.scales.length, self.scales.time)
         state, t = meaning.start(), 0.0
@@ -412,6 +419,7 @@ class Simulate(Run):
         # a fixed step over a corner of the program costs it its order
         self.slack = 2e-4 if meaning.step and meaning.stops else 3e-8
         self.add_row(t, state)
+        self.watch_singular(t, state)
         broken = self.broken(t, state)
         if broken:
             self.end_at(None, t, broken, tolerance)
@@ -421,9 +429,10 @@ class Simulate(Run):
                 continue
             before, kept = (t, state), [(times[:], states[:]) for times, states in self.pieces]
             t, state = until, self.sampled(t, until, state, tolerance)
-            broken = self.broken(t, state)
+            self.watch_singular(t, state)
+            low, high, broken = self.first_broken(before, tolerance)
             if broken:
-                self.end_at(before, t, broken, tolerance)
+                self.end_at(low, high, broken, tolerance)
                 self.pieces = kept
                 self.sampled(before[0], self.end["time"], before[1], tolerance)
                 break
@@ -489,6 +498,35 @@ class Simulate(Run):
         u = self.meaning.plant.legs(t, pose)[0]
         self.beyond = limits.margins(self.meaning, pose.length, pose.rate, u)
         return {key: value for key, value in self.beyond.items() if value > 1e-12}
+
+    def first_broken(self, before, tolerance):
+        """The first moment since `before` that is beyond a limit, of those kept and, near a limit, of eight between two of them;
+        the moment before it, and the limits."""
+        since = [(t, state) for times, states in self.pieces for t, state in zip(times, states) if t > before[0]]
+        self.broken(*before)
+        near = max(self.beyond.values(), default=-1) > -NEAR_A_LIMIT
+        for t, state in since:
+            there = self.broken(t, state)
+            was_near, near = near, max(self.beyond.values(), default=-1) > -NEAR_A_LIMIT
+            for part in range(1, 8 if was_near or near else 1):
+                at = before[0] + (t - before[0]) * part / 8
+                inside = self.broken(at, self.advance(before[0], at, before[1], tolerance))
+                if inside:
+                    return before, at, inside
+            if there:
+                self.broken(t, state)
+                return before, t, there
+            before = t, state
+        return before, before[0], {}
+
+    def watch_singular(self, t, state):
+        """A motion that passes a singular pose is no run to compare with."""
+        jacobian = self.meaning.plant.pose_of(state).jacobian()
+        side = m.solve6([list(row) for row in jacobian], [0.0] * 6)[1] > 0
+        if self.side is None:
+            self.side = side
+        if side != self.side:
+            raise Singular(t)
 
     def end_at(self, before, t, broken, tolerance):
         """When the first limit is passed within the step from `before`."""
