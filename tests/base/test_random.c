@@ -64,7 +64,28 @@ START_TEST(normal_numbers_are_quantiles_to_all_digits) {
 }
 END_TEST
 
+/* Words of Philox 4×32-10 as its authors publish them (Random123, kat_vectors): counter and key are all zeros, all ones, digits
+ * of π; the counter is (draw, run) and the key the seed, with the low words first. */
+START_TEST(uniform_numbers_are_the_published_words) {
+    static const struct {
+        uint64_t draw, run, seed;
+        uint32_t word[2]; /* the first two of four */
+    } known[] = {{0, 0, 0, {0x6627e8d5u, 0xe169c58du}},
+                 {UINT64_MAX, UINT64_MAX, UINT64_MAX, {0x408f276du, 0x41c83b0eu}},
+                 {0x85a308d3243f6a88u,
+                  0x0370734413198a2eu,
+                  0x299f31d0a4093822u,
+                  {0xd16cfe09u, 0x94fdccebu}}};
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        const uint64_t bits = (uint64_t)known[i].word[1] << 32 | known[i].word[0];
+        const double found = gough_random_uniform(known[i].seed, known[i].run, known[i].draw);
+        ck_assert_msg(!(fabs(found - (double)(bits >> 11) * 0x1p-53) > 0) && isfinite(found),
+                      "vector %zu: %a", i, found);
+    }
+}
+END_TEST
+
 int main(void) {
-    return SUITE_RUN("base/random", 60, the_reference_agrees_with_tables,
-                     normal_numbers_are_quantiles_to_all_digits);
+    return SUITE_RUN("base/random", 60, uniform_numbers_are_the_published_words,
+                     the_reference_agrees_with_tables, normal_numbers_are_quantiles_to_all_digits);
 }

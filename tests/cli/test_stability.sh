@@ -51,6 +51,26 @@ near "the determinant's defect" "$(jq .determinant_defect open.json)" 0 1e-9
 near "the pairs' defect" "$(jq .pair_defect open.json)" 0 1e-9
 near "growth per period" "$(jq '.growth_per_period - (.multipliers[0] | .[0] * .[0] + .[1] * .[1] | sqrt)' open.json)" 0 1e-9
 
+# ---- the words for a mode: how large each component is beside the first, and how far it runs ahead of it or behind ----
+skew=(own.yaml --set 'control.damping=[150,10,150,150,20,150]' --set 'load.center_of_mass=[0.02,0.01,0.05]')
+run stability "${skew[@]}" --json
+jq -r '["surge", "sway", "heave", "roll", "pitch", "yaw"] as $names | . as $all | [range(12) | select($all.eigenvalues[.][1] > 0)][0] as $k |
+    $all.modes[$k].shape as $shape | $shape[0] as $lead | range(1; 6) | $shape[.] as $c |
+    ($c[0] * $lead[0] + $c[1] * $lead[1]) as $re | ($c[1] * $lead[0] - $c[0] * $lead[1]) as $im |
+    ($re / ($re | fabs)) as $sign | (($sign * $im) / ($sign * $re) | atan * 57.29577951308232) as $phase |
+    ($sign * 0.1 * (if . < 3 then 1 else 57.29577951308232 end)
+        * (($re * $re + $im * $im | sqrt) / ($lead[0] * $lead[0] + $lead[1] * $lead[1]))) as $size |
+    "\($names[.]) \($size) \($phase)"' out >shape
+"$GOUGH" stability "${skew[@]}" 2>/dev/null | sed -n '/surge 0.1 m with/,/)$/p' | head -3 | tr -s '\n ' ' ' >words
+while read -r name size phase; do
+    said=$(grep -oE "$name [-0-9.e]+ (m|deg) \([0-9]+ deg (ahead|behind)\)" words | head -1)
+    # shellcheck disable=SC2086
+    set -- $said
+    near "$name in '$(<words)'" "${2:-}" "$size" "$(awk -v s="$size" 'BEGIN { print 0.006 * (s < 0 ? -s : s) }')"
+    near "phase of $name in '$(<words)'" "$(tr -d '(' <<<"${4:-}" | awk -v w="${6:-}" '{ print w ~ /behind/ ? -$1 : $1 }')" "$phase" 0.51
+done <shape
+(($(wc -l <shape) == 5)) || fail "the shape of the first mode: $(<shape)"
+
 # ---- a drift along the program: nothing but momentum carries a weightless load ----
 free=(heave.yaml --set gravity=0 --set control.stiffness=0 --set control.damping=0)
 run stability "${free[@]}" --set 'motion.heave="1e-6*sin(t)"' --json

@@ -100,6 +100,42 @@ run tune heave.yaml $still --set disturbance= --set load.mass=3 --feedforward no
 awk -v a="$G" -v b="$(key '.choices[0].stiffness')" 'BEGIN { exit !(a / b - 1 < 2e-4 && b / a - 1 < 2e-4) }' ||
     fail "a threefold mass needs $(key '.choices[0].stiffness') in its own units, not $G"
 
+# a machine with units and limits: in its own units every number is that in SI over its unit, in JSON and in the table; the legs' shares
+# are those of the limits, and simulate finds the same force and speed
+"$GOUGH" example own-machine >own.yaml
+run tune own.yaml --deviation 1e-3 --feedforward none --stiffness 200:20000 --json -o si.csv
+expect_code 0 "tune own.yaml"
+mv out si.json
+run tune own.yaml --deviation 1e-3 --feedforward none --stiffness 200:20000 --json -o bare.csv --dimensionless
+mv out bare.json
+jq -rn --slurpfile si si.json --slurpfile bare bare.json '
+    0.25 as $L | 6 as $M | (0.25 / 9.80665 | sqrt) as $T |
+    def unit: {stiffness: ($M / $T / $T), fails: ($M / $T / $T), damping: ($M / $T), deviation: $L, deviation_time: $T, angle_time: $T,
+        force: ($M * $L / $T / $T), speed: ($L / $T)}[.] // 1;
+    def same($path; $a; $b): ($path | map(select(type == "string")) | last | unit) as $u |
+        if ($a - $b * $u | fabs) <= 1e-9 * ($a | fabs) then empty else "\($path | tostring): \($a) and \($b) in units of \($u)" end;
+    ($si[0] | del(.choices[].curve.scale)) as $all |
+    ($all | [paths(type == "number")][]) as $p | same($p; $all | getpath($p); $bare[0] | getpath($p)),
+    ($si[0].choices[0].legs | select((.force_share - .force / 80 | fabs) > 1e-12 or (.speed_share - .speed / 0.25 | fabs) > 1e-12) |
+        "shares of the limits: \(.)")' >differences
+[[ ! -s differences ]] || fail "tune in other units: $(cat differences)"
+paste -d, si.csv bare.csv | awk -F, '
+    function differs(a, b, unit) { return !(a == "nan" && b == "nan") && !((a - b * unit) ^ 2 <= 1e-18 * a * a) }
+    BEGIN { L = 0.25; M = 6; T = sqrt(L / 9.80665)
+            of["G"] = M / T / T; of["D"] = M / T; of["position_deviation"] = of["asked"] = L; of["force"] = M * L / T / T
+            of["speed"] = L / T; of["end_time"] = T }
+    NR == 1 { n = NF / 2; for (i = 1; i <= n; i++) { name[i] = $i; place[$i] = i }; next }
+    { for (i = 1; i <= n; i++) if (differs($i, $(i + n), name[i] in of ? of[name[i]] : 1)) print "row " NR ", " name[i] ": " $i " and " $(i + n)
+      if ($place["ended"] == 1 && $place["regular"] == 1) print "row " NR " ended, but is regular"
+      if ($place["growth"] != "nan" && $place["growth"] > 1.001 && $place["stable"] == 1) print "row " NR " grows, but is stable"
+      stable += $place["stable"]; regular += $place["regular"] }
+    END { if (!(stable > regular && regular > 10)) print stable " rows are stable, " regular " regular" }' >differences
+[[ ! -s differences ]] || fail "the table of tune: $(head -5 differences)"
+run simulate own.yaml --json -q --set control.feedforward=none --set control.stiffness="$(jq '.choices[0].stiffness' si.json)"
+jq -e --slurpfile si si.json '$si[0].choices[0].legs as $named |
+    ([.legs[].force[] | fabs] | max / $named.force - 1 | fabs) < 1e-3 and ([.legs[].speed] | max / $named.speed - 1 | fabs) < 1e-3' out >/dev/null ||
+    fail "simulate finds another force or speed than $(jq -c '.choices[0].legs' si.json)"
+
 # ---- none ----------------------------------------------------------------------------------------------------------
 
 none() { # none SENTENCE OPTION…
@@ -115,6 +151,9 @@ none "without damping that offset never dies out" --deviation 1e-4 --set initial
 none "its first swing is as large with any G" --deviation 1e-4 --set initial.pitch=1 --feedforward program --set disturbance= \
     --damping-ratio 0.2
 none "a leg's force exceeds its limit" --deviation 1e-2 --set platform.legs.max_force=0.15 --stiffness 0:50
+run tune heave.yaml --deviation 1e-2 --set platform.legs.max_speed=0.05 --stiffness 1:50
+expect_code 1 "tune with a slow leg"
+grep -qF "a leg moves too fast" err || fail "tune with a slow leg says: $(cat err)"
 run tune heave.yaml --json --deviation 1e-3 --set motion= --set simulation.duration=2 --set platform.legs.max_force=0.15 --stiffness 0:50
 expect_code 1 "tune --json without a choice"
 [[ $(key '.choices | map(.found) | any') == false && $(key '.choices[0].stiffness') == null ]] || fail "a choice that is none"
@@ -124,7 +163,6 @@ expect_code 1 "tune --json without a choice"
 # ---- damping that asks for short steps ------------------------------------------------------------------------------
 
 # fixed steps follow the program to round-off; adaptive ones, as short and one by one, would leave their tolerance of 1e-10
-"$GOUGH" example own-machine >own.yaml
 run tune own.yaml --deviation 1e-4 --feedforward program --stiffness 300:400 --set control.damping=20000 --json
 expect_code 0 "tune with a strong damping"
 less "$(key '.choices[0].deviation')" 1e-12 ||

@@ -111,6 +111,30 @@ simulation: {duration: 10, output_step: 0.002}
   });
   assert.ok(worst < 2e-5, `${worst}`);
   assert.match(await page.locator("#help-stiffness").textContent(), /six values differ/);
+  // sliders begin at the greatest of the six
+  assert.equal(await byName(page, "live-stiffness-number").inputValue(), "45");
+  assert.equal(await byName(page, "live-damping-number").inputValue(), "2");
+  // the distance from the program, and the angle in degrees: of the row that was drawn last
+  const [words, ...sizes] = await page.evaluate(
+    () =>
+      new Promise((done) => {
+        const { live: run } = window.goughPage;
+        const size = (names) => Math.hypot(...names.map((name) => run.row[run.place[name]]));
+        const look = () =>
+          run.fresh
+            ? requestAnimationFrame(look)
+            : done([
+                run.off.textContent,
+                size(["ex", "ey", "ez"]),
+                (size(["eroll", "epitch", "eyaw"]) * 180) / Math.PI,
+              ]);
+        look();
+      }),
+  );
+  assert.match(words, / °$/);
+  words
+    .split(", ")
+    .forEach((text, k) => assert.ok(Math.abs(read(text) - sizes[k]) <= 6e-3 * sizes[k], `${text} for ${sizes[k]}`));
   await page.close();
 });
 

@@ -249,6 +249,37 @@ const CURVES = {
   condition: ["", null],
 };
 
+/** In a row the program's forces are those of the command: as numbers of the curve's dashed lines, and as marks on the bars, where
+ *  forces of run and program have one scale and one zero. */
+async function expectProgram(page, file, row) {
+  await page.getByRole("button", { name: "program", exact: true }).click();
+  await byName(page, "curve-forces").scrollIntoViewIfNeeded();
+  await pictureDrawn(page);
+  const [run, program] = ["simulate", "forces"].map((verb) => table(verb, file));
+  const at = ({ names, rows }, name) => rows[row][names.indexOf(name)];
+  const places = await page.locator(".bars li").evaluateAll((lines) =>
+    lines.map((line) => {
+      const [bar, plan] = [line.querySelector(".bar"), line.querySelector(".plan")].map(({ style }) =>
+        [style.left, style.width].map((text) => parseFloat(text) || 0),
+      );
+      const [red, , blue] = line.querySelector(".bar").style.background.match(/\d+/g).map(Number);
+      return { from: bar[0] - 50, to: bar[0] + bar[1] - 50, plan: plan[0] - 50, warmth: red - blue };
+    }),
+  );
+  const scale = places[0].plan / at(program, "f1");
+  assert.ok(scale > 0);
+  places.forEach(({ from, to, plan, warmth }, leg) => {
+    const [force, wanted] = [at(run, `f${leg + 1}`), at(program, `f${leg + 1}`)];
+    near(plan, scale * wanted, 1e-4, `mark of leg ${leg + 1}`);
+    near(force > 0 ? to : from, scale * force, 1e-4, `bar of leg ${leg + 1}`);
+    assert.ok(warmth * force > 0, `push is warm, pull is cold: leg ${leg + 1}`);
+  });
+  for (const leg of [1, 2, 3, 4, 5, 6]) {
+    const shown = await byName(page, `value-forces-program-f${leg}`).textContent();
+    near(read(shown), at(program, `f${leg}`), 1e-4, `program's force of leg ${leg}`);
+  }
+}
+
 for (const units of ["si", "dimensionless"]) {
   const si = units === "si";
   const only = (unit) => (si ? unit : "");
@@ -318,8 +349,22 @@ for (const units of ["si", "dimensionless"]) {
         await pictureDrawn(page);
         near(read(await byName(page, `value-${id}-${name}`).textContent()), column(name)[77], 1e-4, name);
       }
-    for (const name of ["x", "y", "z"])
+    for (const name of ["x", "y", "z"]) {
       near(read(await byName(page, `pose-${name}`).textContent()), column(name)[77], 1e-2, name);
+      await byName(page, "curve-position").scrollIntoViewIfNeeded();
+      await pictureDrawn(page);
+      const place = column(name)[77] - (name === "z" ? NUMBERS.height : 0);
+      assert.ok(Math.abs(read(await byName(page, `value-position-${name}`).textContent()) - place) <= 1e-4, name);
+    }
+    await expectProgram(page, files[units], 77);
+    for (const [id, limits] of [
+      ["forces", [NUMBERS.force, -NUMBERS.force]],
+      ["rates", [NUMBERS.speed, -NUMBERS.speed]],
+      ["lengths", NUMBERS.length],
+    ]) {
+      const words = await byName(page, `limits-${id}`).getAttribute("title");
+      assert.deepEqual(numbersIn(words), limits, words);
+    }
     assert.deepEqual(
       (await page.locator("table.pose th[scope=row]").allTextContents()).map((words) => words.replace(/^(roll|pitch|yaw|x|y|z)/, "")),
       si ? ["m", "m", "m", "°", "°", "°"] : ["", "", "", "°", "°", "°"],
@@ -330,8 +375,16 @@ for (const units of ["si", "dimensionless"]) {
     const cells = await byName(page, "legs-run").locator("tbody tr").evaluateAll((lines) =>
       lines.map((line) => [...line.querySelectorAll("td")].map((cell) => cell.textContent)),
     );
+    const { legs } = JSON.parse(gough("simulate", files[units], "--json", "-q"));
+    const glance = await page.locator(".glance dd").allTextContents();
+    const ends = (name) => [Math.min, Math.max].map((pick) => pick(...legs.flatMap((leg) => leg[name])));
+    for (const [k, name] of [[2, "force"], [3, "length"]])
+      numbersIn(glance[k]).forEach((value, end) => near(value, ends(name)[end], 1e-3, glance[k]));
     SIX.forEach((leg) => {
       const found = cells[leg].map(read);
+      near(found[7], legs[leg].power[0], 1e-4, "least power");
+      near(found[10], legs[leg].swing.base, 1e-4, "swing of the base");
+      near(found[11], legs[leg].swing.top, 1e-4, "swing of the top");
       const [l, f, p, dl] = ["l", "f", "p", "dl"].map((name) => motion(`${name}${leg + 1}`));
       const peaks = [Math.min(...l), Math.max(...l), Math.max(...dl.map(Math.abs)), Math.min(...f), Math.max(...f)];
       peaks.forEach((value, k) => near(found[k], value, 1e-3, `${heads[k + 1]} of leg ${leg + 1}`));

@@ -10,7 +10,7 @@ import { amount, fixed, known, number, ticks, unit, shower } from "../../web/src
 import { equalEllipsoid, symmetricEigen } from "../../web/src/inertia.js";
 import { legsOf, poseOf } from "../../web/src/pose.js";
 import { Player } from "../../web/src/player.js";
-import { holdsFrom, thresholdsOf, verdictOf } from "../../web/src/stability.js";
+import { holdsFrom, modesAtRest, thresholdsOf, verdictOf } from "../../web/src/stability.js";
 import { lowerBound, thin } from "../../web/src/thin.js";
 
 const { GOUGH, SOURCE } = process.env;
@@ -117,6 +117,7 @@ test("a pose between rows goes straight, and angles turn the short way", () => {
     ...names.map((name) => encoded(name, name === "yaw" ? [179, -179, -177] : [0, 1, 4])),
   ]);
   near(table.value("x", 0.15), 2.5, 1e-12);
+  near(table.value("x", 0.125), 1.75, 1e-12);
   near(Math.cos((table.value("yaw", 0.05) * Math.PI) / 180), -1, 1e-12);
   assert.equal(table.value("x", 0.1), 1);
   assert.equal(table.value("x", 99), 4);
@@ -314,6 +315,26 @@ test("a mode that drifts is not said to grow, nor one that grows to drift", () =
     "drifts",
   );
   assert.equal(verdictOf(loop("control.stiffness=0", "control.damping=0")), "grows");
+});
+
+test("modes at rest: both of each complex pair once, the least damped first", () => {
+  const found = JSON.parse(
+    execFileSync(GOUGH, ["stability", join(SOURCE, "examples/own-machine.yaml"), "--json", "-q"], {
+      encoding: "utf8",
+    }),
+  );
+  const modes = modesAtRest(found);
+  assert.equal(
+    modes.reduce((sum, { frequency }) => sum + (frequency > 0 ? 2 : 1), 0),
+    12,
+  );
+  assert.ok(modes.every(({ rate }, index) => index === 0 || rate <= modes[index - 1].rate));
+  for (const { rate, frequency, mode } of modes)
+    assert.ok(
+      found.eigenvalues.some(
+        ([re, im], index) => re === rate && im === frequency && found.modes[index].name === mode,
+      ),
+    );
 });
 
 test("the clock does not run backwards", () => {
