@@ -71,6 +71,13 @@ while read -r name size phase; do
 done <shape
 (($(wc -l <shape) == 5)) || fail "the shape of the first mode: $(<shape)"
 
+# ---- the trace: the theorem is for joints in two level planes, and gives no number for others ----
+run stability own.yaml --json
+jq -e '(.trace / .trace_theorem - 1 | fabs) < 1e-12' out >/dev/null || fail "the trace is $(jq -c '[.trace, .trace_theorem]' out)"
+joints='[[0.245,0.045,0.011],[-0.095,0.235,-0.013],[-0.165,0.195,0.017],[-0.155,-0.185,0.019],[-0.105,-0.215,-0.023],[0.255,-0.055,0.029]]'
+run stability own.yaml --set "platform.base={joints: $joints}" --json
+jq -e '.trace < 0 and .trace_theorem == null' out >/dev/null || fail "joints out of their plane: $(jq -c '[.trace, .trace_theorem]' out)"
+
 # ---- a drift along the program: nothing but momentum carries a weightless load ----
 free=(heave.yaml --set gravity=0 --set control.stiffness=0 --set control.damping=0)
 run stability "${free[@]}" --set 'motion.heave="1e-6*sin(t)"' --json
