@@ -22,7 +22,7 @@ __extension__ typedef __float128 gough_quad;
 typedef long double gough_quad;
 #endif
 
-/** Columns of a row, in the order of every table; names and kinds in gough_column_table. Angles in radians here. */
+/** Columns of a row, in the order of every table; names and dimensions from gough_column(). Angles in radians here. */
 enum gough_column {
     GOUGH_T = 0,
     GOUGH_X,
@@ -74,8 +74,10 @@ typedef struct gough_column_info {
     int angle;             /**< of angle */
 } gough_column_info;
 
-/** Name and dimension of each column, by gough_column. */
-GOUGH_API extern const gough_column_info gough_column_table[GOUGH_COLUMNS];
+/** Name and dimension of a column; NULL outside the enumeration. The information lives as long as the program. Safe to call
+ *  concurrently.
+ *  @param column  GOUGH_T … GOUGH_RZX */
+GOUGH_API const gough_column_info *gough_column(int column);
 
 /** One row. Columns that the verb does not fill are NaN (see gough_column_filled()). */
 typedef struct gough_row {

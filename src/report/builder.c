@@ -74,7 +74,7 @@ const char *builder_unit(const builder *b, const char *name) {
     if (found[0] != '\0') return found;
     /* CSV brings no units, but angles are in degrees in every table */
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
-        const gough_column_info *info = &gough_column_table[c];
+        const gough_column_info *info = gough_column(c);
         if (strcmp(info->name, name) == 0 && info->angle != 0 && info->time == 0) return "degree";
     }
     return "";

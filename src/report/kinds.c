@@ -358,7 +358,7 @@ static void report_unknown_column(builder *b, const char *name) {
 
 static const gough_column_info *find_info(const char *name) {
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
-        if (strcmp(gough_column_table[c].name, name) == 0) return &gough_column_table[c];
+        if (strcmp(gough_column(c)->name, name) == 0) return gough_column(c);
     }
     return NULL;
 }

@@ -62,7 +62,7 @@ double builder_noise(const builder *b, const char *column) {
     if (strcmp(column, "position_deviation") == 0)
         return share * scales_of(b, builder_unit(b, column)).length;
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
-        const gough_column_info *info = &gough_column_table[c];
+        const gough_column_info *info = gough_column(c);
         if (strcmp(info->name, column) != 0 || strcmp(column, "t") == 0) continue;
         const scales s = scales_of(b, builder_unit(b, column));
         if (info->mass != 0) /* a force, or a power, which is force · length / time */

@@ -66,7 +66,7 @@ static void list_columns(table *t) {
     for (size_t k = 0; k < t->keys; k++)
         add_column(t, head->path[k], head->label[k], "swept value, as in the study", 1);
     for (int i = 0; i < STATE; i++) {
-        const gough_column_info *info = &gough_column_table[GOUGH_X + i];
+        const gough_column_info *info = gough_column(GOUGH_X + i);
         result_unit_label(GOUGH_X + i, none, t->unit[i]);
         add_column(
             t, info->name, t->unit[i], info->long_name,

@@ -67,7 +67,7 @@ gough_result *gough_result_new(const gough_study *study, const char *verb,
     result->time = scale.time;
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
         if (!gough_column_filled(c, simulated, study->simulation.reactions)) continue;
-        const gough_column_info *info = &gough_column_table[c];
+        const gough_column_info *info = gough_column(c);
         result->quad_factor[result->columns] =
             result_factor(&scale, info->length, info->mass, info->time, info->angle);
         result->factor[result->columns] = (double)result->quad_factor[result->columns];
@@ -138,7 +138,7 @@ void gough_result_set_end(gough_result *result, const gough_end *end) {
 
 bool gough_result_column_at(const gough_result *result, int index, gough_result_column *column) {
     if (index < 0 || index >= result->columns) return false;
-    const gough_column_info *info = &gough_column_table[result->column[index]];
+    const gough_column_info *info = gough_column(result->column[index]);
     *column = (gough_result_column){.name = info->name,
                                     .long_name = info->long_name,
                                     .value = result->value[index],

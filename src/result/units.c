@@ -39,7 +39,7 @@ static void append_power(char label[RESULT_UNIT_SIZE], const char *unit, int pow
 }
 
 void result_unit_label(int column, bool dimensionless, char label[RESULT_UNIT_SIZE]) {
-    const gough_column_info *info = &gough_column_table[column];
+    const gough_column_info *info = gough_column(column);
     label[0] = '\0';
     if (dimensionless) {
         snprintf(label, RESULT_UNIT_SIZE, "%s", info->angle != 0 ? "degree" : "1");

@@ -43,7 +43,7 @@ static gough_status write_table(const gough_result *result, result_output *outpu
     char text[NUMBER_SIZE];
     gough_status status = GOUGH_OK;
     for (int i = 0; i < result->columns && status == GOUGH_OK; i++) {
-        const char *name = gough_column_table[result->column[i]].name;
+        const char *name = gough_column(result->column[i])->name;
         const int length =
             snprintf(text, sizeof text, "%s%c", name, i + 1 < result->columns ? ',' : '\n');
         status = result_output_add(output, text, (size_t)length, error);

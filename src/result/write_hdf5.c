@@ -221,7 +221,7 @@ gough_status result_write_hdf5(const gough_result *result, const char *path, gou
     char unit[GOUGH_COLUMNS][RESULT_UNIT_SIZE];
     for (int i = 0; i < result->columns; i++) {
         const int c = result->column[i];
-        const gough_column_info *info = &gough_column_table[c];
+        const gough_column_info *info = gough_column(c);
         result_unit_label(c, result->units.dimensionless, unit[i]);
         column[i] =
             (result_column){.name = info->name, .unit = unit[i], .long_name = info->long_name};

@@ -4,7 +4,7 @@
 
 /* One line a column. */
 /* clang-format off */
-const gough_column_info gough_column_table[GOUGH_COLUMNS] = {
+static const gough_column_info columns[GOUGH_COLUMNS] = {
     [GOUGH_T]           = {"t", "time",                                              0, 0,  1, 0},
 
     [GOUGH_X]           = {"x", "x of the top frame's origin in the base frame",     1, 0,  0, 0},
@@ -75,6 +75,10 @@ const gough_column_info gough_column_table[GOUGH_COLUMNS] = {
     [GOUGH_RZX]         = {"rzx", "constraint reaction of k with i",                 2, 1, -2, 0},
 };
 /* clang-format on */
+
+const gough_column_info *gough_column(int column) {
+    return column >= 0 && column < GOUGH_COLUMNS ? &columns[column] : NULL;
+}
 
 bool gough_column_filled(int column, bool simulated, bool reactions) {
     if (column < GOUGH_T || column >= GOUGH_COLUMNS) return false;

@@ -34,7 +34,7 @@ static void set_title(gough_table *table, const char *title) {
 static gough_table *run_table(size_t rows, double spread) {
     gough_table *table = new_table(rows, GOUGH_RXX);
     for (int c = 0; c < GOUGH_RXX; c++) {
-        table->name[c] = strdup(gough_column_table[c].name);
+        table->name[c] = strdup(gough_column(c)->name);
         for (size_t r = 0; r < rows; r++) {
             const double t = 20.0 * (double)r / (double)(rows > 1 ? rows - 1 : 1);
             const int leg = c >= GOUGH_L && c < GOUGH_CONDITION ? (c - GOUGH_L) % GOUGH_LEGS : c;

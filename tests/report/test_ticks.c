@@ -194,7 +194,7 @@ static gough_table *resting_table(size_t rows) {
                    force = c >= GOUGH_F && c < GOUGH_F + GOUGH_LEGS;
         const double value = c == GOUGH_Z || length ? 0.2800017 : force ? 11.400042 : 0.0;
         double *column =
-            gough_table_name(table, (size_t)c, gough_column_table[c].name, c == GOUGH_T ? "s" : "");
+            gough_table_name(table, (size_t)c, gough_column(c)->name, c == GOUGH_T ? "s" : "");
         for (size_t r = 0; r < rows; r++)
             column[r] = c == GOUGH_T
                             ? 0.02 * (double)r

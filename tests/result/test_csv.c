@@ -15,10 +15,10 @@ static void expect_numbers(char *text, size_t rows, bool reactions) {
         ck_assert(line != NULL);
         for (int c = 0; c < (reactions ? GOUGH_COLUMNS : GOUGH_RXX); c++) {
             double expected = c == GOUGH_T ? (double)r / 8.0 : awkward(r, c);
-            if (gough_column_table[c].angle != 0) expected *= 57.295779513082320877;
+            if (gough_column(c)->angle != 0) expected *= 57.295779513082320877;
             char *end = NULL;
             ck_assert_msg(same_bits(strtod(line, &end), expected), "row %zu column %s: %.20s", r,
-                          gough_column_table[c].name, line);
+                          gough_column(c)->name, line);
             ck_assert(*end == ',' || *end == '\0');
             line = end + 1;
         }

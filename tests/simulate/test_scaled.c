@@ -53,8 +53,7 @@ START_TEST(scaled_run_is_the_run_written_out) {
         for (int c = 0; c < GOUGH_DRIFT; c++) {
             /* round-off, in forces of some 0.5 with G = 30 */
             ck_assert_msg(fabs(one.row[i][c] - other.row[i][c]) <= 1e-12, "%s at %g: %.17g, %.17g",
-                          gough_column_table[c].name, one.row[i][0], one.row[i][c],
-                          other.row[i][c]);
+                          gough_column(c)->name, one.row[i][0], one.row[i][c], other.row[i][c]);
         }
     }
     free(scaled);

@@ -403,7 +403,8 @@ const double *live_program(void) {
 int live_columns(void) { return GOUGH_COLUMNS; }
 
 const char *live_column_name(int column) {
-    return column >= 0 && column < GOUGH_COLUMNS ? gough_column_table[column].name : NULL;
+    const gough_column_info *info = gough_column(column);
+    return info ? info->name : NULL;
 }
 
 const char *live_cause_name(int cause) { return gough_cause_name((gough_cause)cause); }
