@@ -75,7 +75,8 @@ typedef struct gough_bound {
     bool open;        /**< the least number itself is excluded */
 } gough_bound;
 
-/** The member of a struct in which a field is kept. */
+/** The member of a struct in which a field is kept. Of "control.stiffness", the value of leg 2 is
+ *  `((const double *)((const char *)model + place->offset))[1]`. */
 typedef struct gough_place {
     gough_owner owner; /**< struct that has it as a member */
     unsigned part;     /**< the gough_part that it belongs to */
@@ -99,13 +100,13 @@ typedef struct gough_field {
     const char *fallback; /**< default as text, "required", or "" */
     const char *sentence; /**< what it is */
 
-    bool is_key;       /**< it is a key of the study file; else only the members below are set */
+    bool is_key;       /**< it is a key of the study file; else only path and place are set */
     gough_shape shape; /**< how the key's value is written */
     gough_bound bound; /**< of its numbers */
     gough_place place; /**< the member that it fills */
 } gough_field;
 
-/** All fields: first the keys in the order of the guide, then members that no key names.
+/** All fields: first the keys in the order of the guide, then members that no key names. Constant data.
  *  @param[out] count  number of fields; may be NULL */
 GOUGH_API const gough_field *gough_fields(size_t *count);
 
