@@ -22,14 +22,17 @@ enum { GOUGH_LINEAR = 12 };
  *  in a multiplier on the unit circle. */
 #define GOUGH_GROWTH_LIMIT 1e-7
 
+/** Numbers of the deviation ξ of a model's closed loop: 12 today, more where parts of the loop have states of their own. */
+GOUGH_API size_t gough_linear_size(const gough_model *model);
+
 /** ξ̇ = matrix · ξ, the closed loop linearised about a state at time t, (stab-13).
  *  @param state  about which it is linearised; NULL: the program's at t
- *  @param[out] matrix  rows: derivatives of ξ. The constant part, present about a state that is not an equilibrium, is omitted
- *  @return GOUGH_OK, GOUGH_ERROR_INPUT if a formula is not finite at t, GOUGH_ERROR_NUMERICAL for a singular pose
- *  of a program whose forces are fed forward, or a leg of zero length. Exact up to rounding. Allocates nothing. */
+ *  @param size  gough_linear_size() of the model
+ *  @param[out] matrix  size × size numbers, row by row; rows: derivatives of ξ. The constant part, present about a state that is not an equilibrium, is omitted
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT if a formula is not finite at t or the size is another, GOUGH_ERROR_NUMERICAL for a
+ *  singular pose of a program whose forces are fed forward, or a leg of zero length. Exact up to rounding. Allocates nothing. */
 GOUGH_API gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
-                                       double matrix[GOUGH_LINEAR][GOUGH_LINEAR],
-                                       gough_error *error);
+                                       size_t size, double *matrix, gough_error *error);
 
 /* ---- at rest --------------------------------------------------------------------------------------------------- */
 

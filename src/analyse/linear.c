@@ -84,18 +84,30 @@ gough_status linear_check(const linear_loop *loop, double t, const gough_state *
     return status == GOUGH_OK ? check_matrix(t, matrix, error) : status;
 }
 
+size_t gough_linear_size(const gough_model *model) {
+    (void)model; /* no part has states of its own */
+    return GOUGH_LINEAR;
+}
+
 gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
-                             double matrix[GOUGH_LINEAR][GOUGH_LINEAR], gough_error *error) {
+                             size_t size, double *matrix, gough_error *error) {
     const linear_loop loop = {&model->machine, &model->motion, &model->control};
     const gough_status status = motion_check(&model->motion, error);
+    linear_matrix found;
     const char *wrong;
 
     if (status != GOUGH_OK) return status;
+    if (size != gough_linear_size(model)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the matrix of the linearised loop has %zu rows, not %zu",
+                          gough_linear_size(model), size);
+    }
     if (state != NULL && !is_rotation(state->rotation)) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "the rotation of the state is not a rotation matrix: its columns must be "
                           "orthonormal to 1e-6 and right-handed");
     }
-    wrong = linear_complex.matrix(&loop, t, state, matrix);
-    return linear_check(&loop, t, state, matrix, wrong, error);
+    wrong = linear_complex.matrix(&loop, t, state, found);
+    memcpy(matrix, found, sizeof found);
+    return linear_check(&loop, t, state, found, wrong, error);
 }

@@ -205,7 +205,7 @@ static gough_status find_matrix(const command_line *line, const gough_study *stu
     gough_rest *rest = NULL;
     gough_status status;
     if (isfinite(line->at)) {
-        status = gough_linearise(study->model, line->at, NULL, matrix->row, error);
+        status = gough_linearise(study->model, line->at, NULL, GOUGH_LINEAR, matrix->row[0], error);
     } else {
         rest = malloc(sizeof *rest);
         if (!rest) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");

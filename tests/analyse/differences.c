@@ -90,7 +90,8 @@ static vector turning(const moving *m, int direction, real h) {
 }
 
 /* δṙ, δθ̇, δv̇, δω̇ per displacement, by steps of h to both sides */
-static void column(struct system *r, real t, const moving *m, int direction, real h, real out[GOUGH_LINEAR]) {
+static void column(struct system *r, real t, const moving *m, int direction, real h,
+                   real out[GOUGH_LINEAR]) {
     const moving plus = displaced(m, direction, h), minus = displaced(m, direction, -h);
     real up[6], down[6];
 

@@ -126,7 +126,8 @@ START_TEST(analyses_refuse_a_kind_of_motion_and_an_axis_that_do_not_exist) {
         double matrix[GOUGH_LINEAR][GOUGH_LINEAR], component[GOUGH_COMPONENTS][3];
         model->motion.kind = (gough_motion_kind)outside[i];
         refused(gough_motion_period(&model->motion, &period, &error), &error, "period");
-        refused(gough_linearise(model, 0, NULL, matrix, &error), &error, "linearise");
+        refused(gough_linearise(model, 0, NULL, GOUGH_LINEAR, matrix[0], &error), &error,
+                "linearise");
         refused(gough_stability_at_rest(model, NULL, &rest, &error), &error, "rest");
         refused(gough_floquet_multipliers(model, NULL, 0, &floquet, &error), &error, "floquet");
         refused(gough_floquet_multipliers(model, &given, 0, &floquet, &error), &error, "floquet");
@@ -208,9 +209,25 @@ static void every_function_answers(double rotation[3][3], gough_status status) {
     ck_assert_int_eq(gough_forward_dynamics(machine, &state, force, NULL, &acceleration), status);
     ck_assert_int_eq(gough_reactions(machine, &state, force, NULL, six), status);
     ck_assert_int_eq(gough_angles_from_rotation(r, six), status);
-    ck_assert_int_eq(gough_linearise(model, 0, &state, matrix, NULL), status);
+    ck_assert_int_eq(gough_linearise(model, 0, &state, GOUGH_LINEAR, matrix[0], NULL), status);
     free(model);
 }
+
+START_TEST(a_matrix_of_another_size_is_refused) {
+    gough_model *model = new_model();
+    double matrix[GOUGH_LINEAR + 1][GOUGH_LINEAR + 1] = {{0}};
+    gough_error error = {0};
+
+    ck_assert_uint_eq(gough_linear_size(model), GOUGH_LINEAR);
+    for (size_t size = 0; size <= GOUGH_LINEAR + 1; size++) {
+        if (size == GOUGH_LINEAR) continue;
+        ck_assert_int_eq(gough_linearise(model, 0, NULL, size, matrix[0], &error),
+                         GOUGH_ERROR_INPUT);
+        ck_assert(strstr(error.message, "has 12 rows") != NULL);
+    }
+    free(model);
+}
+END_TEST
 
 START_TEST(a_matrix_that_is_no_rotation_is_refused_by_every_function_of_one_pose) {
     double wrong[][3][3] = {
@@ -241,5 +258,6 @@ int main(void) {
                      names_of_values_outside_their_enumerations_are_harmless,
                      a_flat_model_of_values_outside_their_enumerations_is_refused,
                      a_matrix_that_is_no_rotation_is_refused_by_every_function_of_one_pose,
+                     a_matrix_of_another_size_is_refused,
                      rotations_in_double_and_single_precision_are_taken);
 }

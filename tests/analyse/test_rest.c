@@ -425,7 +425,7 @@ START_TEST(stiffness_of_any_machine_is_symmetric_and_linear_in_the_gain) {
         m[2] = at[0] * n[1] - at[1] * n[0];
         for (int i = 0; i < 3; i++) jacobian[v][3 + i] -= m[i];
     }
-    ck_assert(gough_linearise(model, 0, s, A, &error) == GOUGH_OK);
+    ck_assert(gough_linearise(model, 0, s, GOUGH_LINEAR, A[0], &error) == GOUGH_OK);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++) {
             double sum = 0;

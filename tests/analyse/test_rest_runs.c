@@ -75,7 +75,7 @@ static void settles(gough_model *model, const double component[GOUGH_COMPONENTS]
     ck_assert(rest.state.position[2] < pose.position[2]); /* it sags */
 
     /* the loop as it is, without feed-forward, has the matrix found */
-    ck_assert(gough_linearise(model, 0, &rest.state, A, &error) == GOUGH_OK);
+    ck_assert(gough_linearise(model, 0, &rest.state, GOUGH_LINEAR, A[0], &error) == GOUGH_OK);
     for (int i = 0; i < GOUGH_LINEAR; i++) {
         for (int j = 0; j < GOUGH_LINEAR; j++) largest = fmax(largest, fabs(A[i][j]));
     }

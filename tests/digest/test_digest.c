@@ -148,7 +148,8 @@ static void run_linearise(const input *in, uint64_t *h) {
     gough_error error = {0};
 
     for (double t = 0; t < 1.5; t += 0.4) {
-        if (gough_linearise(in->study->model, t, NULL, matrix, &error) != GOUGH_OK) {
+        if (gough_linearise(in->study->model, t, NULL, GOUGH_LINEAR, matrix[0], &error) !=
+            GOUGH_OK) {
             stop(in->path, error.message);
         }
         hash_doubles(h, &matrix[0][0], GOUGH_LINEAR * GOUGH_LINEAR);
