@@ -25,10 +25,6 @@ enum {
 };
 _Static_assert((int)LOOKS_COLUMNS == (int)BATCH_LOOK, "a look, one lane of it");
 
-/* Peaks between looks are sought where a look comes so near to the largest, besides by as much as neighbouring looks differ: one
- * leg may have its peak between two looks at which another has more. */
-static const double looks_near = 0.005;
-
 typedef struct {
     double time[QUADRATURE_ROWS]; /* the last looks, the latest last */
     number look[QUADRATURE_ROWS][LOOKS_COLUMNS];
@@ -43,6 +39,9 @@ typedef struct {
 typedef struct {
     double c[QUADRATURE_ROWS][QUADRATURE_ROWS];
     int count, a, fitted;
+    const number *row[QUADRATURE_ROWS]; /* the looks, the latest last */
+    int middle;                         /* of four looks */
+    int even;                           /* these equally far apart */
 } looks_interval;
 
 static inline void looks_begin(looks *l) {
@@ -117,38 +116,47 @@ static inline void looks_integrate(looks *l, number heard, const double weight[Q
     l->energy = number_select(number_greater(heard, number_of(0.5)), l->energy + sum, l->energy);
 }
 
-/* how high a quantity may be between look a and the next, judged by the looks at the largest of some columns */
-static inline number looks_reach(looks *l, int most, int count, int a) {
-    const number one = looks_back(l, QUADRATURE_ROWS - 1 - a)[most];
-    const number two = looks_back(l, QUADRATURE_ROWS - 2 - a)[most];
-    const number there = number_larger(one, two);
-    number reach = there + number_of(looks_near) * number_magnitude(there);
+/* Whether the last four looks are equally far apart. */
+static inline int looks_even(const looks *l) {
+    const double one = l->time[1] - l->time[0], two = l->time[2] - l->time[1],
+                 three = l->time[3] - l->time[2];
 
-    for (int i = QUADRATURE_ROWS - count; i + 1 < QUADRATURE_ROWS; i++) {
-        reach = reach + number_magnitude(looks_back(l, QUADRATURE_ROWS - 1 - i)[most] -
-                                         looks_back(l, QUADRATURE_ROWS - 2 - i)[most]);
-    }
-    return reach;
+    return fabs(one - two) <= 1e-6 * two && fabs(three - two) <= 1e-6 * two;
 }
 
-/* Raises a peak to those of some columns between look a and the next, where the largest of the columns, `most`, comes near to
- * it: in the lanes where that is so, whatever the others do */
-static inline void looks_peaks_of(looks *l, number heard, int most, int column, int columns,
-                                  number sign, looks_interval *f, number *peak) {
-    const number reach = looks_reach(l, most, f->count, f->a);
-    const number near = number_select(number_greater(reach, *peak), heard, number_of(0));
+/* No value of the cubic through four looks equally far apart is greater than that between the middle two: with second differences
+ * δ₁ and δ₂ there, the cubic is s(s − 1)/4 (δ₁ + δ₂) + s(s − 1)(s − ½)/6 (δ₂ − δ₁) off the chord, at most 0.0706 (|δ₁| + |δ₂|). */
+static inline number looks_bound(const number y[QUADRATURE_ROWS]) {
+    const number two = number_of(2);
+    const number first = y[0] - two * y[1] + y[2], second = y[1] - two * y[2] + y[3];
+
+    return number_larger(y[1], y[2]) +
+           number_of(0.071) * (number_magnitude(first) + number_magnitude(second));
+}
+
+/* Raises a peak to those of some columns between look a and the next, in the lanes where the polynomial may be above it, whatever
+ * the others do. */
+static inline void looks_peaks_of(looks *l, number heard, int column, int columns, number sign,
+                                  looks_interval *f, number *peak) {
+    const number half = number_of(0.5), none = number_of(0);
     number y[QUADRATURE_ROWS], s;
 
-    if (!number_any(number_greater(near, number_of(0.5)))) return;
-    if (!f->fitted) quadrature_fit(l->time, f->count, f->a, f->c);
-    f->fitted = 1;
     for (int c = column; c < column + columns; c++) {
-        for (int i = 0; i < QUADRATURE_ROWS; i++) {
-            y[i] = sign * looks_back(l, QUADRATURE_ROWS - 1 - i)[c];
+        number near = heard;
+        for (int i = 0; i < QUADRATURE_ROWS; i++) y[i] = f->row[i][c];
+        if (f->middle) { /* where the looks do not turn, peak_between() finds none */
+            const number bends = (y[1] - y[0]) * (y[3] - y[2]);
+            near = number_select(number_greater(none, bends), heard, none);
         }
+        if (!number_any(number_greater(near, half))) continue;
+        for (int i = 0; i < QUADRATURE_ROWS; i++) y[i] = sign * y[i];
+        if (f->even) near = number_select(number_greater(looks_bound(y), *peak), near, none);
+        if (f->even && !number_any(number_greater(near, half))) continue;
+        if (!f->fitted) quadrature_fit(l->time, f->count, f->a, f->c);
+        f->fitted = 1;
         const number value =
             peak_between(y, (const double(*)[QUADRATURE_ROWS])f->c, f->count, f->a, &s);
-        const number turned = number_select(number_greater(s, number_of(0)), near, number_of(0));
+        const number turned = number_select(number_greater(s, none), near, none);
         *peak = looks_raise(turned, value, *peak);
     }
 }
@@ -158,12 +166,15 @@ static inline void looks_peaks(looks *l, number heard, int count, int a) {
     const number plus = number_of(1);
     looks_interval f = {.count = count, .a = a};
 
-    looks_peaks_of(l, heard, LOOKS_MOST_FORCE, LOOKS_FORCE, LEGS, plus, &f, &l->force);
-    looks_peaks_of(l, heard, LOOKS_MOST_SPEED, LOOKS_SPEED, LEGS, plus, &f, &l->speed);
-    looks_peaks_of(l, heard, LOOKS_MOST_POWER, LOOKS_POWER, LEGS, plus, &f, &l->power);
-    looks_peaks_of(l, heard, LOOKS_MOST_BRAKING, LOOKS_POWER, LEGS, -plus, &f, &l->braking);
-    looks_peaks_of(l, heard, LOOKS_DISTANCE, LOOKS_DISTANCE, 1, plus, &f, &l->distance);
-    looks_peaks_of(l, heard, LOOKS_TURN, LOOKS_TURN, 1, plus, &f, &l->turn);
+    for (int i = 0; i < QUADRATURE_ROWS; i++) f.row[i] = looks_back(l, QUADRATURE_ROWS - 1 - i);
+    f.middle = count == QUADRATURE_ROWS && a == 1;
+    f.even = f.middle && looks_even(l);
+    looks_peaks_of(l, heard, LOOKS_FORCE, LEGS, plus, &f, &l->force);
+    looks_peaks_of(l, heard, LOOKS_SPEED, LEGS, plus, &f, &l->speed);
+    looks_peaks_of(l, heard, LOOKS_POWER, LEGS, plus, &f, &l->power);
+    looks_peaks_of(l, heard, LOOKS_POWER, LEGS, -plus, &f, &l->braking);
+    looks_peaks_of(l, heard, LOOKS_DISTANCE, 1, plus, &f, &l->distance);
+    looks_peaks_of(l, heard, LOOKS_TURN, 1, plus, &f, &l->turn);
 }
 
 /* peaks and work between look a and the next, by the polynomial through the last `count` looks */
