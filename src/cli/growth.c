@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/scale.h"
 #include "cli/summary.h"
 
 static const double TENFOLD = 2.302585092994045684; /* log 10 */
@@ -41,7 +42,8 @@ static bool grows_at_rest(const loop *l, const double *component, const char *wh
                "%s is unstable at rest %s: any deviation in %s, even from rounding, grows tenfold "
                "every %.3g%s; %s",
                l->name, where, rest->eigenvalue[0].mode.name,
-               TENFOLD / rest->growth / l->units.time, l->time, advice(l));
+               TENFOLD / rest->growth * scale_factor(&l->units, DIMENSION_TIME), l->time,
+               advice(l));
         told = true;
     }
     free(rest);
@@ -61,7 +63,7 @@ static bool grows_along(const loop *l, const gough_period *period) {
                "%s is unstable along the program: any deviation in %s, even from rounding, grows "
                "%.3g-fold in each period of %.3g%s; %s",
                l->name, floquet->multiplier[0].mode.name, floquet->growth,
-               period->period / l->units.time, l->time, advice(l));
+               period->period * scale_factor(&l->units, DIMENSION_TIME), l->time, advice(l));
         told = true;
     }
     free(floquet);

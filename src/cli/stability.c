@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/json.h"
+#include "cli/scale.h"
 #include "cli/stability.h"
 
 static const double DEGREES = 57.295779513082320877;
@@ -65,9 +66,11 @@ static const verb_usage usage = {
 
 /* ξ is (δr, δθ, δv, δω): powers of length and of time in each part. */
 static void scale_matrix(double matrix[GOUGH_LINEAR][GOUGH_LINEAR], const gough_units *u) {
-    const double unit[4] = {u->length, 1.0, u->length / u->time, 1.0 / u->time};
+    const double unit[4] = {scale_unit(u, DIMENSION_LENGTH), 1.0, scale_unit(u, DIMENSION_SPEED),
+                            scale_unit(u, DIMENSION_RATE)},
+                 rate = scale_factor(u, DIMENSION_RATE);
     for (int i = 0; i < GOUGH_LINEAR; i++)
-        for (int j = 0; j < GOUGH_LINEAR; j++) matrix[i][j] *= unit[j / 3] / unit[i / 3] * u->time;
+        for (int j = 0; j < GOUGH_LINEAR; j++) matrix[i][j] *= unit[j / 3] / unit[i / 3] * rate;
 }
 
 /* A shift in lengths beside a rotation in radians; which of them is 1 stays so. */
@@ -75,45 +78,52 @@ static void scale_mode(gough_mode *mode, const gough_units *u) {
     double lead = 0;
     for (int a = 0; a < 6; a++)
         if (fabs(mode->shape[a][0] - 1.0) <= 0.0 && fabs(mode->shape[a][1]) <= 0.0 && !(lead > 0))
-            lead = a < 3 ? u->length : 1.0;
+            lead = a < 3 ? scale_unit(u, DIMENSION_LENGTH) : 1.0;
     for (int a = 0; a < 6; a++)
         for (int part = 0; part < 2 && lead > 0; part++)
-            mode->shape[a][part] *= lead / (a < 3 ? u->length : 1.0);
+            mode->shape[a][part] *= lead / (a < 3 ? scale_unit(u, DIMENSION_LENGTH) : 1.0);
 }
 
+static const scaled_member rest_members[] = {
+    SCALED(gough_rest, trace, STIFFNESS), SCALED(gough_rest, trace_theorem, STIFFNESS),
+    SCALED(gough_rest, growth, RATE), SCALED(gough_rest, state.position, LENGTH)};
+
+static const scaled_member eigenvalue_members[] = {SCALED(gough_eigenvalue, value, RATE)};
+
+static const scaled_member threshold_members[] = {SCALED(gough_threshold, stiffness, STIFFNESS)};
+
 static void scale_rest(gough_rest *rest, const gough_units *u) {
-    const double stiffness = u->mass / (u->time * u->time);
     scale_matrix(rest->matrix, u);
-    rest->trace /= stiffness;
-    rest->trace_theorem /= stiffness;
-    rest->growth *= u->time;
-    for (int k = 0; k < 3; k++) rest->state.position[k] /= u->length;
+    SCALE(rest, rest_members, u);
     for (int i = 0; i < GOUGH_LINEAR; i++) {
-        rest->eigenvalue[i].value[0] *= u->time;
-        rest->eigenvalue[i].value[1] *= u->time;
+        SCALE(&rest->eigenvalue[i], eigenvalue_members, u);
         scale_mode(&rest->eigenvalue[i].mode, u);
     }
     for (int i = 0; i < 6; i++) {
-        rest->threshold[i].stiffness /= stiffness;
+        SCALE(&rest->threshold[i], threshold_members, u);
         scale_mode(&rest->threshold[i].mode, u);
     }
 }
 
+static const scaled_member report_members[] = {SCALED(stability_report, arm, LENGTH),
+                                               SCALED(stability_report, period.start, TIME),
+                                               SCALED(stability_report, period.period, TIME)};
+
+static const scaled_member floquet_members[] = {SCALED(stability_report, floquet.start, TIME),
+                                                SCALED(stability_report, floquet.period, TIME),
+                                                SCALED(stability_report, sag, LENGTH)};
+
 void stability_scale(stability_report *report) {
     const gough_units *u = &report->units;
-    report->arm /= u->length;
+    SCALE(report, report_members, u);
     for (int c = 0; c < GOUGH_ROLL; c++) {
-        report->pose[c] /= u->length;
-        report->last_pose[c] /= u->length;
+        report->pose[c] *= scale_factor(u, DIMENSION_LENGTH);
+        report->last_pose[c] *= scale_factor(u, DIMENSION_LENGTH);
     }
     scale_rest(&report->rest, u);
     if (report->ends) scale_rest(&report->last, u);
-    report->period.start /= u->time;
-    report->period.period /= u->time;
     if (!report->periodic) return;
-    report->floquet.start /= u->time;
-    report->floquet.period /= u->time;
-    report->sag /= u->length;
+    SCALE(report, floquet_members, u);
     for (int i = 0; i < GOUGH_LINEAR; i++) scale_mode(&report->floquet.multiplier[i].mode, u);
 }
 

@@ -1,6 +1,7 @@
 /* gough stability --sweep-stiffness: the stability map, its tongues, its data and its pictures. */
 #define _GNU_SOURCE
 #include "cli/stability_map.h"
+#include "cli/scale.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -111,33 +112,40 @@ static size_t find_own_row(const map_report *report) {
 
 /* ---- units ------------------------------------------------------------------------------------------------------- */
 
-static void scale_range(gough_map_range *range, double unit) {
-    range->from /= unit;
-    range->to /= unit;
+static void scale_range(gough_map_range *range, const gough_units *u, dimension d) {
+    range->from *= scale_factor(u, d);
+    range->to *= scale_factor(u, d);
 }
+
+static const scaled_member point_members[] = {SCALED(gough_map_point, rate, RATE)};
+
+static const scaled_member row_members[] = {SCALED(gough_map_row, period.period, TIME),
+                                            SCALED(gough_map_row, period.start, TIME)};
+
+static const scaled_member damped_members[] = {SCALED(gough_map_row, value, DAMPING)};
+
+static const scaled_member interval_members[] = {
+    SCALED(gough_interval, from, STIFFNESS), SCALED(gough_interval, to, STIFFNESS),
+    SCALED(gough_interval, stiffness, STIFFNESS), SCALED(gough_interval, rate, RATE)};
+
+static const scaled_member threshold_members[] = {SCALED(gough_threshold, stiffness, STIFFNESS)};
 
 static void scale_map(map_report *report) {
     const gough_units *u = &report->units;
-    const double stiffness = u->mass / (u->time * u->time), damping = u->mass / u->time;
     const bool damped = report->options.axis == GOUGH_MAP_DAMPING;
-    scale_range(&report->options.stiffness, stiffness);
-    if (damped) scale_range(&report->options.second, damping);
+    scale_range(&report->options.stiffness, u, DIMENSION_STIFFNESS);
+    if (damped) scale_range(&report->options.second, u, DIMENSION_DAMPING);
     for (size_t p = 0; p < report->rows * report->options.stiffness.count; p++)
-        report->map.point[p].rate *= u->time;
+        SCALE(&report->map.point[p], point_members, u);
     for (size_t r = 0; r < report->rows; r++) {
         gough_map_row *row = &report->map.row[r];
-        if (damped) row->value /= damping;
-        row->period.period /= u->time;
-        row->period.start /= u->time;
-        for (size_t i = 0; i < row->intervals; i++) {
-            gough_interval *one = &report->map.interval[r * report->options.intervals + i];
-            one->from /= stiffness;
-            one->to /= stiffness;
-            one->stiffness /= stiffness;
-            one->rate *= u->time;
-        }
+        if (damped) SCALE(row, damped_members, u);
+        SCALE(row, row_members, u);
+        for (size_t i = 0; i < row->intervals; i++)
+            SCALE(&report->map.interval[r * report->options.intervals + i], interval_members, u);
     }
-    for (int i = 0; report->rest && i < 6; i++) report->rest->threshold[i].stiffness /= stiffness;
+    for (int i = 0; report->rest && i < 6; i++)
+        SCALE(&report->rest->threshold[i], threshold_members, u);
 }
 
 /* ---- the map ----------------------------------------------------------------------------------------------------- */

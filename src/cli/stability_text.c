@@ -4,6 +4,7 @@
 
 #include "cli/command.h"
 #include "cli/paragraph.h"
+#include "cli/scale.h"
 #include "cli/stability.h"
 #include "cli/summary.h"
 
@@ -173,16 +174,16 @@ typedef struct gain_words {
     char text[64];
 } gain_words;
 
-static gain_words words_of_gain(const double gain[GOUGH_LEGS], double unit, const char *word) {
+static gain_words words_of_gain(const double gain[GOUGH_LEGS], double factor, const char *word) {
     const double least = least_gain(gain);
     double greatest = 0;
     gain_words words;
     for (int i = 0; i < GOUGH_LEGS; i++) greatest = fmax(greatest, gain[i]);
     if (greatest > least)
-        snprintf(words.text, sizeof words.text, "%.6g to %.6g%s", least / unit, greatest / unit,
+        snprintf(words.text, sizeof words.text, "%.6g to %.6g%s", least * factor, greatest * factor,
                  word);
     else
-        snprintf(words.text, sizeof words.text, "%.6g%s", least / unit, word);
+        snprintf(words.text, sizeof words.text, "%.6g%s", least * factor, word);
     return words;
 }
 
@@ -193,9 +194,9 @@ static bool same_threshold(const gough_threshold *a, const gough_threshold *b) {
 
 static void print_thresholds(FILE *stream, const stability_report *report, const gough_rest *rest) {
     const unit_words *unit = unit_words_of(&report->units);
-    const double stiffness_unit = report->units.mass / (report->units.time * report->units.time);
+    const double factor = scale_factor(&report->units, DIMENSION_STIFFNESS);
     const gain_words gain =
-        words_of_gain(report->study->model->control.stiffness, stiffness_unit, unit->stiffness);
+        words_of_gain(report->study->model->control.stiffness, factor, unit->stiffness);
     bool told[6] = {false};
     fprintf(stream, "  Least stiffness G, the same in all legs, above which each mode is stable\n");
     for (int i = 0; i < 6; i++) {
@@ -471,8 +472,9 @@ void stability_print(FILE *stream, const stability_report *report) {
     const unit_words *unit = unit_words_of(u);
     print_title(stream, report->study->title);
     const gain_words stiffness =
-        words_of_gain(control->stiffness, u->mass / (u->time * u->time), unit->stiffness);
-    const gain_words damping = words_of_gain(control->damping, u->mass / u->time, unit->damping);
+        words_of_gain(control->stiffness, scale_factor(u, DIMENSION_STIFFNESS), unit->stiffness);
+    const gain_words damping =
+        words_of_gain(control->damping, scale_factor(u, DIMENSION_DAMPING), unit->damping);
     print_paragraph(stream, "", 0,
                     "Stability of the closed loop: %s, stiffness G = %s, damping D = %s",
                     control->feedforward ? "the program's forces fed forward" : "no feed-forward",

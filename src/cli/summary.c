@@ -3,47 +3,51 @@
 #include "cli/command.h"
 
 #include "cli/limits.h"
+#include "cli/scale.h"
 
 #include <math.h>
 #include <string.h>
 
-static const double DEGREES = 57.295779513082320877;
-
 /* a step of the stepper may be this long for a decay of rate 1, (step-8) */
 static const double stiff_reach = 6.1;
 
-static void scale_leg(gough_leg_summary *leg, const gough_units *u) {
-    const double speed = u->length / u->time, force = u->mass * speed / u->time;
-    leg->length_min /= u->length;
-    leg->length_max /= u->length;
-    leg->speed /= speed;
-    leg->force_min /= force;
-    leg->force_max /= force;
-    leg->rms_force /= force;
-    leg->power_min /= force * speed;
-    leg->power_max /= force * speed;
-    leg->energy /= force * u->length;
-    leg->swing_base *= DEGREES;
-    leg->swing_top *= DEGREES;
-}
+static const scaled_member leg_members[] = {
+    SCALED(gough_leg_summary, length_min, LENGTH), SCALED(gough_leg_summary, length_max, LENGTH),
+    SCALED(gough_leg_summary, speed, SPEED),       SCALED(gough_leg_summary, force_min, FORCE),
+    SCALED(gough_leg_summary, force_max, FORCE),   SCALED(gough_leg_summary, rms_force, FORCE),
+    SCALED(gough_leg_summary, power_min, POWER),   SCALED(gough_leg_summary, power_max, POWER),
+    SCALED(gough_leg_summary, energy, ENERGY),     SCALED(gough_leg_summary, swing_base, ANGLE),
+    SCALED(gough_leg_summary, swing_top, ANGLE)};
+
+static const scaled_member summary_members[] = {
+    SCALED(gough_summary, first_time, TIME),      SCALED(gough_summary, last_time, TIME),
+    SCALED(gough_summary, condition_time, TIME),  SCALED(gough_summary, between_rows, LENGTH),
+    SCALED(gough_summary, drawing_step, TIME),    SCALED(gough_summary, position_deviation, LENGTH),
+    SCALED(gough_summary, angle_deviation, ANGLE)};
+
+static const scaled_member crossing_members[] = {SCALED(gough_crossing, enter, TIME),
+                                                 SCALED(gough_crossing, leave, TIME),
+                                                 SCALED(gough_crossing, worst_time, TIME)};
+
+static const scaled_member report_members[] = {SCALED(run_report, statistics.stiff_time, TIME),
+                                               SCALED(run_report, statistics.stiff_rate, RATE),
+                                               SCALED(run_report, stroke, LENGTH)};
 
 double limit_factor(gough_cause cause, const gough_units *u) {
-    if (cause == GOUGH_END_LEG_SPEED) return u->time / u->length;
-    if (cause == GOUGH_END_LEG_FORCE) return u->time * u->time / (u->mass * u->length);
-    return 1 / u->length;
+    return scale_factor(u, cause == GOUGH_END_LEG_SPEED   ? DIMENSION_SPEED
+                           : cause == GOUGH_END_LEG_FORCE ? DIMENSION_FORCE
+                                                          : DIMENSION_LENGTH);
 }
 
 static void scale_crossing(gough_crossing *crossing, const gough_units *u) {
-    crossing->enter /= u->time;
-    crossing->leave /= u->time;
-    crossing->worst_time /= u->time;
+    SCALE(crossing, crossing_members, u);
     crossing->worst *= limit_factor(crossing->cause, u);
 }
 
 /* time and limit in the output's units, and the sentence with them */
 static void scale_end(gough_end *end, const gough_units *u) {
     const unit_words *unit = unit_words_of(u);
-    end->time /= u->time;
+    end->time *= scale_factor(u, DIMENSION_TIME);
     end->limit *= limit_factor(end->cause, u);
     gough_end_say(end, unit->length, unit->speed, unit->force, unit->time);
 }
@@ -64,7 +68,8 @@ static void say_span(gough_end *end, const run_report *report) {
             leave = fmax(leave, c->leave);
     }
     char until[64] = "the end", more[64] = "";
-    if (isfinite(leave)) snprintf(until, sizeof until, "%.6g%s", leave / u->time, unit);
+    if (isfinite(leave))
+        snprintf(until, sizeof until, "%.6g%s", leave * scale_factor(u, DIMENSION_TIME), unit);
     if (crossings->count > 1)
         snprintf(more, sizeof more, "; limits are exceeded %zu times", crossings->count);
     gough_fail(&said, GOUGH_ERROR_NUMERICAL, "%.*s from t = %.6g%s to %s%s",
@@ -94,21 +99,14 @@ void run_report_scale(run_report *report) {
     const gough_units *u = &report->units;
     gough_summary *s = &report->summary;
     if (s->rows == 0) leave_blank(s);
-    for (int i = 0; i < GOUGH_LEGS; i++) scale_leg(&s->leg[i], u);
-    s->first_time /= u->time;
-    s->last_time /= u->time;
-    s->condition_time /= u->time;
-    s->between_rows /= u->length;
-    s->drawing_step /= u->time;
-    s->position_deviation /= u->length;
-    s->angle_deviation *= DEGREES;
-    report->statistics.stiff_time /= u->time;
-    report->statistics.stiff_rate *= u->time;
+    for (int i = 0; i < GOUGH_LEGS; i++) SCALE(&s->leg[i], leg_members, u);
+    SCALE(s, summary_members, u);
     scale_end(&report->end, u);
     for (size_t i = 0; i < report->crossings.count; i++)
         scale_crossing(&report->crossings.list[i], u);
-    report->stroke[0] = report->study->model->machine.platform.length_min / u->length;
-    report->stroke[1] = report->study->model->machine.platform.length_max / u->length;
+    report->stroke[0] = report->study->model->machine.platform.length_min;
+    report->stroke[1] = report->study->model->machine.platform.length_max;
+    SCALE(report, report_members, u);
 }
 
 static double peak(double least, double greatest) { return fmax(fabs(least), fabs(greatest)); }

@@ -6,9 +6,8 @@
 #include <string.h>
 
 #include "cli/json.h"
+#include "cli/scale.h"
 #include "cli/summary.h"
-
-static const double DEGREES = 57.29577951308232;
 
 /* ---- for reading -------------------------------------------------------------------------------------------------- */
 
@@ -60,10 +59,19 @@ static const char *cause_words(gough_cause cause) {
     return "ended";
 }
 
-/* One unit of power of the output in units of the run. */
-static double power_unit(const gough_units *units) {
-    const double speed = units->length / units->time;
-    return units->mass * speed * speed / units->time;
+static const scaled_member summary_members[] = {
+    SCALED(gough_sweep_summary, least_position, LENGTH),
+    SCALED(gough_sweep_summary, greatest_position, LENGTH),
+    SCALED(gough_sweep_summary, least_angle, ANGLE),
+    SCALED(gough_sweep_summary, greatest_angle, ANGLE),
+    SCALED(gough_sweep_summary, least_power, POWER),
+    SCALED(gough_sweep_summary, greatest_power, POWER)};
+
+/* what is printed: in the output's units */
+static gough_sweep_summary scaled_summary(const sweep_report *report) {
+    gough_sweep_summary summary = report->summary;
+    SCALE(&summary, summary_members, &report->units);
+    return summary;
 }
 
 static void print_extreme(FILE *stream, const sweep_report *report, const char *what, double value,
@@ -79,9 +87,8 @@ static void print_extreme(FILE *stream, const sweep_report *report, const char *
 }
 
 void sweep_print(FILE *stream, const sweep_report *report) {
-    const gough_sweep_summary *s = &report->summary;
+    const gough_sweep_summary summary = scaled_summary(report), *s = &summary;
     const unit_words *unit = unit_words_of(&report->units);
-    const double length = report->units.length, power = power_unit(&report->units);
     print_title(stream, report->title);
     fprintf(stream, "%zu run%s", s->runs, s->runs == 1 ? "" : "s");
     if (s->resumed) fprintf(stream, ", %zu of them finished earlier", s->resumed);
@@ -94,19 +101,16 @@ void sweep_print(FILE *stream, const sweep_report *report) {
             fprintf(stream, "  %-30s %zu\n", cause_words((gough_cause)c), s->ended[c]);
     if (s->least_position_run) {
         fprintf(stream, "  largest deviation of position (runs that reached their end)\n");
-        print_extreme(stream, report, "least", s->least_position / length, unit->length,
+        print_extreme(stream, report, "least", s->least_position, unit->length,
                       s->least_position_run);
-        print_extreme(stream, report, "greatest", s->greatest_position / length, unit->length,
+        print_extreme(stream, report, "greatest", s->greatest_position, unit->length,
                       s->greatest_position_run);
         fprintf(stream, "  largest deviation of angle\n");
-        print_extreme(stream, report, "least", s->least_angle * DEGREES, " deg",
-                      s->least_angle_run);
-        print_extreme(stream, report, "greatest", s->greatest_angle * DEGREES, " deg",
-                      s->greatest_angle_run);
+        print_extreme(stream, report, "least", s->least_angle, " deg", s->least_angle_run);
+        print_extreme(stream, report, "greatest", s->greatest_angle, " deg", s->greatest_angle_run);
         fprintf(stream, "  power of a leg (below 0 the leg brakes)\n");
-        print_extreme(stream, report, "least", s->least_power / power, unit->power,
-                      s->least_power_run);
-        print_extreme(stream, report, "greatest", s->greatest_power / power, unit->power,
+        print_extreme(stream, report, "least", s->least_power, unit->power, s->least_power_run);
+        print_extreme(stream, report, "greatest", s->greatest_power, unit->power,
                       s->greatest_power_run);
     }
     for (size_t i = 0; i < report->outputs; i++)
@@ -208,8 +212,7 @@ static json_t *extremes(double least, size_t least_run, double greatest, size_t 
 }
 
 int sweep_print_json(const sweep_report *report) {
-    const gough_sweep_summary *s = &report->summary;
-    const double length = report->units.length, power = power_unit(&report->units);
+    const gough_sweep_summary summary = scaled_summary(report), *s = &summary;
     const double made = (double)(s->runs - s->resumed);
     const bool timed = report->sweep && report->time > 0;
     json_t *object = json_object(), *ended = json_object();
@@ -224,14 +227,14 @@ int sweep_print_json(const sweep_report *report) {
     json_object_set_new(object, "done", json_integer((json_int_t)s->ended[GOUGH_END_DONE]));
     json_object_set_new(object, "ended", ended);
     json_object_set_new(object, "position_deviation",
-                        extremes(s->least_position / length, s->least_position_run,
-                                 s->greatest_position / length, s->greatest_position_run));
-    json_object_set_new(object, "angle_deviation",
-                        extremes(s->least_angle * DEGREES, s->least_angle_run,
-                                 s->greatest_angle * DEGREES, s->greatest_angle_run));
-    json_object_set_new(object, "power",
-                        extremes(s->least_power / power, s->least_power_run,
-                                 s->greatest_power / power, s->greatest_power_run));
+                        extremes(s->least_position, s->least_position_run, s->greatest_position,
+                                 s->greatest_position_run));
+    json_object_set_new(
+        object, "angle_deviation",
+        extremes(s->least_angle, s->least_angle_run, s->greatest_angle, s->greatest_angle_run));
+    json_object_set_new(
+        object, "power",
+        extremes(s->least_power, s->least_power_run, s->greatest_power, s->greatest_power_run));
     json_object_set_new(object, "time", json_number(timed ? report->time : NAN));
     json_object_set_new(object, "rate", json_number(timed ? made / report->time : NAN));
     return json_print(object);

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "cli/scale.h"
 #include "cli/summary.h"
 
 static const double DEGREES = 57.295779513082320877;
@@ -140,13 +141,13 @@ typedef struct watch {
 static void bracket_words(const tune_report *report, const tune_choice *choice, char *text,
                           size_t size) {
     const gough_units *u = &report->units;
-    const double unit = u->mass / (u->time * u->time);
+    const double unit = scale_factor(u, DIMENSION_STIFFNESS);
     const char *word = unit_words_of(u)->stiffness;
     const gough_tuning *tuning = &choice->tuning;
     char fails[80] = "";
-    if (tuning->fails > 0) snprintf(fails, sizeof fails, "G = %.6g%s", tuning->fails / unit, word);
+    if (tuning->fails > 0) snprintf(fails, sizeof fails, "G = %.6g%s", tuning->fails * unit, word);
     if (tuning->stiffness > 0)
-        snprintf(text, size, "G = %.6g%s meets the deviation%s%s%s", tuning->stiffness / unit, word,
+        snprintf(text, size, "G = %.6g%s meets the deviation%s%s%s", tuning->stiffness * unit, word,
                  *fails ? ", " : "", fails, *fails ? " does not" : "");
     else if (*fails)
         snprintf(text, size, "no G up to %s meets the deviation", fails + strlen("G = "));

@@ -5,54 +5,49 @@
 
 #include "cli/command.h"
 #include "cli/paragraph.h"
+#include "cli/scale.h"
 #include "cli/summary.h"
 #include "cli/tune.h"
 
-static const double DEGREES = 57.295779513082320877;
-
 /* ---- units -------------------------------------------------------------------------------------------------------- */
 
-static void scale_tuning(gough_tuning *tuning, const gough_units *u) {
-    const double stiffness = u->mass / (u->time * u->time), force = stiffness * u->length;
-    tuning->stiffness /= stiffness;
-    tuning->fails /= stiffness;
-    tuning->threshold /= stiffness;
-    tuning->damping /= u->mass / u->time;
-    tuning->deviation /= u->length;
-    tuning->deviation_time /= u->time;
-    tuning->angle_deviation *= DEGREES;
-    tuning->angle_time /= u->time;
-    tuning->force /= force;
-    tuning->speed /= u->length / u->time;
-    tuning->scale *= pow(stiffness, tuning->slope) / u->length;
-    for (size_t i = 0; i < tuning->exceptions; i++) {
-        tuning->exception[i].from /= stiffness;
-        tuning->exception[i].to /= stiffness;
-    }
-}
+static const scaled_member tuning_members[] = {
+    SCALED(gough_tuning, stiffness, STIFFNESS),   SCALED(gough_tuning, fails, STIFFNESS),
+    SCALED(gough_tuning, threshold, STIFFNESS),   SCALED(gough_tuning, damping, DAMPING),
+    SCALED(gough_tuning, deviation, LENGTH),      SCALED(gough_tuning, deviation_time, TIME),
+    SCALED(gough_tuning, angle_deviation, ANGLE), SCALED(gough_tuning, angle_time, TIME),
+    SCALED(gough_tuning, force, FORCE),           SCALED(gough_tuning, speed, SPEED),
+    SCALED(gough_tuning, scale, LENGTH)};
 
-static void scale_point(gough_tuning_point *point, const gough_units *u) {
-    const double stiffness = u->mass / (u->time * u->time);
-    point->stiffness /= stiffness;
-    point->damping /= u->mass / u->time;
-    point->end_time /= u->time;
-    point->position_deviation /= u->length;
-    point->angle_deviation *= DEGREES;
-    point->force /= stiffness * u->length;
-    point->speed /= u->length / u->time;
-}
+static const scaled_member exception_members[] = {SCALED(gough_tuning_exception, from, STIFFNESS),
+                                                  SCALED(gough_tuning_exception, to, STIFFNESS)};
+
+static const scaled_member point_members[] = {
+    SCALED(gough_tuning_point, stiffness, STIFFNESS),
+    SCALED(gough_tuning_point, damping, DAMPING),
+    SCALED(gough_tuning_point, end_time, TIME),
+    SCALED(gough_tuning_point, position_deviation, LENGTH),
+    SCALED(gough_tuning_point, angle_deviation, ANGLE),
+    SCALED(gough_tuning_point, force, FORCE),
+    SCALED(gough_tuning_point, speed, SPEED)};
+
+static const scaled_member asked_members[] = {SCALED(gough_tuning_options, deviation, LENGTH),
+                                              SCALED(gough_tuning_options, angle_deviation, ANGLE),
+                                              SCALED(gough_tuning_options, least, STIFFNESS),
+                                              SCALED(gough_tuning_options, greatest, STIFFNESS)};
 
 void tune_scale(tune_report *report) {
     const gough_units *u = &report->units;
-    const double stiffness = u->mass / (u->time * u->time);
-    report->asked.deviation /= u->length;
-    report->asked.angle_deviation *= DEGREES;
-    report->asked.least /= stiffness;
-    report->asked.greatest /= stiffness;
+    SCALE(&report->asked, asked_members, u);
     for (int c = 0; c < report->choices; c++) {
         tune_choice *choice = &report->choice[c];
-        scale_tuning(&choice->tuning, u);
-        for (size_t i = 0; i < choice->tuning.points; i++) scale_point(&choice->point[i], u);
+        gough_tuning *tuning = &choice->tuning;
+        SCALE(tuning, tuning_members, u);
+        /* the deviation is scale · G^slope */
+        tuning->scale *= pow(scale_factor(u, DIMENSION_STIFFNESS), -tuning->slope);
+        for (size_t i = 0; i < tuning->exceptions; i++)
+            SCALE(&tuning->exception[i], exception_members, u);
+        for (size_t i = 0; i < tuning->points; i++) SCALE(&choice->point[i], point_members, u);
     }
 }
 
@@ -280,7 +275,8 @@ static void set_row(double *const column[COLUMNS], size_t row, const tune_report
 static gough_tuning_point named_point(const tune_report *report, const gough_tuning *tuning) {
     return (gough_tuning_point){.stiffness = tuning->stiffness,
                                 .damping = tuning->damping,
-                                .end_time = report->study->simulation.duration / report->units.time,
+                                .end_time = report->study->simulation.duration *
+                                            scale_factor(&report->units, DIMENSION_TIME),
                                 .position_deviation = tuning->deviation,
                                 .angle_deviation = tuning->angle_deviation,
                                 .force = tuning->force,
@@ -300,7 +296,7 @@ gough_table *tune_table(const tune_report *report) {
     name_columns(table, report->units.dimensionless, column);
     const gough_simulation *simulation = &report->study->simulation;
     if (simulation->step > 0)
-        table->step = simulation->step / report->units.time;
+        table->step = simulation->step * scale_factor(&report->units, DIMENSION_TIME);
     else
         table->tolerance = simulation->tolerance;
     for (int c = 0; c < COLUMNS; c++) {
