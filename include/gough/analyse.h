@@ -27,8 +27,9 @@ GOUGH_API size_t gough_linear_size(const gough_model *model);
 
 /** ξ̇ = matrix · ξ, the closed loop linearised about a state at time t, (stab-13).
  *  @param state  about which it is linearised; NULL: the program's at t
- *  @param size  gough_linear_size() of the model
- *  @param[out] matrix  size × size numbers, row by row; rows: derivatives of ξ. The constant part, present about a state that is not an equilibrium, is omitted
+ *  @param size   gough_linear_size() of the model
+ *  @param[out] matrix  size × size numbers, row by row; rows: derivatives of ξ. The constant part, present about a state that is
+ *  not an equilibrium, is omitted
  *  @return GOUGH_OK, GOUGH_ERROR_INPUT if a formula is not finite at t or the size is another, GOUGH_ERROR_NUMERICAL for a
  *  singular pose of a program whose forces are fed forward, or a leg of zero length. Exact up to rounding. Allocates nothing. */
 GOUGH_API gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
