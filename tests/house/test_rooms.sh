@@ -16,12 +16,12 @@ for room in src/*/; do
 done
 while IFS=: read -r file line text; do
     room=${file#src/} room=${room%%/*}
-    header=$(sed -E 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*"([^"]*)".*/\1/' <<<"$text")
+    header=${text#*\"} header=${header%%\"*}
     other=${header%%/*}
     case $header in
         gough/*) [[ -e include/$header || $header == gough/version.h ]] || fail "$file:$line: no public header $header"; continue ;;
         */*) ;;
-        *) [[ -e $(dirname "$file")/$header ]] || fail "$file:$line: $header is not in its folder"; continue ;;
+        *) [[ -e ${file%/*}/$header ]] || fail "$file:$line: $header is not in its folder"; continue ;;
     esac
     if [[ ! -v rank[$other] ]]; then fail "$file:$line: $header is of no room"
     elif [[ $other == "$room" ]]; then :
