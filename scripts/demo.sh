@@ -211,7 +211,7 @@ say "   one period of the motion."
 sed -n '/^  Without feedback/,/^  Checked/ { /^  Checked/d; s/^  \(Without\)/\n  \1/; s/^/ /p; }' "$scratch/loop.txt"
 say "
    Along the oscillation, without feedback, deviations grow in each period of 2 pi:"
-sed -n '/^About the program/,/^  Checked/s/^    \([a-z].*\)/    \1/p' "$scratch/loop.txt" |
+sed -n '/^Along the program/,/^  Checked/s/^    \([a-z].*\)/    \1/p' "$scratch/loop.txt" |
     awk '$1 != "mode" { name = $1 ($2 ~ /^×/ ? " " $2 : ""); factor = $2 ~ /^×/ ? $3 : $2; if (factor > 1) printf "    %10.6g-fold   %s\n", factor, name }'
 map=$out/stability-map
 "$gough" stability examples/paper-heave.yaml --sweep-stiffness 0:1.4:141 --sweep-amplitude 0:1.5:31 -q \
