@@ -84,8 +84,8 @@ typedef struct gough_place {
     gough_kind kind; /**< type of its values; this and the following are set if there is an owner */
     size_t offset;   /**< bytes from the start of the struct to the first value */
     size_t count;    /**< values, one after the other: 6 for "control.stiffness" */
-    size_t given; /**< offset of the flag that tells whether the key is given; 0: there is none */
-    int choices;  /**< values of an enumeration */
+    size_t given;    /**< offset of the flag that tells whether the key is given; 0: no such flag */
+    int choices;     /**< values of an enumeration */
     double usual[2]; /**< default of the values: of the first, and of the others */
 } gough_place;
 

@@ -113,8 +113,9 @@ typedef struct gough_statistics {
         steps; /**< steps that were kept; a fixed step that a corner divides counts as its parts */
     long long rejected; /**< adaptive steps that were made again, shorter */
     long long
-        evaluations;   /**< of the equations of motion; for rattle methods, of forces and moments */
-    double stiff_rate; /**< if the loop is stiff: rate of its fastest decay, in 1/time; else 0 */
+        evaluations; /**< of the equations of motion; for rattle methods, of forces and moments */
+    double
+        stiff_rate; /**< if the loop is stiff: |λ| of its fastest mode, decay or oscillation, in 1/time; else 0 */
     double stiff_time; /**< time at which that was first found; 0 if stiff_rate is 0 */
 } gough_statistics;
 

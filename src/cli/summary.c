@@ -258,9 +258,10 @@ void remark_stiffness(const char *verb, const run_report *report) {
     const char *unit = unit_words_of(&report->units)->time;
     if (!(s->stiff_rate > 0)) return;
     remark(verb,
-           "the loop is stiff from t = %.4g%s on: its fastest decay, at a rate of %.3g%s%s, limits "
-           "steps to %.2g%s whatever the tolerance (%lld steps in all); with less control.damping "
-           "the run is faster",
+           "the loop is stiff from t = %.4g%s on: its fastest mode, with |lambda| about %.3g%s%s, "
+           "limits "
+           "steps to %.2g%s however large the tolerance (%lld steps in all); less control.damping "
+           "or control.stiffness allows longer ones",
            s->stiff_time, unit, s->stiff_rate, *unit ? " 1/" : "", *unit ? unit + 1 : "",
            stiff_reach / s->stiff_rate, unit, s->steps);
 }

@@ -83,9 +83,9 @@ static inline real dop853_error(const dop853 *s, int n, real h, const number *y,
     return real_magnitude(h) * fifth / real_root((fifth + third / 100) * n);
 }
 
-/* (step-8): the step times the rate of the fastest decay, from the last stage and the end of an accepted step, both of which lie at
- * t + h. Above 6.1 the method is near the limit of its stability. rate: that of `out`; size: that of each component. For scalar
- * number types. */
+/* (step-8): the step times |λ| of the fastest mode, decay or oscillation, from the last stage and the end of an accepted step, both
+ * of which lie at t + h. Above 6.1 the method is near the limit of its stability. rate: that of `out`; size: that of each
+ * component. For scalar number types. */
 static inline real dop853_stiffness(const dop853 *s, int n, real h, const number *y,
                                     const number *out, const number *rate, const real *size) {
     number z[STEPPER_SIZE];

@@ -79,7 +79,8 @@ static inline real forward_limited(forward *d, real wish, real left) {
 /* (step-8): a step is compared with the stability of the method so often, or always while that is near; so many such steps, with no
  * more than a few others between them, are a stiff loop */
 enum { STIFF_EVERY = 100, STIFF_STEPS = 15, STIFF_OTHERS = 6 };
-static const double stiff_limit = 6.1;
+/* no accepted step is much over the limit: a larger quotient is noise */
+static const double stiff_limit = 6.1, stiff_most = 8;
 
 typedef struct {
     int near, far; /* steps near the limit of stability so far, and others since */
@@ -90,9 +91,10 @@ static inline void forward_watch_stiffness(forward *d, stiffness_watch *w, const
     gough_statistics *s = &d->statistics;
     real reach;
 
+    if (!(d->r.traits & NEEDS_RATES)) return; /* nothing decays */
     if (s->stiff_rate > 0 || (w->near == 0 && s->steps % STIFF_EVERY != 0)) return;
     reach = dop853_stiffness(d->dense, d->r.states, d->m.h, d->y0, d->y, d->rate, size);
-    if (!(reach > (real)stiff_limit)) {
+    if (!(reach > (real)stiff_limit && reach < (real)stiff_most)) {
         if (++w->far == STIFF_OTHERS) *w = (stiffness_watch){0, 0};
         return;
     }

@@ -27,7 +27,7 @@ grep -q stiff err && fail "a loop that is not stiff is called so"
 run simulate own.yaml "${rest[@]}" --set 'disturbance={force: [20*exp(-(1000*(t-1))^2), 0, 0]}' --json
 jq -e '.statistics.rejected > 0' out >/dev/null || fail "no rejected step at a pulse: $(jq -c .statistics out)"
 
-# stiff: the rate is that of the fastest decay of the linearised loop, in each system of units, and steps are as short as said
+# stiff: the rate is |lambda| of the fastest mode of the linearised loop, in each system of units, and steps are as short as said
 damped=(--set control.stiffness=1000 --set control.damping=20000)
 run stability own.yaml "${rest[@]}" "${damped[@]}" --json
 fastest=$(jq '[.eigenvalues[][0]] | min | -.' out)
@@ -40,8 +40,14 @@ for unit in "" --dimensionless; do
         fail "stiff loop $unit: $(jq -c .statistics out), fastest decay $fastest"
 done
 run simulate own.yaml "${rest[@]}" "${damped[@]}"
-grep -Eq 'the loop is stiff from t = [0-9.e-]+ s on: its fastest decay, at a rate of [0-9.e+]+ 1/s, limits steps to [0-9.e-]+ s whatever' err ||
+grep -Eq 'the loop is stiff from t = [0-9.e-]+ s on: its fastest mode, with [|]lambda[|] about [0-9.e+]+ 1/s, limits steps to [0-9.e-]+ s however' err ||
     fail "no word of stiffness: $(cat err)"
+# without damping nothing decays, and steps follow the oscillation
+for motion in '{heave: 0.01}' '{heave: 0.01*sin(3*t)}'; do
+    run simulate own.yaml --set platform.legs= --set control.stiffness=1e9 --set control.damping=0 --set simulation.duration=0.3 --set "motion=$motion" --json
+    jq -e '.statistics | .stiff == null and .steps > 0' out >/dev/null || fail "a loop without damping is called stiff: $(jq -c .statistics out)"
+    grep -q stiff err && fail "a loop without damping is called stiff: $(cat err)"
+done
 run simulate own.yaml "${rest[@]}" "${damped[@]}" -q
 grep -q stiff err && fail "-q told of stiffness"
 finish
