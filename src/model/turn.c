@@ -31,7 +31,7 @@ static void fill(candidate *c, const int q[4]) {
 }
 
 /* whether a quaternion is the one of its multiples that is taken: the first number that is not 0 is positive, and not all are
- * even; 0 is none */
+ * even, so that 0 is not taken */
 static int chosen(const int q[4]) {
     int odd = 0, first = 0;
     for (int i = 3; i >= 0; i--) {

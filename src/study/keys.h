@@ -11,7 +11,7 @@ bool study_key_required(const gough_key *key);
 /* "a number", "six points [x, y, z]", …: for "must be …". */
 const char *study_shape_phrase(gough_shape shape);
 
-/* The key `name` in the mapping of path `parent` ("" at the root); NULL if there is none. */
+/* The key `name` in the mapping of path `parent` ("" at the root). NULL if the table has no such key. */
 const gough_key *study_key_find(const char *parent, const char *name);
 
 /* True if the key is directly in the mapping of path `parent`; its name there is then *name. */

@@ -42,11 +42,11 @@ void study_node_remove(study_node *parent, study_node *child);
 /* The first child of that name; NULL if there is none or parent is NULL or no mapping. */
 study_node *study_node_child(const study_node *parent, const char *name);
 
-/* Follows the keys of a path such as "control.stiffness" from a mapping: the last node on the way, NULL if there is none; *rest
+/* Follows the keys of a path such as "control.stiffness" from a mapping: the last node that exists on the way, or NULL; *rest
  * is the part of the path that is missing, "" if nothing is. */
 study_node *study_node_follow(const study_node *root, const char *path, const char **rest);
 
-/* The node at the end of such a path; NULL if there is none. */
+/* The node at the end of such a path, or NULL if the tree has no such node. */
 study_node *study_node_at(const study_node *root, const char *path);
 
 /* The child of the root that a node is in, or is. */

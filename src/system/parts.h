@@ -66,7 +66,7 @@ struct system {
     double height;      /* of home, the same in every lane */
     number alpha, beta; /* Baumgarte, or 0 */
     number least, most, fastest,
-        strongest;  /* reciprocals of the legs' limits, 0 where there is none */
+        strongest;  /* reciprocals of the legs' limits, 0 for a limit not given */
     int limited[3]; /* some lane has a greatest length, speed, force */
 
     /* controller */

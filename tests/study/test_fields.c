@@ -66,7 +66,7 @@ static reading read_for(const gough_field *field, const char *const settings[]) 
     return made;
 }
 
-/* The struct of a study with this field; NULL if there is none. */
+/* The struct of a study that contains this field, or NULL for a key without a member. */
 static const void *owner_in(const gough_field *field, const gough_model *model,
                             const gough_simulation *simulation) {
     switch (field->place.owner) {
