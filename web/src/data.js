@@ -138,8 +138,9 @@ export class Study {
     return this.run.has(name) ? this.run.unit(name) : this.plan.unit(name);
   }
 
-  /** Below what size a number of a column ("energy": of an energy) is an error of the run: a share of the column's scale, which
-   *  follows from the legs' length, a unit of time √(R_b/g) with the earth's g, and the greatest force. 0 for a column that has no scale.
+  /** Below what size a number of a column ("energy": of an energy) is an error of the run: a share of the column's scale.
+   *  The scale follows from the legs' length, a unit of time √(R_b/g) with the earth's g, and the greatest force.
+   *  0 for a column that has no scale.
    *  @param program whether the column is the program's, which is known to rounding. */
   noise(name, program = false) {
     if (name === "drift") return NOISE.rounding;
