@@ -1,5 +1,5 @@
 # The command. The examples travel inside it, as bytes in generated C.
-file(GLOB GOUGH_CLI_SOURCES CONFIGURE_DEPENDS src/cli/*.c)
+file(GLOB_RECURSE GOUGH_CLI_SOURCES CONFIGURE_DEPENDS src/cli/*.c)
 file(GLOB GOUGH_EXAMPLES CONFIGURE_DEPENDS examples/*.yaml examples/*.awk)
 set(GOUGH_EMBEDDED ${PROJECT_BINARY_DIR}/generated/examples.c)
 add_custom_command(OUTPUT ${GOUGH_EMBEDDED}
@@ -13,7 +13,7 @@ set(GOUGH_PAGE_OBJECT ${PROJECT_BINARY_DIR}/generated/page_template.c)
 if(TARGET page_template)
     set(GOUGH_PAGE_TEMPLATE ${PROJECT_BINARY_DIR}/web/report.html)
     file(CONFIGURE OUTPUT ${GOUGH_PAGE_OBJECT} @ONLY CONTENT [[
-#include "cli/page.h"
+#include "cli/report/page_study.h"
 
 __asm__(".section .rodata\n"
         ".globl page_template_bytes\n"
@@ -32,7 +32,7 @@ gough_page_template page_template(void) {
     set_source_files_properties(${GOUGH_PAGE_OBJECT} PROPERTIES OBJECT_DEPENDS ${GOUGH_PAGE_TEMPLATE})
 else()
     file(CONFIGURE OUTPUT ${GOUGH_PAGE_OBJECT} @ONLY CONTENT [[
-#include "cli/page.h"
+#include "cli/report/page_study.h"
 
 gough_page_template page_template(void) { return (gough_page_template){"", 0}; }
 ]])

@@ -1,4 +1,4 @@
-# Writes OUTPUT, a C file with the bytes of FILES and a table of them (src/cli/embedded.h). Byte arrays, because a C
+# Writes OUTPUT, a C file with the bytes of FILES and a table of them (src/cli/example/embedded.h). Byte arrays, because a C
 # string literal may be too short for a study file.
 set(arrays "")
 set(table "")
@@ -14,4 +14,4 @@ foreach(file IN LISTS FILES)
     string(APPEND table "    {\"${name}\", (const char *)bytes_${index}, ${size}},\n")
     math(EXPR index "${index} + 1")
 endforeach()
-file(WRITE ${OUTPUT} "#include \"cli/embedded.h\"\n\n${arrays}\nconst embedded_file embedded_files[] = {\n${table}    {0, 0, 0}};\n")
+file(WRITE ${OUTPUT} "#include \"cli/example/embedded.h\"\n\n${arrays}\nconst embedded_file embedded_files[] = {\n${table}    {0, 0, 0}};\n")

@@ -154,7 +154,7 @@ gough_status result_read_in_child(result_reader *read_table, const char *path, g
     close(ends[0]);
     while (waitpid(child, &ended, 0) < 0 && errno == EINTR) {
     }
-    /* a program may end itself so when memory runs out (src/cli/memory.c); that says nothing about the file */
+    /* a program may end itself so when memory runs out (src/cli/common/memory.c); that says nothing about the file */
     if (status != GOUGH_OK && WIFEXITED(ended) && WEXITSTATUS(ended) == GOUGH_ERROR_FILE)
         status = gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory while reading it", path);
     return status;

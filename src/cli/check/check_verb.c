@@ -1,0 +1,349 @@
+/* gough check: validates a study and prints the machine that it describes, in the study's units. */
+#include <math.h>
+
+#include "cli/check/check_record.h"
+#include "cli/check/check_warnings.h"
+#include "cli/check/machine_view.h"
+#include "cli/common/command.h"
+#include "cli/common/json.h"
+#include "cli/run/run_report.h"
+#include "cli/sweep/sweep_report.h"
+
+static const double DEGREES = 57.295779513082320877;
+
+static const struct argp_option option[] = {
+    {"json", OPTION_JSON, NULL, 0, "print the description as JSON", 0},
+    {"set", OPTION_SET, "KEY=VALUE", 0,
+     "override a key of the study, as in --set load.mass=2; may be repeated", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "validate the study and print errors only", 0},
+    {0}};
+
+static const verb_usage usage = {
+    .verb = "check",
+    .option = option,
+    .arguments = "STUDY",
+    .text = "Validate a study and describe its machine: leg lengths, condition and least singular "
+            "value at home, principal moments of inertia, dimensionless groups, range of the "
+            "program, control and simulation settings. Suspicious values are reported as "
+            "warnings.\vSTUDY is a study file, or - for standard input.",
+    .least_files = 1,
+    .most_files = 1};
+
+/* Everything that is printed, in the study's units; ranges in degrees where they are angles. */
+typedef struct check {
+    const gough_study *study;
+    const gough_sweep *sweep; /* NULL: none */
+    const gough_model *model;
+    const gough_machine *machine;
+    machine_view view;
+    const unit_words *unit;
+    double least[GOUGH_COMPONENTS], greatest[GOUGH_COMPONENTS];
+} check;
+
+static void print_legs(const check *c) {
+    const gough_platform *platform = &c->machine->platform;
+    const table_heading length = heading_of("length at home", c->unit->length);
+    const table_heading joint = heading_of("base joint", c->unit->length),
+                        top = heading_of("top joint, top frame", c->unit->length);
+    table_column column[] = {{"", length.text, {0}, 6}, {joint.text, "x", {0}, 5},
+                             {joint.text, "y", {0}, 5}, {joint.text, "z", {0}, 5},
+                             {top.text, "x", {0}, 5},   {top.text, "y", {0}, 5},
+                             {top.text, "z", {0}, 5},   {0}};
+    for (int i = 0; i < GOUGH_LEGS; i++) {
+        column[0].value[i] = c->machine->home_length[i];
+        for (int k = 0; k < 3; k++) {
+            column[1 + k].value[i] = platform->base[i][k];
+            column[4 + k].value[i] = platform->top[i][k];
+        }
+    }
+    table_print(stdout, column, false);
+    const unit_words *unit = c->unit;
+    if (platform->length_min > 0 || isfinite(platform->length_max))
+        printf("  length limits        %.6g to %.6g%s\n", platform->length_min,
+               platform->length_max, unit->length);
+    if (isfinite(platform->speed_max))
+        printf("  greatest speed       %.6g%s\n", platform->speed_max, unit->speed);
+    if (isfinite(platform->force_max))
+        printf("  greatest force       %.6g%s\n", platform->force_max, unit->force);
+    if (!(platform->length_min > 0) && !isfinite(platform->length_max) &&
+        !isfinite(platform->speed_max) && !isfinite(platform->force_max))
+        printf("  limits               none given\n");
+}
+
+/* Which motion the legs resist least: the largest component of its singular vector. */
+static const char *weakest_name(const machine_view *view) {
+    int largest = 0;
+    for (int i = 1; i < 6; i++)
+        if (fabs(view->weakest[i]) > fabs(view->weakest[largest])) largest = i;
+    return gough_component_name(largest);
+}
+
+static void print_singularity(const check *c) {
+    const machine_view *view = &c->view;
+    printf("\nAt home\n");
+    if (view->condition < 1e8)
+        printf("  condition            %.6g (singular from 1e8)\n", view->condition);
+    else
+        printf("  condition            over 1e8: home is singular, and leg forces cannot carry "
+               "every load there\n");
+    printf("  |det J|              %.6g%s%s\n", fabs(view->determinant), c->unit->length,
+           *c->unit->length ? "^3" : "");
+    printf("  least singular value %.6g of J (moments divided by %.6g%s; 0 is singular);\n"
+           "                       the weakest direction is %s\n",
+           view->least_singular, view->arm, c->unit->length, weakest_name(view));
+}
+
+static void print_load(const check *c) {
+    const gough_load *load = &c->machine->load;
+    const double *com = load->center_of_mass;
+    printf("\n"
+           "Load (the model has massless legs)\n");
+    printf("  mass                 %.6g%s, centre of mass %.6g, %.6g, %.6g%s\n", load->mass,
+           c->unit->mass, com[0], com[1], com[2], c->unit->length);
+    printf("  principal moments    %.6g, %.6g, %.6g%s\n", c->view.moments[0], c->view.moments[1],
+           c->view.moments[2], c->unit->inertia);
+    static const char *const axis_names[] = {"axis of the first", "axis of the second",
+                                             "axis of the third"};
+    for (int a = 0; a < 3; a++) {
+        printf("  %-20s ", axis_names[a]);
+        for (int k = 0; k < 3; k++) {
+            const double cosine = c->machine->principal_axes[k][a];
+            printf("%s%.4g", k ? ", " : "(", fabs(cosine) < 5e-17 ? 0.0 : cosine);
+        }
+        printf(")\n");
+    }
+    printf("  gravity              %.6g, %.6g, %.6g%s\n", c->machine->gravity[0] + 0.0,
+           c->machine->gravity[1] + 0.0, c->machine->gravity[2] + 0.0,
+           *c->unit->length ? " m/s^2" : "");
+}
+
+static void gain_range(const double gain[GOUGH_LEGS], double range[2]) {
+    range[0] = INFINITY, range[1] = -INFINITY;
+    for (int i = 0; i < GOUGH_LEGS; i++) {
+        range[0] = fmin(range[0], gain[i]);
+        range[1] = fmax(range[1], gain[i]);
+    }
+}
+
+/* "5" or "4 to 6" */
+static void print_range(const double range[2], double factor, const char *unit) {
+    if (range[1] - range[0] > 0)
+        printf("%.6g to %.6g%s", factor * range[0], factor * range[1], unit);
+    else
+        printf("%.6g%s", factor * range[0], unit);
+}
+
+static void print_groups(const check *c) {
+    const gough_machine *m = c->machine;
+    const double R = m->base_radius, M = m->load.mass, g = m->gravity_magnitude;
+    printf("\nDimensionless groups\n");
+    printf("  R_b                  %.6g%s\n", R, c->unit->length);
+    printf("  h/R_b                %.6g\n", m->platform.height / R);
+    printf("  r/R_b                %.6g\n", c->view.top_radius / R);
+    printf("  J/(M R_b^2)          %.6g, %.6g, %.6g\n", c->view.moments[0] / (M * R * R),
+           c->view.moments[1] / (M * R * R), c->view.moments[2] / (M * R * R));
+    if (!(g > 0)) {
+        printf("  without gravity there is no unit of time and there are no groups of G and D\n");
+        return;
+    }
+    double stiffness[2], damping[2];
+    gain_range(c->model->control.stiffness, stiffness);
+    gain_range(c->model->control.damping, damping);
+    printf("  G R_b/(M g)          ");
+    print_range(stiffness, R / (M * g), "\n");
+    printf("  D sqrt(R_b/g)/M      ");
+    print_range(damping, c->view.time_unit / M, "\n");
+    printf("  sqrt(R_b/g)          %.6g%s, the unit of time\n", c->view.time_unit, c->unit->time);
+}
+
+static void print_program(const check *c) {
+    const gough_motion *motion = &c->model->motion;
+    printf("\nProgram\n");
+    if (motion->kind == GOUGH_MOTION_MOVES)
+        printf("  %zu minimum-jerk move%s\n", motion->moves, motion->moves == 1 ? "" : "s");
+    else if (motion->kind == GOUGH_MOTION_SAMPLES)
+        printf("  %zu samples, t = %.6g to %.6g%s, interpolated by a cubic spline (C2, not-a-knot "
+               "ends)\n",
+               motion->samples.count, motion->samples.time[0],
+               motion->samples.time[motion->samples.count - 1], c->unit->time);
+    else
+        printf("  formulas in t\n");
+    int moving = 0;
+    for (int k = 0; k < GOUGH_COMPONENTS; k++) {
+        if (!(fabs(c->least[k]) > 0) && !(fabs(c->greatest[k]) > 0)) continue;
+        printf("  %-20s %.6g to %.6g%s\n", gough_component_name(k), c->least[k], c->greatest[k],
+               k < GOUGH_ROLL ? c->unit->length : " deg");
+        moving++;
+    }
+    if (!moving) printf("  rest at home\n");
+    if (c->study->record) record_print(stdout, c->study->record, c->study->dimensionless);
+    const double *about = motion->about;
+    if (fabs(about[0]) + fabs(about[1]) + fabs(about[2]) > 0)
+        printf("  of the point         %.6g, %.6g, %.6g%s in the top frame\n", about[0], about[1],
+               about[2], c->unit->length);
+}
+
+static void print_control(const check *c) {
+    const gough_control *control = &c->model->control;
+    double stiffness[2], damping[2];
+    gain_range(control->stiffness, stiffness);
+    gain_range(control->damping, damping);
+    printf("\nControl\n  feedforward          %s\n  stiffness G          ",
+           control->feedforward ? "the program's forces" : "none");
+    print_range(stiffness, 1, c->unit->stiffness);
+    printf("%s\n  damping D            ", stiffness[1] > 0 ? "" : ": open loop");
+    print_range(damping, 1, c->unit->damping);
+    printf("\n");
+}
+
+static void print_settings(const check *c) {
+    const gough_simulation *s = &c->study->simulation;
+    printf("\n"
+           "Simulation\n"
+           "  duration             %.6g%s, a row every %.6g%s\n",
+           s->duration, c->unit->time, s->output_step, c->unit->time);
+    printf("  method               %s, ", gough_method_name((int)s->method));
+    if (s->step > 0)
+        printf("step %.6g%s\n", s->step, c->unit->time);
+    else
+        printf("tolerance %.3g\n", s->tolerance);
+    printf("  constraints          ");
+    if (s->method >= GOUGH_RATTLE2)
+        printf("kept by the method\n");
+    else if (s->constraints == GOUGH_BAUMGARTE)
+        printf("Baumgarte, alpha %.6g, beta %.6g\n", s->baumgarte[0], s->baumgarte[1]);
+    else
+        printf("%s\n", s->constraints == GOUGH_PROJECTION ? "projection" : "none");
+}
+
+static void print_check(const check *c) {
+    const gough_units units = {
+        .dimensionless = c->study->dimensionless, .length = 1, .mass = 1, .time = 1};
+    print_title(stdout, c->study->title);
+    print_line(stdout, "%s is a valid study; %s", c->study->name, units_sentence(c->study, &units));
+    printf("\nLegs\n");
+    print_legs(c);
+    print_singularity(c);
+    print_load(c);
+    print_groups(c);
+    print_program(c);
+    print_control(c);
+    print_settings(c);
+    if (c->sweep) sweep_describe(c->sweep);
+}
+
+static json_t *groups_object(const check *c) {
+    const gough_machine *m = c->machine;
+    const double R = m->base_radius, M = m->load.mass, g = m->gravity_magnitude;
+    double inertia[3], stiffness[GOUGH_LEGS], damping[GOUGH_LEGS];
+    for (int k = 0; k < 3; k++) inertia[k] = c->view.moments[k] / (M * R * R);
+    for (int i = 0; i < GOUGH_LEGS; i++) {
+        stiffness[i] = g > 0 ? c->model->control.stiffness[i] * R / (M * g) : NAN;
+        damping[i] = c->model->control.damping[i] * c->view.time_unit / M;
+    }
+    json_t *groups = json_object();
+    json_object_set_new(groups, "height", json_number(m->platform.height / R));
+    json_object_set_new(groups, "top_radius", json_number(c->view.top_radius / R));
+    json_object_set_new(groups, "inertia", json_numbers(inertia, 3));
+    json_object_set_new(groups, "stiffness", json_numbers(stiffness, GOUGH_LEGS));
+    json_object_set_new(groups, "damping", json_numbers(damping, GOUGH_LEGS));
+    return groups;
+}
+
+static json_t *program_object(const check *c) {
+    static const char *const kinds[] = {"formulas", "moves", "samples"};
+    const gough_motion *motion = &c->model->motion;
+    json_t *program = json_object();
+    json_object_set_new(program, "kind", json_string(kinds[motion->kind]));
+    if (motion->kind == GOUGH_MOTION_SAMPLES) {
+        const double span[2] = {motion->samples.time[0],
+                                motion->samples.time[motion->samples.count - 1]};
+        json_object_set_new(program, "samples", json_integer((json_int_t)motion->samples.count));
+        json_object_set_new(program, "span", json_numbers(span, 2));
+        json_object_set_new(program, "ends", json_string("not-a-knot"));
+        if (c->study->record)
+            json_object_set_new(program, "record", record_object(c->study->record));
+    }
+    for (int k = 0; k < GOUGH_COMPONENTS; k++)
+        json_object_set_new(program, gough_component_name(k),
+                            json_numbers((double[]){c->least[k], c->greatest[k]}, 2));
+    return program;
+}
+
+static int print_check_json(const check *c) {
+    const gough_machine *m = c->machine;
+    const gough_platform *platform = &m->platform;
+    const gough_simulation *s = &c->study->simulation;
+    json_t *object = json_object(), *axes = json_array(), *simulation = json_object();
+    for (int a = 0; a < 3; a++) {
+        double axis[3];
+        for (int k = 0; k < 3; k++) axis[k] = m->principal_axes[k][a];
+        json_array_append_new(axes, json_numbers(axis, 3));
+    }
+    json_object_set_new(simulation, "duration", json_field(c->study, "simulation.duration"));
+    json_object_set_new(simulation, "output_step", json_field(c->study, "simulation.output_step"));
+    json_object_set_new(simulation, "method", json_field(c->study, "simulation.method"));
+    json_object_set_new(simulation, "step", json_number(s->step > 0 ? s->step : NAN));
+    json_object_set_new(simulation, "tolerance", json_number(s->step > 0 ? NAN : s->tolerance));
+
+    json_object_set_new(object, "verb", json_string("check"));
+    json_object_set_new(object, "title", json_words(c->study->title));
+    json_object_set_new(object, "units",
+                        json_string(c->study->dimensionless ? "dimensionless" : "si"));
+    json_object_set_new(object, "home_length", json_numbers(m->home_length, GOUGH_LEGS));
+    json_object_set_new(object, "stroke",
+                        json_numbers((double[]){platform->length_min, platform->length_max}, 2));
+    json_object_set_new(object, "condition", json_number(c->view.condition));
+    json_object_set_new(object, "determinant", json_number(c->view.determinant));
+    json_object_set_new(object, "least_singular_value", json_number(c->view.least_singular));
+    json_object_set_new(object, "weakest_motion", json_string(weakest_name(&c->view)));
+    json_object_set_new(object, "principal_moments", json_numbers(c->view.moments, 3));
+    json_object_set_new(object, "principal_axes", axes);
+    json_object_set_new(object, "base_radius", json_number(m->base_radius));
+    json_object_set_new(object, "time_unit", json_number(c->view.time_unit));
+    json_object_set_new(object, "groups", groups_object(c));
+    json_object_set_new(object, "program", program_object(c));
+    json_object_set_new(object, "simulation", simulation);
+    if (c->sweep) json_object_set_new(object, "sweep", sweep_object(c->sweep));
+    return json_print(object);
+}
+
+static gough_status check_study(const command_line *line, const gough_study *study,
+                                const gough_sweep *sweep) {
+    static const gough_units own[2] = {{.dimensionless = false, .length = 1, .mass = 1, .time = 1},
+                                       {.dimensionless = true, .length = 1, .mass = 1, .time = 1}};
+    check c = {.study = study,
+               .sweep = sweep,
+               .model = study->model,
+               .machine = &study->model->machine,
+               .view = machine_view_of(&study->model->machine),
+               .unit = unit_words_of(&own[study->dimensionless])};
+    gough_error error = {0};
+    gough_status status = gough_simulation_check(study->model, &study->simulation, &error);
+    if (!status)
+        status = gough_motion_range(&study->model->motion, study->simulation.duration,
+                                    study->simulation.output_step, c.least, c.greatest, &error);
+    if (status) {
+        complain_of(line->verb, study, error.message);
+        return status;
+    }
+    for (int k = GOUGH_ROLL; k < GOUGH_COMPONENTS; k++)
+        c.least[k] *= DEGREES, c.greatest[k] *= DEGREES;
+    check_warnings(line->verb, study, c.unit);
+    if (line->json) return print_check_json(&c) ? GOUGH_ERROR_FILE : GOUGH_OK;
+    if (!line->quiet) print_check(&c);
+    return GOUGH_OK;
+}
+
+gough_status check_verb(int count, char **argument) {
+    command_line line = command_line_read(&usage, count, argument);
+    gough_study *study = NULL;
+    gough_status status = read_study(&line, &study);
+    gough_sweep *sweep = NULL;
+    if (!status && study->swept) status = read_sweep(&line, study, &sweep);
+    if (!status) status = check_study(&line, study, sweep);
+    gough_sweep_free(sweep);
+    gough_study_free(study);
+    command_line_free(&line);
+    return status;
+}

@@ -1,0 +1,87 @@
+/* The machine at home: principal moments, singular values of the scaled Jacobian (legs-5). */
+#include "cli/check/machine_view.h"
+
+#include <math.h>
+
+static double distance(const double a[3], const double b[3]) {
+    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                (a[2] - b[2]) * (a[2] - b[2]));
+}
+
+/* Makes columns p and q of A orthogonal by a rotation, which V takes along. */
+static void orthogonalise(double A[6][6], double V[6][6], int p, int q) {
+    double pp = 0, qq = 0, pq = 0;
+    for (int i = 0; i < 6; i++) {
+        pp += A[i][p] * A[i][p];
+        qq += A[i][q] * A[i][q];
+        pq += A[i][p] * A[i][q];
+    }
+    if (!(fabs(pq) > 1e-17 * sqrt(pp * qq))) return;
+
+    /* tan 2θ = 2pq/(pp − qq), the smaller angle */
+    const double zeta = (qq - pp) / (2 * pq);
+    const double tangent = copysign(1 / (fabs(zeta) + sqrt(1 + zeta * zeta)), zeta);
+    const double cosine = 1 / sqrt(1 + tangent * tangent), sine = cosine * tangent;
+    for (int i = 0; i < 6; i++) {
+        const double a = A[i][p], v = V[i][p];
+        A[i][p] = cosine * a - sine * A[i][q];
+        A[i][q] = sine * a + cosine * A[i][q];
+        V[i][p] = cosine * v - sine * V[i][q];
+        V[i][q] = sine * v + cosine * V[i][q];
+    }
+}
+
+/* Singular values by one-sided Jacobi: A V has orthogonal columns, whose lengths they are. */
+static void singular_values(double A[6][6], double V[6][6], double value[6]) {
+    enum { SWEEPS = 30 }; /* quadratic: six or seven do for any 6 × 6 */
+    for (int i = 0; i < 6; i++)
+        for (int j = 0; j < 6; j++) V[i][j] = i == j;
+    for (int sweep = 0; sweep < SWEEPS; sweep++)
+        for (int p = 0; p < 5; p++)
+            for (int q = p + 1; q < 6; q++) orthogonalise(A, V, p, q);
+    for (int j = 0; j < 6; j++) {
+        double square = 0;
+        for (int i = 0; i < 6; i++) square += A[i][j] * A[i][j];
+        value[j] = sqrt(square);
+    }
+}
+
+static void view_jacobian(const gough_machine *machine, machine_view *view) {
+    const gough_state home = gough_state_home(machine);
+    double A[6][6], V[6][6], value[6];
+    gough_jacobian(machine, &home, A);
+    for (int i = 0; i < 6; i++)
+        for (int j = 3; j < 6; j++) A[i][j] /= view->arm;
+    singular_values(A, V, value);
+
+    int least = 0;
+    for (int j = 1; j < 6; j++)
+        if (value[j] < value[least]) least = j;
+    view->least_singular = value[least];
+    for (int i = 0; i < 6; i++) view->weakest[i] = V[i][least];
+
+    /* moment columns were divided by the arm: three of them */
+    gough_conditioning(machine, &home, &view->condition, &view->determinant);
+    view->determinant *= view->arm * view->arm * view->arm;
+}
+
+machine_view machine_view_of(const gough_machine *machine) {
+    const gough_platform *platform = &machine->platform;
+    machine_view view = {0};
+    double centroid[3] = {0};
+    for (int i = 0; i < GOUGH_LEGS; i++)
+        for (int c = 0; c < 3; c++) centroid[c] += platform->top[i][c] / GOUGH_LEGS;
+    for (int i = 0; i < GOUGH_LEGS; i++) {
+        view.arm += distance(platform->top[i], (double[3]){0}) / GOUGH_LEGS;
+        view.top_radius += distance(platform->top[i], centroid) / GOUGH_LEGS;
+    }
+    view_jacobian(machine, &view);
+
+    /* J_x = I_y + I_z and so on (body-2) */
+    const double *I = machine->second_moments;
+    for (int c = 0; c < 3; c++) view.moments[c] = I[(c + 1) % 3] + I[(c + 2) % 3];
+    view.time_unit = machine->gravity_magnitude > 0
+                         ? sqrt(machine->base_radius / machine->gravity_magnitude)
+                         : NAN;
+    return view;
+}

@@ -1,0 +1,121 @@
+/* gough example: prints a ready study file, or lists them. */
+#define _GNU_SOURCE
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/common/command.h"
+#include "cli/example/embedded.h"
+
+static const struct argp_option option[] = {
+    {"output", OPTION_OUTPUT, "FILE", 0, "write the example to FILE instead of standard output", 0},
+    {"json", OPTION_JSON, NULL, 0, "print the list of examples as JSON", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
+    {0}};
+
+static const verb_usage usage = {
+    .verb = "example",
+    .option = option,
+    .arguments = "[NAME]",
+    .text = "Print an example study to start from; without NAME, list the examples.\vNAME without "
+            "an ending is a study, such as 'flight-simulator'; with one it is a file that belongs "
+            "to a study, such as 'ship-deck.awk', the script that computes its data.",
+    .most_files = 1};
+
+/* The name to type: without the ending of a study file. */
+static size_t stem_length(const embedded_file *file) {
+    const char *ending = strrchr(file->name, '.');
+    return ending && strcmp(ending, ".yaml") == 0 ? (size_t)(ending - file->name)
+                                                  : strlen(file->name);
+}
+
+/* What an example is about: the title of a study, else the first line of comment. */
+static size_t subject(const embedded_file *file, const char **start) {
+    const char *line = file->text;
+    for (; *line; line += strcspn(line, "\n"), line += *line == '\n') {
+        const char *at = NULL;
+        if (strncmp(line, "title:", 6) == 0)
+            at = line + 6;
+        else if (strncmp(line, "# ", 2) == 0 && !strstr(file->name, ".yaml"))
+            at = line + 2;
+        if (!at) continue;
+        at += strspn(at, " \"'");
+        size_t length = strcspn(at, "\n");
+        while (length && strchr(" \"'\r", at[length - 1])) length--;
+        *start = at;
+        return length;
+    }
+    *start = "";
+    return 0;
+}
+
+static gough_status list_examples(const command_line *line) {
+    json_t *list = json_array();
+    if (!line->json) printf("Examples, printed by 'gough example NAME':\n\n");
+    for (const embedded_file *file = embedded_files; file->name; file++) {
+        const char *about;
+        const size_t length = subject(file, &about), stem = stem_length(file);
+        if (line->json)
+            json_array_append_new(
+                list, json_pack("{s:s%, s:s%}", "name", file->name, stem, "title", about, length));
+        else
+            printf("  %-*.*s  %.*s\n", 22, (int)stem, file->name, (int)length, about);
+    }
+    if (line->json) {
+        json_dumpf(list, stdout, JSON_INDENT(2) | JSON_PRESERVE_ORDER);
+        putchar('\n');
+    }
+    json_decref(list);
+    return GOUGH_OK;
+}
+
+static const embedded_file *find_example(const char *name) {
+    for (const embedded_file *file = embedded_files; file->name; file++) {
+        const size_t stem = stem_length(file);
+        if (strcmp(name, file->name) == 0) return file;
+        if (strlen(name) == stem && strncmp(name, file->name, stem) == 0) return file;
+    }
+    return NULL;
+}
+
+static void complain_of_unknown(const char *name) {
+    const char *known[64];
+    size_t count = 0;
+    for (const embedded_file *file = embedded_files; file->name && count < 64; file++)
+        known[count++] = file->name;
+    char full[80];
+    snprintf(full, sizeof full, "%.60s%s", name, strchr(name, '.') ? "" : ".yaml");
+    const char *near = nearest_word(full, known, count);
+    if (near)
+        complain("example", "there is no example '%s'; did you mean '%s'?", name, near);
+    else
+        complain("example", "there is no example '%s'; 'gough example' lists them", name);
+}
+
+gough_status example_verb(int count, char **argument) {
+    command_line line = command_line_read(&usage, count, argument);
+    gough_status status = GOUGH_OK;
+    if (line.files == 0) {
+        status = list_examples(&line);
+    } else {
+        const embedded_file *file = find_example(line.file[0]);
+        gough_error error = {0};
+        if (!file) {
+            complain_of_unknown(line.file[0]);
+            status = GOUGH_ERROR_INPUT;
+        } else if (line.output_count == 0) {
+            fwrite(file->text, 1, file->length, stdout);
+        } else {
+            status = check_distinct(&line);
+        }
+        for (size_t i = 0; i < line.output_count && !status; i++) {
+            status = gough_write_file(line.outputs[i], file->text, file->length, &error);
+            if (status)
+                complain("example", "%s", error.message);
+            else if (!line.quiet && strcmp(line.outputs[i], "-") != 0)
+                remark("example", "wrote %s", line.outputs[i]);
+        }
+    }
+    command_line_free(&line);
+    return status;
+}

@@ -1,0 +1,189 @@
+/* One study as the page has it: numbers as JSON, columns of tables as base64 of little-endian doubles, so that nothing is
+ * rounded and nothing is parsed twice. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/common/json.h"
+#include "cli/report/page_study.h"
+#include "cli/stability/stability_report.h"
+
+/* 3 bytes to 4 characters, the last group filled up with '=' */
+static json_t *base64(const unsigned char *bytes, size_t count) {
+    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const size_t length = (count + 2) / 3 * 4;
+    char *text = allocate(length + 1);
+    for (size_t i = 0, k = 0; i < count; i += 3, k += 4) {
+        const size_t left = count - i;
+        const unsigned group = (unsigned)bytes[i] << 16 |
+                               (left > 1 ? (unsigned)bytes[i + 1] : 0) << 8 |
+                               (left > 2 ? (unsigned)bytes[i + 2] : 0);
+        for (int c = 0; c < 4; c++) text[k + (size_t)c] = digit[group >> (18 - 6 * c) & 63];
+        if (left < 3) text[k + 3] = '=';
+        if (left < 2) text[k + 2] = '=';
+    }
+    json_t *string = json_stringn_nocheck(text, length);
+    free(text);
+    return string;
+}
+
+/* Numbers as bytes, least significant first whatever the machine's order. */
+static json_t *base64_of_numbers(const double *value, size_t count) {
+    unsigned char *bytes = allocate(8 * count + 1);
+    for (size_t i = 0; i < count; i++) {
+        uint64_t bits;
+        memcpy(&bits, &value[i], sizeof bits);
+        for (unsigned b = 0; b < 8; b++) bytes[8 * i + b] = (unsigned char)(bits >> 8 * b);
+    }
+    json_t *string = base64(bytes, 8 * count);
+    free(bytes);
+    return string;
+}
+
+/* Columns of a table; of the program's only what the page draws of it. */
+static json_t *columns_of(const gough_result *result, bool program) {
+    json_t *columns = json_array();
+    gough_result_column column;
+    for (int i = 0; gough_result_column_at(result, i, &column); i++) {
+        static const char *const drawn[] = {"t",  "x",  "y",  "z",  "roll", "pitch", "yaw",
+                                            "l1", "l2", "l3", "l4", "l5",   "l6",    "f1",
+                                            "f2", "f3", "f4", "f5", "f6"};
+        bool wanted = !program;
+        for (size_t k = 0; k < sizeof drawn / sizeof *drawn; k++)
+            wanted |= strcmp(column.name, drawn[k]) == 0;
+        if (!wanted) continue;
+        json_t *one = json_object();
+        json_object_set_new(one, "name", json_string(column.name));
+        json_object_set_new(one, "long_name", json_string(column.long_name));
+        json_object_set_new(one, "unit", json_string(column.unit));
+        json_object_set_new(one, "data", base64_of_numbers(column.value, column.rows));
+        json_array_append_new(columns, one);
+    }
+    return columns;
+}
+
+static json_t *machine_object(const gough_study *study) {
+    static const char *const keys[][2] = {{"base", "platform.base.joints"},
+                                          {"top", "platform.top.joints"},
+                                          {"height", "platform.height"},
+                                          {"base_radius", NULL},
+                                          {"mass", "load.mass"},
+                                          {"center_of_mass", "load.center_of_mass"},
+                                          {"inertia", "load.inertia"},
+                                          {"gravity", "gravity"}};
+    const gough_machine *m = &study->model->machine;
+    const double least = m->platform.length_min;
+    json_t *object = json_object(), *limits = json_object();
+
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
+        json_object_set_new(object, keys[i][0],
+                            keys[i][1] ? json_field(study, keys[i][1])
+                                       : json_number(m->base_radius));
+    json_object_set_new(
+        limits, "length",
+        json_numbers((double[]){least > 0 ? least : NAN, m->platform.length_max}, 2));
+    json_object_set_new(limits, "speed", json_field(study, "platform.legs.max_speed"));
+    json_object_set_new(limits, "force", json_field(study, "platform.legs.max_force"));
+    json_object_set_new(object, "limits", limits);
+    json_object_set_new(object, "home_length", json_numbers(m->home_length, GOUGH_LEGS));
+    json_object_set_new(object, "home_condition", json_number(m->home_condition));
+    return object;
+}
+
+static json_t *simulation_object(const gough_study *study) {
+    json_t *object = json_object();
+    json_object_set_new(object, "duration", json_field(study, "simulation.duration"));
+    json_object_set_new(object, "output_step", json_field(study, "simulation.output_step"));
+    json_object_set_new(object, "tolerance", json_field(study, "simulation.tolerance"));
+    json_object_set_new(object, "method", json_field(study, "simulation.method"));
+    return object;
+}
+
+static json_t *end_object(const gough_end *end) {
+    json_t *object = json_object();
+    json_object_set_new(object, "status", json_string(gough_cause_name(end->cause)));
+    json_object_set_new(object, "time", json_number(end->time));
+    json_object_set_new(object, "leg", json_integer(end->leg));
+    json_object_set_new(object, "message", json_words(end->message));
+    return object;
+}
+
+/* The model for the live simulation; null for recorded motion so long that it would swell the page. */
+static json_t *live_object(const gough_study *study) {
+    enum { MOST_NUMBERS = 100000 };
+    const size_t count = gough_model_flat_size(study->model);
+    if (count > MOST_NUMBERS) return json_null();
+    double *flat = allocate(count * sizeof *flat);
+    gough_model_flatten(study->model, &study->simulation, flat);
+    json_t *text = base64_of_numbers(flat, count);
+    free(flat);
+    return text;
+}
+
+/* Runs forces or simulate and adds its summary and table to the object. */
+static gough_status add_run(const command_line *line, const gough_study *study, bool simulated,
+                            json_t *object) {
+    const char *verb = simulated ? "simulate" : "forces";
+    run_report report = {.verb = verb, .simulated = simulated, .study = study};
+    gough_error error = {0};
+    gough_status status = gough_units_of_study(study, false, &report.units, &error);
+    gough_result *result = status ? NULL : gough_result_new(study, verb, &report.units);
+    if (!status && !result) status = gough_fail(&error, GOUGH_ERROR_FILE, "out of memory");
+    if (!status) status = run_report_fill(&report, line, result, &error);
+    if (status == GOUGH_OK || status == GOUGH_ERROR_NUMERICAL) {
+        run_report_scale(&report);
+        json_object_set_new(object, verb, run_report_json(&report));
+        json_object_set_new(object, simulated ? "columns" : "program",
+                            columns_of(result, !simulated));
+        if (simulated) json_object_set_new(object, "end", end_object(&report.end));
+    } else {
+        complain_of(line->verb, study, error.message);
+    }
+    free(report.crossings.list);
+    gough_result_free(result);
+    return status;
+}
+
+/* What gough stability finds, in the study's units; where there is no answer about the program, rest alone and the reason. */
+static void add_stability(const gough_study *study, json_t *object) {
+    stability_report *report = calloc(1, sizeof *report);
+    gough_error error = {0};
+    gough_status status = GOUGH_ERROR_FILE;
+    if (report) {
+        report->verb = "stability";
+        report->study = study;
+        report->units = (gough_units){study->dimensionless, 1, 1, 1};
+        status = stability_find(report, &error);
+        if (status == GOUGH_ERROR_INPUT) {
+            report->posed = true;
+            report->periodic = report->ends = false;
+            gough_error at_rest = {0};
+            status = stability_find(report, &at_rest);
+            if (status) error = at_rest;
+        }
+    }
+    json_object_set_new(object, "stability", status ? json_null() : stability_json(report, NULL));
+    json_object_set_new(object, "stability_message", json_words(error.message));
+    free(report);
+}
+
+gough_status page_study(const command_line *line, gough_study *study, json_t **object) {
+    json_t *page = *object = json_object();
+    json_t *motion = json_object();
+
+    json_object_set_new(page, "name", json_words(study->name));
+    json_object_set_new(page, "title", json_words(study->title));
+    json_object_set_new(page, "text", json_words(study->text));
+    json_object_set_new(page, "units", json_string(study->dimensionless ? "dimensionless" : "si"));
+    json_object_set_new(page, "machine", machine_object(study));
+    json_object_set_new(motion, "about", json_field(study, "motion.about"));
+    json_object_set_new(page, "motion", motion);
+    json_object_set_new(page, "control", json_section(study, "control"));
+    json_object_set_new(page, "simulation", simulation_object(study));
+    json_object_set_new(page, "live", live_object(study));
+    add_stability(study, page);
+    const gough_status simulated = add_run(line, study, true, page);
+    if (simulated > GOUGH_ERROR_NUMERICAL) return simulated;
+    const gough_status forced = add_run(line, study, false, page);
+    return forced > simulated ? forced : simulated;
+}

@@ -1,0 +1,126 @@
+/* gough report: studies as one HTML page that needs nothing but a browser. */
+#define _GNU_SOURCE
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "cli/common/command.h"
+#include "cli/report/page_study.h"
+
+static const struct argp_option option[] = {
+    {"output", OPTION_OUTPUT, "FILE", 0,
+     "write to FILE, whose name ends in .html (default: the first study with .html); may be given "
+     "several times",
+     0},
+    {"set", OPTION_SET, "KEY=VALUE", 0,
+     "override a key of every study, as in --set control.stiffness=50; may be repeated", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
+    {0}};
+
+static const verb_usage usage = {
+    .verb = "report",
+    .option = option,
+    .arguments = "STUDY...",
+    .text =
+        "Write studies as one HTML page: the machine moving in 3D, curves, numbers, and a live "
+        "simulation.\vSTUDY is a study file, or - for standard input; several are compared. The "
+        "page is one file that needs no network, so it can be sent by e-mail and opened in any "
+        "browser. If a run ends early, the page shows when and why, and the exit status is 1.",
+    .least_files = 1,
+    .most_files = 64};
+
+/* What can be known before the studies are run. */
+static gough_status check_path(const char *verb, const char *path) {
+    const char *ending = strrchr(path, '.');
+    if (strcmp(path, "-") == 0) return GOUGH_OK;
+    if (!ending || strcasecmp(ending, ".html") != 0) {
+        complain(verb,
+                 "-o needs a name that ends in .html, or - for standard output; '%s' does not",
+                 path);
+        return GOUGH_ERROR_INPUT;
+    }
+    return check_folder(verb, path);
+}
+
+/* Every study into the list; the worst status, GOUGH_ERROR_NUMERICAL where runs ended early. */
+static gough_status add_studies(const command_line *line, json_t *studies) {
+    gough_status worst = GOUGH_OK;
+    for (size_t i = 0; i < line->files && worst <= GOUGH_ERROR_NUMERICAL; i++) {
+        command_line one = *line;
+        one.file = &line->file[i];
+        gough_study *study = NULL;
+        json_t *object = NULL;
+        gough_status status = read_study(&one, &study);
+        if (!status) status = page_study(&one, study, &object);
+        if (object) json_array_append_new(studies, object);
+        gough_study_free(study);
+        if (status > worst) worst = status;
+    }
+    return worst;
+}
+
+static gough_status write_pages(const command_line *line, json_t *data) {
+    const gough_page_template page = page_template();
+    gough_error error = {0};
+    char *text = json_dumps(data, JSON_COMPACT | JSON_PRESERVE_ORDER | JSON_REAL_PRECISION(17));
+    gough_status status = GOUGH_OK;
+    if (!text) status = gough_fail(&error, GOUGH_ERROR_FILE, "out of memory");
+    for (size_t i = 0; i < line->output_count && !status; i++) {
+        const char *path = line->outputs[i];
+        interrupt_outputs(line->verb, line->outputs, line->output_count, i);
+        status = gough_page_write(&page, text, strlen(text), path, &error);
+        if (!status && !line->quiet && strcmp(path, "-") != 0) remark(line->verb, "wrote %s", path);
+    }
+    if (status) complain(line->verb, "%s", error.message);
+    free(text);
+    return status;
+}
+
+static gough_status check_paths(const command_line *line) {
+    gough_status status = GOUGH_OK;
+    for (size_t i = 0; i < line->output_count && !status; i++) {
+        status = check_path(line->verb, line->outputs[i]);
+        if (!status)
+            status = check_overwriting(line->verb, line->outputs[i], line->file, line->files);
+    }
+    if (!status) status = check_distinct(line);
+    if (!status && page_template().length == 0) {
+        complain(line->verb,
+                 "this gough was built without the page; configure with -DGOUGH_PAGE=ON");
+        status = GOUGH_ERROR_INPUT;
+    }
+    return status;
+}
+
+static gough_status run_and_write(const command_line *line) {
+    json_t *data = json_object(), *studies = json_array();
+    json_object_set_new(data, "format", json_integer(1));
+    json_object_set_new(data, "version", json_string(GOUGH_VERSION));
+    json_object_set(data, "studies", studies);
+    gough_status status = add_studies(line, studies);
+    if (status <= GOUGH_ERROR_NUMERICAL) {
+        const gough_status written = write_pages(line, data);
+        if (written) status = written;
+    }
+    json_decref(studies);
+    json_decref(data);
+    return status;
+}
+
+gough_status report_verb(int count, char **argument) {
+    command_line line = command_line_read(&usage, count, argument);
+    char *path = line.output_count ? NULL : output_beside(line.file[0], ".html", "report.html");
+    gough_status status = GOUGH_ERROR_FILE;
+    if (path) line.outputs[line.output_count++] = path;
+    if (line.output_count == 0) {
+        complain(line.verb, "out of memory");
+    } else {
+        status = check_paths(&line);
+        interrupt_outputs(line.verb, line.outputs, line.output_count, 0);
+        if (!status) status = run_and_write(&line);
+    }
+    free(path);
+    command_line_free(&line);
+    return status;
+}

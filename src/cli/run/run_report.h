@@ -1,0 +1,82 @@
+/* What a run leaves in a few numbers, for reading and as JSON, in the units of the output. */
+#ifndef GOUGH_CLI_RUN_REPORT_H
+#define GOUGH_CLI_RUN_REPORT_H
+
+#include <stdio.h>
+
+#include "gough/gough.h"
+
+/* A limit of a leg that the program leaves, and all of them. */
+typedef struct crossing_list {
+    gough_crossing *list;
+    size_t count, room;
+    bool incomplete; /* there was no memory for all */
+} crossing_list;
+
+typedef struct run_report {
+    const char *verb;
+    bool simulated;
+    const gough_study *study;
+    gough_units units;
+    gough_summary summary;       /* scaled to the output's units, angles in degrees */
+    gough_end end;               /* time, limit and sentence in the output's units */
+    gough_statistics statistics; /* its rate and time in the output's units */
+    crossing_list crossings;     /* scaled; forces only */
+    double stroke[2];            /* least and greatest leg length, scaled; 0 and INFINITY: none */
+    const char *const *output;   /* where the tables went; "-" among them */
+    size_t outputs;
+    bool all; /* each excess of a limit is listed */
+} run_report;
+
+/* Runs the study of a report, `simulated` or not, whose numbers are then in units of the run; rows go into `result` too, which
+ * may be NULL. Without memory for them it is GOUGH_ERROR_FILE. */
+struct command_line;
+gough_status run_report_fill(run_report *report, const struct command_line *line,
+                             gough_result *result, gough_error *error);
+
+/* Turns the numbers of a run into the output's units. */
+void run_report_scale(run_report *report);
+
+/* The end of a run that is not scaled yet, its sentence in the output's units. */
+gough_end run_report_end(const run_report *report);
+
+/* What a limit of this cause is multiplied by to be in units of the output. */
+double limit_factor(gough_cause cause, const gough_units *units);
+void run_report_print(FILE *stream, const run_report *report);
+
+/* Remarks, if it is so, that stability and not the tolerance kept the steps of a run short. */
+void remark_stiffness(const char *verb, const run_report *report);
+
+/* One JSON object on standard output. Returns 0, or -1 when out of memory or the output cannot be written. */
+int run_report_print_json(const run_report *report);
+
+/* ---- leg_table.c: columns of numbers, one row a leg ---- */
+
+/* Ends a list of columns: a column without a head. Neighbours with the same group share one heading. */
+typedef struct table_column {
+    const char *group, *head;
+    double value[GOUGH_LEGS + 1]; /* legs 1 … 6 and all of them together; NaN: no entry */
+    int digits;                   /* significant, of the largest of the group */
+} table_column;
+
+void table_print(FILE *stream, const table_column *column, bool with_all);
+
+/* ---- units as words: " m" in SI, "" where numbers have no unit; they follow a number ---- */
+
+typedef struct unit_words {
+    const char *length, *speed, *force, *power, *energy, *time;
+    const char *mass, *inertia, *stiffness, *damping;
+} unit_words;
+
+const unit_words *unit_words_of(const gough_units *units);
+
+/* "length [m]", or "length" without a unit */
+typedef struct table_heading {
+    char text[32];
+} table_heading;
+table_heading heading_of(const char *what, const char *unit);
+
+/* What the numbers mean, for the head of a summary: "SI units", "lengths in R_b …". */
+const char *units_sentence(const gough_study *study, const gough_units *units);
+
+#endif

@@ -1,0 +1,243 @@
+/* gough stability --sweep-stiffness: the stability map, its tongues, its data and its pictures. */
+#define _GNU_SOURCE
+#include "cli/stability/stability_map.h"
+#include "cli/common/scale.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum { MOST_POINTS = 4000000 }; /* some 300 MB */
+
+/* ---- outputs ----------------------------------------------------------------------------------------------------- */
+
+static bool ends_in(const char *path, const char *const *ending, size_t count) {
+    const char *dot = strrchr(path, '.');
+    for (size_t i = 0; dot && i < count; i++)
+        if (strcasecmp(dot, ending[i]) == 0) return true;
+    return false;
+}
+
+static bool is_data(const char *path) {
+    return strcmp(path, "-") == 0 || ends_in(path, (const char *const[]){".csv", ".h5"}, 2);
+}
+
+static bool is_picture(const char *path) {
+    return ends_in(path, (const char *const[]){".png", ".svg", ".pdf"}, 3);
+}
+
+/* What can be known before the work. */
+static gough_status check_outputs(const command_line *line) {
+    for (size_t i = 0; i < line->output_count; i++) {
+        const char *path = line->outputs[i];
+        if (!is_data(path) && !is_picture(path)) {
+            complain(line->verb,
+                     "-o takes a name that ends in .csv or .h5 (data) or in .png, .svg or .pdf "
+                     "(picture), or - for CSV on standard output; '%s' does not",
+                     path);
+            return GOUGH_ERROR_INPUT;
+        }
+        if (strcmp(path, "-") != 0) {
+            const gough_status status = check_folder(line->verb, path);
+            if (status) return status;
+        } else if (line->json) {
+            complain(line->verb, "'-o -' and --json both write to standard output; give -o a file");
+            return GOUGH_ERROR_INPUT;
+        }
+    }
+    return GOUGH_OK;
+}
+
+static gough_status write_outputs(const command_line *line, const map_report *report,
+                                  FILE *stream) {
+    for (size_t i = 0; i < line->output_count; i++) {
+        const char *path = line->outputs[i];
+        gough_error error = {0};
+        const gough_map_figure figure = {.title = line->figure.title ? line->figure.title
+                                                                     : report->study->title,
+                                         .units = report->units,
+                                         .rest = report->rest};
+        fflush(stdout);
+        interrupt_outputs(line->verb, line->outputs, line->output_count, i);
+        const gough_status status =
+            is_data(path) ? map_write(report, path, &error)
+                          : gough_map_draw(&report->options, &report->map, &figure, path, &error);
+        if (status) {
+            complain(line->verb, "%s", error.message);
+            return status;
+        }
+        if (!stream || strcmp(path, "-") == 0) continue;
+        char *beside = is_data(path) ? map_tongues_path(path) : NULL;
+        print_line(stream, "wrote %s%s%s", path, beside ? " and " : "", beside ? beside : "");
+        free(beside);
+    }
+    return GOUGH_OK;
+}
+
+/* ---- options ----------------------------------------------------------------------------------------------------- */
+
+static gough_map_range range_of(const axis_values *values) {
+    return (gough_map_range){values->from, values->to, values->count, values->logarithmic};
+}
+
+static gough_map_axis axis_of(int option) {
+    switch (option) {
+    case OPTION_SWEEP_AMPLITUDE:
+        return GOUGH_MAP_AMPLITUDE;
+    case OPTION_SWEEP_FREQUENCY:
+        return GOUGH_MAP_FREQUENCY;
+    case OPTION_SWEEP_DAMPING:
+        return GOUGH_MAP_DAMPING;
+    default:
+        return GOUGH_MAP_NONE;
+    }
+}
+
+static int look(void *context, double done) {
+    progress_update(context, done);
+    return 0;
+}
+
+/* The row nearest to the study as it stands: factor 1, or its own damping. */
+static size_t find_own_row(const map_report *report) {
+    const double own =
+        report->options.axis == GOUGH_MAP_DAMPING ? report->study->model->control.damping[0] : 1.0;
+    size_t nearest = 0;
+    for (size_t r = 1; r < report->rows; r++)
+        if (fabs(report->map.row[r].value - own) < fabs(report->map.row[nearest].value - own))
+            nearest = r;
+    return nearest;
+}
+
+/* ---- units ------------------------------------------------------------------------------------------------------- */
+
+static void scale_range(gough_map_range *range, const gough_units *u, dimension d) {
+    range->from *= scale_factor(u, d);
+    range->to *= scale_factor(u, d);
+}
+
+static const scaled_member point_members[] = {SCALED(gough_map_point, rate, RATE)};
+
+static const scaled_member row_members[] = {SCALED(gough_map_row, period.period, TIME),
+                                            SCALED(gough_map_row, period.start, TIME)};
+
+static const scaled_member damped_members[] = {SCALED(gough_map_row, value, DAMPING)};
+
+static const scaled_member interval_members[] = {
+    SCALED(gough_interval, from, STIFFNESS), SCALED(gough_interval, to, STIFFNESS),
+    SCALED(gough_interval, stiffness, STIFFNESS), SCALED(gough_interval, rate, RATE)};
+
+static const scaled_member threshold_members[] = {SCALED(gough_threshold, stiffness, STIFFNESS)};
+
+static void scale_map(map_report *report) {
+    const gough_units *u = &report->units;
+    const bool damped = report->options.axis == GOUGH_MAP_DAMPING;
+    scale_range(&report->options.stiffness, u, DIMENSION_STIFFNESS);
+    if (damped) scale_range(&report->options.second, u, DIMENSION_DAMPING);
+    for (size_t p = 0; p < report->rows * report->options.stiffness.count; p++)
+        SCALE(&report->map.point[p], point_members, u);
+    for (size_t r = 0; r < report->rows; r++) {
+        gough_map_row *row = &report->map.row[r];
+        if (damped) SCALE(row, damped_members, u);
+        SCALE(row, row_members, u);
+        for (size_t i = 0; i < row->intervals; i++)
+            SCALE(&report->map.interval[r * report->options.intervals + i], interval_members, u);
+    }
+    for (int i = 0; report->rest && i < 6; i++)
+        SCALE(&report->rest->threshold[i], threshold_members, u);
+}
+
+/* ---- the map ----------------------------------------------------------------------------------------------------- */
+
+/* Where no row has values, the first says why. */
+static gough_status check_rows(const map_report *report, gough_error *error) {
+    for (size_t r = 0; r < report->rows; r++)
+        if (!report->map.row[r].error.status) return GOUGH_OK;
+    *error = report->map.row[0].error;
+    return error->status;
+}
+
+static gough_status find(const command_line *line, map_report *report, gough_error *error) {
+    const gough_model *model = report->study->model;
+    const size_t points = report->rows * report->options.stiffness.count;
+    size_t bytes = 0;
+    if (points > MOST_POINTS)
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "a map of %zu points is too large; at most %d are possible. Tongues are found between "
+            "the points too, so a few values of the stiffness are enough",
+            points, MOST_POINTS);
+    gough_status status = gough_map_size(model, &report->options, &bytes, error);
+    if (status) return status;
+    void *memory = aligned_alloc(64, (bytes + 127) / 64 * 64);
+    report->map.point = calloc(points, sizeof *report->map.point);
+    report->map.row = calloc(report->rows, sizeof *report->map.row);
+    report->map.interval =
+        calloc(report->rows * report->options.intervals, sizeof *report->map.interval);
+    if (!memory || !report->map.point || !report->map.row || !report->map.interval)
+        status =
+            gough_fail(error, GOUGH_ERROR_FILE,
+                       "not enough memory for %zu points; use fewer values on an axis", points);
+    progress bar = progress_begin(line->verb, 1.0, line->quiet);
+    report->options.progress = look;
+    report->options.context = &bar;
+    if (!status) status = gough_map_find(model, &report->options, &report->map, memory, error);
+    progress_end(&bar);
+    report->options.progress = NULL;
+    report->options.context = NULL;
+    free(memory);
+    return status ? status : check_rows(report, error);
+}
+
+/* Thresholds at home; a study may have none, where home is singular or its springs carry nothing. */
+static void find_thresholds(map_report *report) {
+    report->rest = malloc(sizeof *report->rest);
+    if (report->rest &&
+        gough_stability_at_rest(report->study->model, NULL, report->rest, NULL) != GOUGH_OK) {
+        free(report->rest);
+        report->rest = NULL;
+    }
+}
+
+static gough_status tell(const command_line *line, map_report *report) {
+    bool standard = false;
+    for (size_t i = 0; i < line->output_count; i++)
+        standard = standard || strcmp(line->outputs[i], "-") == 0;
+    FILE *stream = line->quiet || line->json ? NULL : standard ? stderr : stdout;
+    int failed = 0;
+    if (line->json) failed = map_print_json(report);
+    if (stream) map_print(stream, report, line->output_count == 0);
+    const gough_status status = write_outputs(line, report, stream);
+    return failed ? GOUGH_ERROR_FILE : status;
+}
+
+gough_status stability_map(const command_line *line, const gough_study *study) {
+    map_report report = {.verb = line->verb, .study = study};
+    gough_error error = {0};
+    gough_status status = check_outputs(line);
+    if (status) return status;
+    report.options = gough_map_options_default();
+    report.options.stiffness = range_of(&line->stiffness);
+    report.options.axis = axis_of(line->second.key);
+    report.options.second = range_of(&line->second);
+    report.options.lanes = line->lanes;
+    report.options.threads = line->threads;
+    report.rows = gough_map_rows(&report.options);
+    interrupt_outputs(line->verb, line->outputs, line->output_count, 0);
+    status = gough_units_of_study(study, line->dimensionless, &report.units, &error);
+    if (!status) status = find(line, &report, &error);
+    if (status) {
+        complain_of(line->verb, study, error.message);
+    } else {
+        find_thresholds(&report);
+        report.own_row = find_own_row(&report);
+        scale_map(&report);
+        status = tell(line, &report);
+    }
+    free(report.map.point);
+    free(report.map.row);
+    free(report.map.interval);
+    free(report.rest);
+    return status;
+}

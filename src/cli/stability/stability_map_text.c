@@ -1,0 +1,247 @@
+/* A stability map for reading and as JSON: thresholds, and the intervals of stiffness in which a mode grows. */
+#include <math.h>
+#include <string.h>
+
+#include "cli/common/command.h"
+#include "cli/common/json.h"
+#include "cli/run/run_report.h"
+#include "cli/stability/stability_map.h"
+
+/* ---- for reading ------------------------------------------------------------------------------------------------- */
+
+static void print_range(FILE *stream, const gough_map_range *range, const char *unit) {
+    fprintf(stream, "%zu value%s from %.6g to %.6g%s%s", range->count, range->count == 1 ? "" : "s",
+            range->from, range->to, unit, range->logarithmic ? ", in equal ratios" : "");
+}
+
+static const char *second_unit(const map_report *report) {
+    return report->options.axis == GOUGH_MAP_DAMPING ? unit_words_of(&report->units)->damping : "";
+}
+
+static void print_axes(FILE *stream, const map_report *report) {
+    const char *axis = map_axis_name(report);
+    fprintf(stream, "Stability map over the stiffness G, the same in all legs: ");
+    print_range(stream, &report->options.stiffness, unit_words_of(&report->units)->stiffness);
+    if (axis) {
+        fprintf(stream, ";\nover the %s%s: ", axis,
+                report->options.axis == GOUGH_MAP_DAMPING ? "" : ", a factor on the study's");
+        print_range(stream, &report->options.second, second_unit(report));
+    }
+    fprintf(stream, "\n%s\n", units_sentence(report->study, &report->units));
+}
+
+static void print_thresholds(FILE *stream, const map_report *report) {
+    const char *unit = unit_words_of(&report->units)->stiffness;
+    if (!report->rest) return;
+    fprintf(stream, "\nLeast stiffness at home and at rest, for each mode\n");
+    for (int i = 0; i < 6; i++) {
+        const gough_threshold *t = &report->rest->threshold[i];
+        const bool again = i > 0 && strcmp(t->mode.name, t[-1].mode.name) == 0 &&
+                           fabs(t->stiffness - t[-1].stiffness) <= 1e-9 * fabs(t->stiffness);
+        if (again) continue;
+        fprintf(stream, "  ");
+        stability_pad(stream, t->mode.name, 20);
+        fprintf(stream, "%12.6g%s%s\n", t->stiffness, unit,
+                t->neutral ? "   any G > 0 holds it" : "");
+    }
+}
+
+static const char *kind_words(gough_interval_kind kind) {
+    switch (kind) {
+    case GOUGH_INTERVAL_STATIC:
+        return "below threshold";
+    case GOUGH_INTERVAL_PLUS:
+        return "resonance at +1";
+    case GOUGH_INTERVAL_MINUS:
+        return "resonance at -1";
+    case GOUGH_INTERVAL_COMBINATION:
+        return "two modes";
+    }
+    return "";
+}
+
+static void print_cell(FILE *stream, double value) {
+    if (isfinite(value))
+        fprintf(stream, "%12.6g", value);
+    else
+        fprintf(stream, "%12s", "-");
+}
+
+/* At rest there is no motion to be in resonance with. */
+static void print_interval(FILE *stream, const gough_interval *i, bool resting) {
+    char name[GOUGH_MODE_NAME + 16];
+    snprintf(name, sizeof name, i->modes > 1 ? "%s ×%d" : "%s", i->mode.name, i->modes);
+    fprintf(stream, "  ");
+    stability_pad(stream, name, 19);
+    print_cell(stream, i->from);
+    print_cell(stream, i->to);
+    fprintf(stream, "%c", i->cut ? '+' : ' ');
+    print_cell(stream, i->growth);
+    print_cell(stream, i->rate);
+    print_cell(stream, i->stiffness);
+    fprintf(stream, "   %s\n", kind_words(resting ? GOUGH_INTERVAL_STATIC : i->kind));
+}
+
+/* "At amplitude 0.5" */
+static void print_row_heading(FILE *stream, const map_report *report, const gough_map_row *row) {
+    const unit_words *unit = unit_words_of(&report->units);
+    const bool lower = map_axis_name(report) != NULL;
+    fprintf(stream, "\n");
+    if (lower)
+        fprintf(stream, "At %s %.6g%s, ", map_axis_name(report), row->value, second_unit(report));
+    if (row->error.status)
+        fprintf(stream, "%s values: %s\n", lower ? "there are no" : "There are no",
+                row->error.message);
+    else if (row->period.resting)
+        fprintf(stream, "%s the program is at rest: ", lower ? "where" : "Where");
+    else
+        fprintf(stream, "%s the program, of period %.9g%s: ", lower ? "along" : "Along",
+                row->period.period, unit->time);
+}
+
+static void print_row(FILE *stream, const map_report *report, size_t r) {
+    const gough_map_row *row = &report->map.row[r];
+    const unit_words *unit = unit_words_of(&report->units);
+    bool cut = false;
+    print_row_heading(stream, report, row);
+    if (row->error.status) return;
+    if (row->intervals == 0) {
+        fprintf(stream, "nothing grows at any G in this range\n");
+        return;
+    }
+    const table_heading from = heading_of("from G", unit->stiffness),
+                        rate = heading_of("rate", *unit->time ? " 1/s" : "");
+    fprintf(stream, "ranges of G in which a mode grows\n  %-19s%12s%12s %12s%12s%12s\n", "mode",
+            from.text, "to", row->period.resting ? "" : "per period", rate.text, "at G");
+    for (size_t i = 0; i < row->intervals; i++) {
+        const gough_interval *one = &report->map.interval[r * report->options.intervals + i];
+        print_interval(stream, one, row->period.resting);
+        cut = cut || one->cut;
+    }
+    if (cut) fprintf(stream, "  + the range continues above this map\n");
+    if (row->intervals_missed)
+        fprintf(stream, "  and %zu more ranges; a map over a narrower range of G lists them\n",
+                row->intervals_missed);
+}
+
+/* Rows that failed are counted, and the first says why. */
+static void print_failures(FILE *stream, const map_report *report) {
+    size_t failed = 0, first = 0;
+    for (size_t r = report->rows; r-- > 0;)
+        if (report->map.row[r].error.status) failed++, first = r;
+    if (failed && map_axis_name(report))
+        fprintf(stream, "\n%zu of %zu rows have no values; the first is at %s %.6g: %s\n", failed,
+                report->rows, map_axis_name(report), report->map.row[first].value,
+                report->map.row[first].error.message);
+}
+
+static void print_share(FILE *stream, const map_report *report) {
+    size_t stable = 0;
+    const size_t points = report->rows * report->options.stiffness.count;
+    for (size_t p = 0; p < points; p++) stable += report->map.point[p].stable;
+    fprintf(stream, "\n%zu of the %zu points of the map are stable (%.3g %%).\n", stable, points,
+            100.0 * (double)stable / (double)points);
+}
+
+void map_print(FILE *stream, const map_report *report, bool all) {
+    print_title(stream, report->study->title);
+    print_axes(stream, report);
+    print_thresholds(stream, report);
+    for (size_t r = 0; r < report->rows; r++)
+        if (all || r == report->own_row) print_row(stream, report, r);
+    print_share(stream, report);
+    print_failures(stream, report);
+}
+
+/* ---- as JSON ----------------------------------------------------------------------------------------------------- */
+
+static json_t *range_values(const gough_map_range *range) {
+    json_t *values = json_array();
+    for (size_t i = 0; i < range->count; i++)
+        json_array_append_new(values, json_number(gough_map_value(range, i)));
+    return values;
+}
+
+/* One list for each row of the map, of one thing about its points. */
+static json_t *grid_of(const map_report *report, json_t *(*take)(const gough_map_point *point)) {
+    const size_t columns = report->options.stiffness.count;
+    json_t *rows = json_array();
+    for (size_t r = 0; r < report->rows; r++) {
+        json_t *row = json_array();
+        for (size_t c = 0; c < columns; c++)
+            json_array_append_new(row, take(&report->map.point[r * columns + c]));
+        json_array_append_new(rows, row);
+    }
+    return rows;
+}
+
+static json_t *take_growth(const gough_map_point *point) { return json_number(point->growth); }
+static json_t *take_rate(const gough_map_point *point) { return json_number(point->rate); }
+static json_t *take_stable(const gough_map_point *point) { return json_boolean(point->stable); }
+static json_t *take_mode(const gough_map_point *point) { return json_words(point->mode); }
+
+static json_t *row_object(const gough_map_row *row) {
+    json_t *object = json_object();
+    json_object_set_new(object, "value", json_number(row->value));
+    json_object_set_new(object, "error",
+                        row->error.status ? json_words(row->error.message) : json_null());
+    json_object_set_new(object, "period",
+                        json_number(row->period.period > 0 ? row->period.period : NAN));
+    json_object_set_new(object, "tongues", json_integer((json_int_t)row->intervals));
+    json_object_set_new(object, "tongues_missed", json_integer((json_int_t)row->intervals_missed));
+    return object;
+}
+
+static json_t *interval_object(double value, const gough_interval *i) {
+    json_t *object = json_object();
+    json_object_set_new(object, "value", json_number(value));
+    json_object_set_new(object, "mode", json_words(i->mode.name));
+    json_object_set_new(object, "modes", json_integer(i->modes));
+    json_object_set_new(object, "kind", json_string(gough_interval_kind_name(i->kind)));
+    json_object_set_new(object, "from", json_number(i->from));
+    json_object_set_new(object, "to", json_number(i->to));
+    json_object_set_new(object, "cut", json_boolean(i->cut));
+    json_object_set_new(object, "stiffness", json_number(i->stiffness));
+    json_object_set_new(object, "growth_per_period", json_number(i->growth));
+    json_object_set_new(object, "growth_rate", json_number(i->rate));
+    return object;
+}
+
+static json_t *threshold_list(const gough_rest *rest) {
+    json_t *list = json_array();
+    for (int i = 0; rest && i < 6; i++) {
+        json_t *threshold = json_object();
+        json_object_set_new(threshold, "mode", json_words(rest->threshold[i].mode.name));
+        json_object_set_new(threshold, "stiffness", json_number(rest->threshold[i].stiffness));
+        json_array_append_new(list, threshold);
+    }
+    return list;
+}
+
+int map_print_json(const map_report *report) {
+    const char *axis = map_axis_name(report);
+    json_t *object = json_object(), *map = json_object(), *rows = json_array(),
+           *tongues = json_array();
+    for (size_t r = 0; r < report->rows; r++) {
+        const gough_map_row *row = &report->map.row[r];
+        json_array_append_new(rows, row_object(row));
+        for (size_t i = 0; i < row->intervals; i++)
+            json_array_append_new(
+                tongues, interval_object(axis ? row->value : NAN,
+                                         &report->map.interval[r * report->options.intervals + i]));
+    }
+    json_object_set_new(map, "stiffness", range_values(&report->options.stiffness));
+    json_object_set_new(map, "axis", axis ? json_string(axis) : json_null());
+    json_object_set_new(map, "rows", rows);
+    json_object_set_new(map, "growth_per_period", grid_of(report, take_growth));
+    json_object_set_new(map, "growth_rate", grid_of(report, take_rate));
+    json_object_set_new(map, "stable", grid_of(report, take_stable));
+    json_object_set_new(map, "mode", grid_of(report, take_mode));
+
+    json_object_set_new(object, "verb", json_string(report->verb));
+    json_object_set_new(object, "title", json_words(report->study->title));
+    json_object_set_new(object, "thresholds", threshold_list(report->rest));
+    json_object_set_new(object, "map", map);
+    json_object_set_new(object, "tongues", tongues);
+    return json_print(object);
+}

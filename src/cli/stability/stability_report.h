@@ -1,0 +1,63 @@
+/* What gough stability has found: the loop at rest and about the program, for reading and as JSON. */
+#ifndef GOUGH_CLI_STABILITY_REPORT_H
+#define GOUGH_CLI_STABILITY_REPORT_H
+
+#include <jansson.h>
+#include <stdio.h>
+
+#include "cli/common/command.h"
+#include "gough/gough.h"
+
+/* Numbers are in the units of the output once stability_scale() has seen them; shapes have angles in radians. */
+typedef struct stability_report {
+    const char *verb;
+    const gough_study *study;
+    gough_units units;
+    double arm; /* R_b: by it rotations compare with displacements */
+    bool damped;
+    bool posed;                    /* a pose was asked for, and no program */
+    double pose[GOUGH_COMPONENTS]; /* of `rest`: lengths and degrees, from home */
+    gough_rest rest;
+    bool ends; /* the program ends at rest elsewhere than at home: `last` holds there */
+    double last_pose[GOUGH_COMPONENTS]; /* lengths and degrees */
+    gough_rest last;
+    bool periodic; /* and then the two below hold */
+    gough_period period;
+    gough_floquet floquet;
+    double sag; /* distance of the top from the program when the period begins */
+} stability_report;
+
+/* Finds all of it, at rest and about the program, for the study and the pose in the report, in the study's units. */
+gough_status stability_find(stability_report *report, gough_error *error);
+
+/* Turns the numbers into the output's units. */
+void stability_scale(stability_report *report);
+
+/* Whether nothing grows: about the program, or where it rests. */
+bool stability_holds(const stability_report *report);
+
+void stability_print(FILE *stream, const stability_report *report);
+
+/* The linearised loop, ξ̇ = row · ξ. */
+typedef struct stability_matrix {
+    double row[GOUGH_LINEAR][GOUGH_LINEAR];
+} stability_matrix;
+
+/* The answer as one JSON object; matrix may be NULL. */
+json_t *stability_json(const stability_report *report, const stability_matrix *matrix);
+
+/* The stability map of --sweep-stiffness (stability_map.c). */
+gough_status stability_map(const command_line *line, const gough_study *study);
+
+/* ---- mode_words.c: modes in words ---- */
+
+enum { MODE_WORDS = 200 };
+
+/* What moves, of `count` modes of one value: "surge 0.1 m with pitch -3.1 deg; sway 0.1 m with roll 3.1 deg". */
+void stability_mode_words(const gough_mode *const *mode, int count, double arm,
+                          const char *length_unit, char words[MODE_WORDS]);
+
+/* Pads to a width in columns of the terminal, where bytes of UTF-8 do not count alike. */
+void stability_pad(FILE *stream, const char *text, int width);
+
+#endif

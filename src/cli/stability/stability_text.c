@@ -1,0 +1,491 @@
+/* Stability for reading: eigenvalues at rest with what moves, thresholds of G, multipliers about the program, verdicts. */
+#include <math.h>
+#include <string.h>
+
+#include "cli/common/command.h"
+#include "cli/common/paragraph.h"
+#include "cli/common/scale.h"
+#include "cli/run/run_report.h"
+#include "cli/stability/stability_report.h"
+
+static const double DEGREES = 57.295779513082320877;
+static const double TENFOLD = 2.302585092994045684; /* log 10 */
+static const double TWO_PI = 6.283185307179586477;
+
+/* real and imaginary parts of eigenvalues below this part of the largest are rounding */
+static const double rounding = 1e-12;
+
+/* a smaller multiplier prints as 0: one period leaves nothing of the deviation in double precision */
+static const double least_multiplier = 1e-16;
+
+/* ---- numbers of one value together ------------------------------------------------------------------------------- */
+
+/* What a table of eigenvalues or multipliers is made of. */
+typedef struct mode_value {
+    double value[2];
+    const gough_mode *mode;
+} mode_value;
+
+typedef struct value_group {
+    double value[2];                      /* not below the real axis */
+    const gough_mode *mode[GOUGH_LINEAR]; /* of the values alike */
+    int count;
+} value_group;
+
+/* Values that differ by no more than the rounding of their own size, and of the largest. */
+static bool alike(const value_group *group, const mode_value *one, double own, double largest) {
+    const double near = 1e-6 * own + rounding * largest;
+    return fabs(group->value[0] - one->value[0]) <= near &&
+           fabs(group->value[1] - one->value[1]) <= near &&
+           strcmp(group->mode[0]->name, one->mode->name) == 0;
+}
+
+/* Groups of equal values; of conjugates the upper one stands for both. Eigenvalues are rounded in proportion to the largest of
+ * them, multipliers each in proportion to itself. */
+static int group_values(const mode_value value[GOUGH_LINEAR], bool multipliers,
+                        value_group group[GOUGH_LINEAR]) {
+    double largest = 0;
+    int groups = 0;
+    for (int i = 0; i < GOUGH_LINEAR && !multipliers; i++)
+        largest = fmax(largest, hypot(value[i].value[0], value[i].value[1]));
+    for (int i = 0; i < GOUGH_LINEAR; i++) {
+        const double own = hypot(value[i].value[0], value[i].value[1]);
+        const double none = fmax(1e-9 * own, rounding * largest);
+        int g = 0;
+        if (value[i].value[1] < -none) continue;
+        while (g < groups && !alike(&group[g], &value[i], own, largest)) g++;
+        if (g == groups) {
+            group[groups++] = (value_group){.value = {value[i].value[0], value[i].value[1]}};
+            for (int k = 0; k < 2; k++)
+                if (fabs(value[i].value[k]) < none) group[g].value[k] = 0;
+        }
+        group[g].mode[group[g].count++] = value[i].mode;
+    }
+    return groups;
+}
+
+/* "yaw", "sway–tilt ×2" */
+static void name_group(const value_group *group, char name[GOUGH_MODE_NAME + 16]) {
+    if (group->count > 1)
+        snprintf(name, GOUGH_MODE_NAME + 16, "%s ×%d", group->mode[0]->name, group->count);
+    else
+        snprintf(name, GOUGH_MODE_NAME + 16, "%s", group->mode[0]->name);
+}
+
+/* Width of the column of names. */
+static int name_width(const value_group *group, int groups) {
+    int widest = 4;
+    for (int g = 0; g < groups; g++) {
+        char name[GOUGH_MODE_NAME + 16];
+        name_group(&group[g], name);
+        const int width = text_columns(name);
+        if (width > widest) widest = width;
+    }
+    return widest + 2;
+}
+
+static int print_name(FILE *stream, const value_group *group, int width) {
+    char name[GOUGH_MODE_NAME + 16];
+    name_group(group, name);
+    fprintf(stream, "    ");
+    stability_pad(stream, name, width);
+    return 4 + width;
+}
+
+static bool same_shape(const gough_mode *a, const gough_mode *b) {
+    double apart = 0;
+    for (int i = 0; i < 6; i++)
+        apart =
+            fmax(apart, hypot(a->shape[i][0] - b->shape[i][0], a->shape[i][1] - b->shape[i][1]));
+    return apart <= 1e-9;
+}
+
+/* What moves, at the end of a line that has `used` columns, or on one of its own. */
+static void print_moves(FILE *stream, const stability_report *report, const value_group *group,
+                        int used) {
+    char words[MODE_WORDS];
+    const gough_mode *mode[GOUGH_LINEAR];
+    int count = 0;
+    for (int i = 0; i < group->count; i++) /* λ = 0 of what drifts is double, with one shape */
+        if (!count || !same_shape(mode[count - 1], group->mode[i])) mode[count++] = group->mode[i];
+    stability_mode_words(mode, count, report->arm, unit_words_of(&report->units)->length, words);
+    if (used + 3 + text_columns(words) <= 100) {
+        fprintf(stream, "   %s\n", words);
+    } else {
+        fputc('\n', stream);
+        print_paragraph(stream, "        ", 8, "%s", words);
+    }
+}
+
+/* A number, or a dash where it says nothing. */
+static int print_cell(FILE *stream, double value, int width) {
+    if (isfinite(value))
+        fprintf(stream, "%*.6g", width, value);
+    else
+        fprintf(stream, "%*s", width, "-");
+    return width;
+}
+
+static void print_heading(FILE *stream, const char *what, const char *unit, int width) {
+    const table_heading heading = heading_of(what, unit);
+    fprintf(stream, "%*s", width, heading.text);
+}
+
+/* ---- at rest ----------------------------------------------------------------------------------------------------- */
+
+static void print_eigenvalues(FILE *stream, const stability_report *report,
+                              const gough_rest *rest) {
+    enum { RATE = 13, FREQUENCY = 18, TIME = 15 };
+    const unit_words *unit = unit_words_of(&report->units);
+    mode_value value[GOUGH_LINEAR];
+    value_group group[GOUGH_LINEAR];
+    for (int i = 0; i < GOUGH_LINEAR; i++)
+        value[i] = (mode_value){{rest->eigenvalue[i].value[0], rest->eigenvalue[i].value[1]},
+                                &rest->eigenvalue[i].mode};
+    const int groups = group_values(value, false, group), width = name_width(group, groups);
+    fprintf(stream, "  Small deviations vary as exp(lambda t); conjugate pairs of the twelve "
+                    "lambda are listed once\n"
+                    "    ");
+    stability_pad(stream, "mode", width);
+    print_heading(stream, "growth", *unit->time ? " 1/s" : "", RATE);
+    print_heading(stream, "frequency", *unit->time ? " rad/s" : "", FREQUENCY);
+    print_heading(stream, "tenfold in", unit->time, TIME);
+    print_heading(stream, "period", unit->time, TIME);
+    fprintf(stream, "   moves\n");
+    for (int g = 0; g < groups; g++) {
+        const double rate = group[g].value[0], frequency = group[g].value[1];
+        int used = print_name(stream, &group[g], width);
+        used += print_cell(stream, rate, RATE);
+        used += print_cell(stream, frequency, FREQUENCY);
+        used += print_cell(stream, TENFOLD / fabs(rate), TIME);
+        used += print_cell(stream, TWO_PI / frequency, TIME);
+        print_moves(stream, report, &group[g], used);
+    }
+}
+
+static double least_gain(const double gain[GOUGH_LEGS]) {
+    double least = INFINITY;
+    for (int i = 0; i < GOUGH_LEGS; i++) least = fmin(least, gain[i]);
+    return least;
+}
+
+/* "50 N/m" or "4 to 6 N/m" */
+typedef struct gain_words {
+    char text[64];
+} gain_words;
+
+static gain_words words_of_gain(const double gain[GOUGH_LEGS], double factor, const char *word) {
+    const double least = least_gain(gain);
+    double greatest = 0;
+    gain_words words;
+    for (int i = 0; i < GOUGH_LEGS; i++) greatest = fmax(greatest, gain[i]);
+    if (greatest > least)
+        snprintf(words.text, sizeof words.text, "%.6g to %.6g%s", least * factor, greatest * factor,
+                 word);
+    else
+        snprintf(words.text, sizeof words.text, "%.6g%s", least * factor, word);
+    return words;
+}
+
+static bool same_threshold(const gough_threshold *a, const gough_threshold *b) {
+    return fabs(a->stiffness - b->stiffness) <= 1e-9 * fabs(b->stiffness) &&
+           a->neutral == b->neutral && strcmp(a->mode.name, b->mode.name) == 0;
+}
+
+static void print_thresholds(FILE *stream, const stability_report *report, const gough_rest *rest) {
+    const unit_words *unit = unit_words_of(&report->units);
+    const double factor = scale_factor(&report->units, DIMENSION_STIFFNESS);
+    const gain_words gain =
+        words_of_gain(report->study->model->control.stiffness, factor, unit->stiffness);
+    bool told[6] = {false};
+    fprintf(stream, "  Least stiffness G, the same in all legs, above which each mode is stable\n");
+    for (int i = 0; i < 6; i++) {
+        const gough_threshold *t = &rest->threshold[i];
+        int modes = 0;
+        if (told[i]) continue;
+        for (int k = i; k < 6; k++) {
+            if (told[k] || !same_threshold(&rest->threshold[k], t)) continue;
+            told[k] = true;
+            modes++;
+        }
+        fprintf(stream, "    ");
+        stability_pad(stream, t->mode.name, 20);
+        fprintf(stream, "%12.6g%s", t->stiffness, unit->stiffness);
+        if (modes > 1) fprintf(stream, "   (%d modes)", modes);
+        if (t->neutral)
+            fprintf(stream, "   neutral without feedback; any G > 0 holds it");
+        else if (!(t->stiffness > 0))
+            fprintf(stream, "   needs no feedback");
+        fprintf(stream, "\n");
+    }
+    fprintf(stream, "    %-20s%s\n", "this study has", gain.text);
+}
+
+/* What constant leg forces do in this pose: as computed, and by (stab-5) where that holds. */
+static void print_trace(FILE *stream, const stability_report *report, const gough_rest *rest) {
+    const char *unit = unit_words_of(&report->units)->stiffness;
+    const bool theorem = fabs(rest->trace_theorem) > 0;
+    const gough_threshold *largest = &rest->threshold[0];
+    if (!(largest->stiffness > 0)) {
+        bool neutral = false;
+        for (int i = 0; i < 6; i++) neutral = neutral || rest->threshold[i].neutral;
+        print_paragraph(stream, "  ", 2,
+                        neutral ? "Without feedback nothing grows in this pose, but not every "
+                                  "mode is held (trace of the translational stiffness %.6g%s)."
+                                : "Without feedback nothing grows in this pose: constant leg "
+                                  "forces hold it (trace of the translational stiffness %.6g%s).",
+                        rest->trace + 0, unit);
+    } else if (theorem && rest->trace < 0) {
+        print_paragraph(
+            stream, "  ", 2,
+            "Without feedback some mode always grows: the translational stiffness of constant leg "
+            "forces has the trace -2Mg/h = %.6g%s < 0, wherever the joints lie in two level "
+            "planes, the top ones at the height h above the base ones.",
+            rest->trace_theorem, unit);
+    } else if (rest->trace < 0) {
+        print_paragraph(stream, "  ", 2,
+                        "Without feedback some mode grows in this pose: the translational "
+                        "stiffness of constant leg forces has the trace %.6g%s < 0.",
+                        rest->trace, unit);
+    } else {
+        print_paragraph(stream, "  ", 2,
+                        "Without feedback %s grows in this pose, although the translational "
+                        "stiffness of constant leg forces has the trace %.6g%s.",
+                        largest->mode.name, rest->trace + 0, unit);
+    }
+}
+
+/* "sway, tilt or yaw": each name once */
+static void name_neutral(const gough_rest *rest, char words[6 * GOUGH_MODE_NAME]) {
+    const int count = rest->drifting > 0 ? rest->drifting : rest->neutral;
+    const char *name[6];
+    int names = 0;
+    for (int i = 0; i < count; i++) {
+        bool known = false;
+        for (int k = 0; k < names; k++)
+            known = known || strcmp(name[k], rest->neutral_mode[i].name) == 0;
+        if (!known) name[names++] = rest->neutral_mode[i].name;
+    }
+    words[0] = '\0';
+    for (int k = 0; k < names; k++) {
+        if (k) strcat(words, k + 1 < names ? ", " : " or ");
+        strcat(words, name[k]);
+    }
+}
+
+/* The slowest decay, where double precision can tell it from none beside the fastest. */
+static void print_decay(FILE *stream, const gough_rest *rest, const char *time) {
+    double fastest = 0;
+    for (int i = 0; i < GOUGH_LINEAR; i++)
+        fastest = fmax(fastest, hypot(rest->eigenvalue[i].value[0], rest->eigenvalue[i].value[1]));
+    if (-rest->growth > rounding * fastest)
+        fprintf(stream,
+                "  Stable: every deviation dies out; the slowest falls to a tenth in %.4g%s.\n",
+                TENFOLD / -rest->growth, time);
+    else
+        print_paragraph(stream, "  ", 2,
+                        "Stable: every deviation dies out, but the slowest takes longer than "
+                        "%.1g%s to fall to a tenth.",
+                        TENFOLD / (rounding * fastest), time);
+}
+
+static void print_rest_verdict(FILE *stream, const stability_report *report,
+                               const gough_rest *rest) {
+    const unit_words *unit = unit_words_of(&report->units);
+    char neutral[6 * GOUGH_MODE_NAME];
+    name_neutral(rest, neutral);
+    if (rest->growing > 0)
+        fprintf(stream, "  Unstable: a deviation in %s grows tenfold every %.4g%s.\n",
+                rest->eigenvalue[0].mode.name, TENFOLD / rest->growth, unit->time);
+    else if (rest->drifting > 0)
+        print_paragraph(stream, "  ", 2,
+                        "Unstable: nothing resists motion in %s. Once moving, the platform keeps "
+                        "its velocity and drifts away.",
+                        neutral);
+    else if (rest->decaying)
+        print_decay(stream, rest, unit->time);
+    else if (rest->neutral > 0)
+        print_paragraph(stream, "  ", 2,
+                        "Bounded, but not asymptotically stable: nothing grows, but a displacement "
+                        "in %s remains, because no stiffness acts on it.",
+                        neutral);
+    else if (report->damped)
+        fprintf(stream,
+                "  Bounded: nothing grows, but some modes are undamped and never die out.\n");
+    else
+        fprintf(stream,
+                "  Bounded: nothing grows, but without damping (D = 0) nothing dies out.\n");
+}
+
+/* "heave 0.1, yaw 10 deg" */
+static void print_pose(FILE *stream, const double pose[GOUGH_COMPONENTS], const unit_words *unit) {
+    const char *joint = "";
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        if (!(fabs(pose[c]) > 0)) continue;
+        fprintf(stream, "%s%s %.6g%s", joint, gough_component_name(c), pose[c],
+                c < GOUGH_ROLL ? unit->length : " deg");
+        joint = ", ";
+    }
+    if (!*joint) fprintf(stream, "home");
+}
+
+/* Where the springs carry the load. */
+static void print_sag(FILE *stream, const stability_report *report, const double position[3]) {
+    double shown[3];
+    for (int k = 0; k < 3; k++)
+        shown[k] = fabs(position[k]) < 1e-12 * report->arm ? 0.0 : position[k];
+    fprintf(stream,
+            "  Without feed-forward the loop rests where springs and load balance, with the top at"
+            "\n  %.6g, %.6g, %.6g%s\n",
+            shown[0], shown[1], shown[2], unit_words_of(&report->units)->length);
+}
+
+static void print_rest(FILE *stream, const stability_report *report, const gough_rest *rest,
+                       const double pose[GOUGH_COMPONENTS], const char *where) {
+    const unit_words *unit = unit_words_of(&report->units);
+    fprintf(stream, "\nAt rest%s: ", where);
+    print_pose(stream, pose, unit);
+    fprintf(stream, "\n");
+    if (!report->study->model->control.feedforward) print_sag(stream, report, rest->state.position);
+    print_eigenvalues(stream, report, rest);
+    print_thresholds(stream, report, rest);
+    print_trace(stream, report, rest);
+    fprintf(stream, "  Checked: the stiffness matrix is symmetric to %.1g of its largest element",
+            rest->asymmetry);
+    if (fabs(rest->trace_theorem) > 0)
+        fprintf(stream,
+                ";\n"
+                "  its trace equals -2Mg/h to a relative %.1g",
+                fabs(rest->trace - rest->trace_theorem) / fabs(rest->trace_theorem));
+    fprintf(stream, ".\n");
+    print_rest_verdict(stream, report, rest);
+}
+
+/* ---- about the program ------------------------------------------------------------------------------------------- */
+
+static void print_multipliers(FILE *stream, const stability_report *report) {
+    enum { CELL = 16 };
+    const gough_floquet *f = &report->floquet;
+    mode_value value[GOUGH_LINEAR];
+    value_group group[GOUGH_LINEAR];
+    for (int i = 0; i < GOUGH_LINEAR; i++)
+        value[i] = (mode_value){{f->multiplier[i].value[0], f->multiplier[i].value[1]},
+                                &f->multiplier[i].mode};
+    const int groups = group_values(value, true, group), width = name_width(group, groups);
+    const table_heading rate_heading =
+        heading_of("growth", *unit_words_of(&report->units)->time ? " 1/s" : "");
+    fprintf(stream, "  A small deviation is multiplied by mu in each period; conjugate pairs of "
+                    "the twelve mu are\n"
+                    "  listed once, modes are those at the period's beginning\n"
+                    "    ");
+    stability_pad(stream, "mode", width);
+    fprintf(stream, "%*s%*s%*s   moves\n", CELL, "|mu|", CELL, "angle [deg]", CELL,
+            rate_heading.text);
+    for (int g = 0; g < groups; g++) {
+        const double size = hypot(group[g].value[0], group[g].value[1]);
+        const double rate = log(size) / f->period;
+        const bool none = size < least_multiplier;
+        int used = print_name(stream, &group[g], width);
+        used += print_cell(stream, none ? 0 : size, CELL);
+        used += print_cell(
+            stream, none ? NAN : atan2(group[g].value[1], group[g].value[0]) * DEGREES, CELL);
+        used += print_cell(stream, fabs(rate) * f->period < 1e-9 ? 0 : rate, CELL);
+        print_moves(stream, report, &group[g], used);
+    }
+}
+
+static void print_floquet_checks(FILE *stream, const gough_floquet *f) {
+    if (isfinite(f->pair_defect))
+        print_paragraph(stream, "  ", 2,
+                        "Checked: without damping the product of all mu is 1 (here to %.1g) and "
+                        "they come in pairs mu, 1/mu (here to %.1g); %zu steps.",
+                        f->determinant_defect, f->pair_defect, f->steps);
+    else
+        print_paragraph(stream, "  ", 2,
+                        "Checked: the product of all mu is the exponential of the integral of the "
+                        "trace (here to %.1g); %zu steps.",
+                        f->determinant_defect, f->steps);
+}
+
+/* a drift and rounding together look like growth this slow */
+static const double near_one = 1e-4;
+
+static const gough_mode *nearest_one(const gough_floquet *f) {
+    int nearest = 0;
+    for (int i = 1; i < GOUGH_LINEAR; i++) {
+        const double *best = f->multiplier[nearest].value, *value = f->multiplier[i].value;
+        if (hypot(value[0] - 1, value[1]) < hypot(best[0] - 1, best[1])) nearest = i;
+    }
+    return &f->multiplier[nearest].mode;
+}
+
+static void print_floquet_verdict(FILE *stream, const stability_report *report) {
+    const unit_words *unit = unit_words_of(&report->units);
+    const gough_floquet *f = &report->floquet;
+    const double tenfold = f->period * TENFOLD / fabs(log(f->growth));
+    if (f->drifting > 0 && f->growth < 1 + near_one)
+        print_paragraph(stream, "  ", 2,
+                        "Unstable: a deviation in %s drifts, growing in proportion to time (a "
+                        "multiplier 1 without an eigenvector of its own).",
+                        nearest_one(f)->name);
+    else if (!f->stable)
+        print_paragraph(stream, "  ", 2,
+                        "Unstable: a deviation in %s grows %.6g-fold in each period, tenfold in "
+                        "%.4g%s.",
+                        f->multiplier[0].mode.name, f->growth, tenfold, unit->time);
+    else if (f->growth < 1 - GOUGH_GROWTH_LIMIT)
+        fprintf(stream,
+                "  Stable: every deviation dies out; the slowest falls to a tenth in %.4g%s.\n",
+                tenfold, unit->time);
+    else if (report->damped)
+        fprintf(stream, "  Bounded: nothing grows, but not every deviation dies out.\n");
+    else
+        fprintf(stream,
+                "  Bounded: nothing grows, but without damping (D = 0) nothing dies out.\n");
+}
+
+static void print_program(FILE *stream, const stability_report *report) {
+    const unit_words *unit = unit_words_of(&report->units);
+    const gough_motion *motion = &report->study->model->motion;
+    fprintf(stream,
+            "\n"
+            "Along the program, of period %.9g%s, %s",
+            report->floquet.period, unit->time,
+            motion->period > 0 ? "given in the study" : "found from its formulas");
+    if (report->floquet.start > 0)
+        fprintf(stream, ", from t = %.4g%s on", report->floquet.start, unit->time);
+    fprintf(stream, "\n");
+    if (!report->study->model->control.feedforward)
+        print_paragraph(stream, "  ", 2,
+                        "Without feed-forward the loop has a periodic motion of its own, %.4g%s "
+                        "from the program when the period begins. The multipliers are those of "
+                        "this motion; a run that starts far from it may not reach it.",
+                        report->sag, unit->length);
+    print_multipliers(stream, report);
+    print_floquet_checks(stream, &report->floquet);
+    print_floquet_verdict(stream, report);
+}
+
+void stability_print(FILE *stream, const stability_report *report) {
+    const gough_control *control = &report->study->model->control;
+    const gough_units *u = &report->units;
+    const unit_words *unit = unit_words_of(u);
+    print_title(stream, report->study->title);
+    const gain_words stiffness =
+        words_of_gain(control->stiffness, scale_factor(u, DIMENSION_STIFFNESS), unit->stiffness);
+    const gain_words damping =
+        words_of_gain(control->damping, scale_factor(u, DIMENSION_DAMPING), unit->damping);
+    print_paragraph(stream, "", 0,
+                    "Stability of the closed loop: %s, stiffness G = %s, damping D = %s",
+                    control->feedforward ? "the program's forces fed forward" : "no feed-forward",
+                    stiffness.text, damping.text);
+    fprintf(stream, "%s\n", units_sentence(report->study, u));
+    print_rest(stream, report, &report->rest, report->pose, "");
+    if (report->ends)
+        print_rest(stream, report, &report->last, report->last_pose, " where the program ends");
+    if (report->periodic)
+        print_program(stream, report);
+    else if (!report->posed)
+        fprintf(stream, "\nThe program %s, so there is no period and there are no multipliers.\n",
+                report->period.start > 0 ? "comes to rest" : "rests");
+}

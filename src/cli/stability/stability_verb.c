@@ -1,0 +1,311 @@
+/* gough stability: whether the closed loop holds the platform at rest and along a periodic program, what grows where it does not,
+ * and from which stiffness each mode holds. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/common/json.h"
+#include "cli/common/scale.h"
+#include "cli/stability/stability_report.h"
+
+static const double DEGREES = 57.295779513082320877;
+
+static const struct argp_option option[] = {
+    {"output", OPTION_OUTPUT, "FILE", 0,
+     "write a map to FILE, as data (.csv, .h5; - is CSV on standard output) or as a picture (.png, "
+     ".svg, .pdf); may be given several times",
+     0},
+    {"json", OPTION_JSON, NULL, 0, "print the results as JSON", 0},
+    {"set", OPTION_SET, "KEY=VALUE", 0,
+     "override a key of the study, as in --set control.stiffness=2; may be repeated", 0},
+    {"pose", OPTION_POSE, "C=X,...", 0,
+     "stability at rest in this pose, given by its components from home (angles in degrees), as in "
+     "heave=0.1,yaw=10; the program is ignored",
+     0},
+    {"matrix", OPTION_MATRIX, NULL, 0,
+     "print only the matrix of the linearised loop at rest, as CSV; with --json, add it to the "
+     "object",
+     0},
+    {"at", OPTION_AT, "T", 0, "with --matrix: about the program at time T", 0},
+    {"sweep-stiffness", OPTION_SWEEP_STIFFNESS, "A:B:N[:log]", 0,
+     "compute the stability map over the stiffness G, the same in all legs: N values from A to B "
+     "in equal steps, or in equal ratios with :log",
+     0},
+    {"sweep-amplitude", OPTION_SWEEP_AMPLITUDE, "A:B:N[:log]", 0,
+     "second axis of the map: a factor on the motion", 0},
+    {"sweep-frequency", OPTION_SWEEP_FREQUENCY, "A:B:N[:log]", 0,
+     "second axis: a factor on the motion's frequency", 0},
+    {"sweep-damping", OPTION_SWEEP_DAMPING, "A:B:N[:log]", 0,
+     "second axis: the damping D, the same in all legs", 0},
+    {"threads", OPTION_THREADS, "N", 0, "threads for a map (default: one for each processor)", 0},
+    {"lanes", OPTION_LANES, "N", 0,
+     "points of a map computed side by side: 1, 2, 4 or 8 (default: as many as the processor "
+     "supports)",
+     0},
+    {"title", OPTION_TITLE, "TEXT", 0, "heading of the picture (default: the study's title)", 0},
+    {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
+     "print results in units of R_b, M and sqrt(R_b/g)", 0},
+    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
+    {0}};
+
+static const verb_usage usage = {
+    .verb = "stability",
+    .option = option,
+    .arguments = "STUDY",
+    .text = "Determine whether the control law holds the platform: eigenvalues and modes at rest, "
+            "the least stiffness G that each mode needs, Floquet multipliers along a periodic "
+            "program.\vThe loop is linearised exactly: about rest at home or in --pose, and about "
+            "the program over one period, which is found from its formulas or given as "
+            "motion.period. With --sweep-stiffness it computes a map of stability and lists the "
+            "resonance tongues, in which a stiffer loop is unstable again. An unstable loop is a "
+            "valid result: the exit status is 0.",
+    .least_files = 1,
+    .most_files = 1};
+
+/* ---- units ------------------------------------------------------------------------------------------------------- */
+
+/* ξ is (δr, δθ, δv, δω): powers of length and of time in each part. */
+static void scale_matrix(double matrix[GOUGH_LINEAR][GOUGH_LINEAR], const gough_units *u) {
+    const double unit[4] = {scale_unit(u, DIMENSION_LENGTH), 1.0, scale_unit(u, DIMENSION_SPEED),
+                            scale_unit(u, DIMENSION_RATE)},
+                 rate = scale_factor(u, DIMENSION_RATE);
+    for (int i = 0; i < GOUGH_LINEAR; i++)
+        for (int j = 0; j < GOUGH_LINEAR; j++) matrix[i][j] *= unit[j / 3] / unit[i / 3] * rate;
+}
+
+/* A shift in lengths beside a rotation in radians; which of them is 1 stays so. */
+static void scale_mode(gough_mode *mode, const gough_units *u) {
+    double lead = 0;
+    for (int a = 0; a < 6; a++)
+        if (fabs(mode->shape[a][0] - 1.0) <= 0.0 && fabs(mode->shape[a][1]) <= 0.0 && !(lead > 0))
+            lead = a < 3 ? scale_unit(u, DIMENSION_LENGTH) : 1.0;
+    for (int a = 0; a < 6; a++)
+        for (int part = 0; part < 2 && lead > 0; part++)
+            mode->shape[a][part] *= lead / (a < 3 ? scale_unit(u, DIMENSION_LENGTH) : 1.0);
+}
+
+static const scaled_member rest_members[] = {
+    SCALED(gough_rest, trace, STIFFNESS), SCALED(gough_rest, trace_theorem, STIFFNESS),
+    SCALED(gough_rest, growth, RATE), SCALED(gough_rest, state.position, LENGTH)};
+
+static const scaled_member eigenvalue_members[] = {SCALED(gough_eigenvalue, value, RATE)};
+
+static const scaled_member threshold_members[] = {SCALED(gough_threshold, stiffness, STIFFNESS)};
+
+static void scale_rest(gough_rest *rest, const gough_units *u) {
+    scale_matrix(rest->matrix, u);
+    SCALE(rest, rest_members, u);
+    for (int i = 0; i < GOUGH_LINEAR; i++) {
+        SCALE(&rest->eigenvalue[i], eigenvalue_members, u);
+        scale_mode(&rest->eigenvalue[i].mode, u);
+    }
+    for (int i = 0; i < 6; i++) {
+        SCALE(&rest->threshold[i], threshold_members, u);
+        scale_mode(&rest->threshold[i].mode, u);
+    }
+}
+
+static const scaled_member report_members[] = {SCALED(stability_report, arm, LENGTH),
+                                               SCALED(stability_report, period.start, TIME),
+                                               SCALED(stability_report, period.period, TIME)};
+
+static const scaled_member floquet_members[] = {SCALED(stability_report, floquet.start, TIME),
+                                                SCALED(stability_report, floquet.period, TIME),
+                                                SCALED(stability_report, sag, LENGTH)};
+
+void stability_scale(stability_report *report) {
+    const gough_units *u = &report->units;
+    SCALE(report, report_members, u);
+    for (int c = 0; c < GOUGH_ROLL; c++) {
+        report->pose[c] *= scale_factor(u, DIMENSION_LENGTH);
+        report->last_pose[c] *= scale_factor(u, DIMENSION_LENGTH);
+    }
+    scale_rest(&report->rest, u);
+    if (report->ends) scale_rest(&report->last, u);
+    if (!report->periodic) return;
+    SCALE(report, floquet_members, u);
+    for (int i = 0; i < GOUGH_LINEAR; i++) scale_mode(&report->floquet.multiplier[i].mode, u);
+}
+
+bool stability_holds(const stability_report *report) {
+    if (report->periodic) return report->floquet.stable;
+    return report->ends ? report->last.stable : report->rest.stable;
+}
+
+/* ---- finding ----------------------------------------------------------------------------------------------------- */
+
+static bool is_damped(const gough_control *control) {
+    bool damped = false;
+    for (int i = 0; i < GOUGH_LEGS; i++) damped = damped || control->damping[i] > 0;
+    return damped;
+}
+
+static void to_radians(const double pose[GOUGH_COMPONENTS], double component[GOUGH_COMPONENTS]) {
+    for (int c = 0; c < GOUGH_COMPONENTS; c++)
+        component[c] = pose[c] / (c < GOUGH_ROLL ? 1.0 : DEGREES);
+}
+
+/* Where a program that comes to rest ends: its pose there, and whether that is not home. */
+static bool find_last_pose(const gough_motion *motion, double start,
+                           double pose[GOUGH_COMPONENTS]) {
+    double component[GOUGH_COMPONENTS][3];
+    bool elsewhere = false;
+    gough_motion_evaluate(motion, start, component);
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        pose[c] = component[c][0] * (c < GOUGH_ROLL ? 1.0 : DEGREES);
+        elsewhere = elsewhere || fabs(component[c][0]) > 1e-9;
+    }
+    return elsewhere;
+}
+
+/* How far the periodic motion is from the program when the period begins. */
+static double find_sag(const gough_model *model, const gough_floquet *floquet) {
+    gough_state program;
+    gough_acceleration acceleration;
+    double sum = 0;
+    gough_program(&model->machine, &model->motion, floquet->start, &program, &acceleration);
+    for (int k = 0; k < 3; k++) {
+        const double apart = floquet->state.position[k] - program.position[k];
+        sum += apart * apart;
+    }
+    return sqrt(sum);
+}
+
+static gough_status find_about_program(stability_report *report, gough_error *error) {
+    const gough_model *model = report->study->model;
+    double component[GOUGH_COMPONENTS];
+    gough_status status = gough_motion_period(&model->motion, &report->period, error);
+    if (status) return status;
+    if (!report->period.resting) {
+        report->periodic = true;
+        status = gough_floquet_multipliers(model, &report->period, 0, &report->floquet, error);
+        if (!status) report->sag = find_sag(model, &report->floquet);
+        return status;
+    }
+    report->ends = find_last_pose(&model->motion, report->period.start, report->last_pose);
+    if (!report->ends) return GOUGH_OK;
+    to_radians(report->last_pose, component);
+    return gough_stability_at_rest(model, component, &report->last, error);
+}
+
+/* The program first: that it is not periodic is said whatever home is like. */
+gough_status stability_find(stability_report *report, gough_error *error) {
+    double component[GOUGH_COMPONENTS];
+    report->arm = report->study->model->machine.base_radius;
+    report->damped = is_damped(&report->study->model->control);
+    gough_status status = report->posed ? GOUGH_OK : find_about_program(report, error);
+    const bool fed = report->study->model->control.feedforward;
+    if (status == GOUGH_ERROR_INPUT || (status == GOUGH_ERROR_NUMERICAL && fed)) {
+        gough_error cause = *error;
+        gough_fail(error, status, "%s. For the stability at rest alone, use --pose surge=0",
+                   cause.message);
+    }
+    if (status) return status;
+    to_radians(report->pose, component);
+    return gough_stability_at_rest(report->study->model, component, &report->rest, error);
+}
+
+/* ---- the matrix -------------------------------------------------------------------------------------------------- */
+
+/* At rest, or about the program at a time. */
+static gough_status find_matrix(const command_line *line, const gough_study *study,
+                                const gough_units *units, stability_matrix *matrix,
+                                gough_error *error) {
+    double component[GOUGH_COMPONENTS];
+    gough_rest *rest = NULL;
+    gough_status status;
+    if (isfinite(line->at)) {
+        status = gough_linearise(study->model, line->at, NULL, GOUGH_LINEAR, matrix->row[0], error);
+    } else {
+        rest = malloc(sizeof *rest);
+        if (!rest) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
+        to_radians(line->pose, component);
+        status = gough_stability_at_rest(study->model, component, rest, error);
+        if (!status) memcpy(matrix->row, rest->matrix, sizeof matrix->row);
+        free(rest);
+    }
+    if (!status) scale_matrix(matrix->row, units);
+    return status;
+}
+
+static void print_matrix(const stability_matrix *matrix) {
+    printf("x,y,z,rx,ry,rz,vx,vy,vz,wx,wy,wz\n");
+    for (int i = 0; i < GOUGH_LINEAR; i++)
+        for (int j = 0; j < GOUGH_LINEAR; j++)
+            printf("%.17g%c", matrix->row[i][j], j + 1 < GOUGH_LINEAR ? ',' : '\n');
+}
+
+/* ---- the verb ---------------------------------------------------------------------------------------------------- */
+
+static gough_status answer(const command_line *line, stability_report *report) {
+    gough_error error = {0};
+    stability_matrix matrix = {{{0}}};
+    gough_status status =
+        gough_units_of_study(report->study, line->dimensionless, &report->units, &error);
+    if (!status && line->matrix)
+        status = find_matrix(line, report->study, &report->units, &matrix, &error);
+    if (!status && line->matrix && !line->json) {
+        print_matrix(&matrix);
+        return GOUGH_OK;
+    }
+    if (!status) status = stability_find(report, &error);
+    if (status) {
+        complain_of(line->verb, report->study, error.message);
+        return status;
+    }
+    stability_scale(report);
+    if (line->json)
+        return json_print(stability_json(report, line->matrix ? &matrix : NULL)) ? GOUGH_ERROR_FILE
+                                                                                 : GOUGH_OK;
+    if (!line->quiet) stability_print(stdout, report);
+    return GOUGH_OK;
+}
+
+static gough_status answer_alone(const command_line *line, const gough_study *study) {
+    stability_report *report = calloc(1, sizeof *report);
+    if (!report) {
+        complain(line->verb, "out of memory");
+        return GOUGH_ERROR_FILE;
+    }
+    report->verb = line->verb;
+    report->study = study;
+    report->posed = line->posed;
+    memcpy(report->pose, line->pose, sizeof report->pose);
+    const gough_status status = answer(line, report);
+    free(report);
+    return status;
+}
+
+/* Options that say nothing together. */
+static const char *contradiction(const command_line *line) {
+    const bool map = line->stiffness.key != 0;
+    if (isfinite(line->at) && !line->matrix) return "--at is the time of --matrix; give both";
+    if (isfinite(line->at) && line->posed)
+        return "--at refers to the program and --pose to rest; give only one of them";
+    if (line->second.key && !map)
+        return "a map needs the stiffness as its first axis; give --sweep-stiffness too, as in "
+               "--sweep-stiffness 0:2:201";
+    if (map && (line->matrix || line->posed))
+        return "a map is computed along the program; --pose and --matrix cannot be combined with "
+               "it";
+    if (line->output_count && !map)
+        return "-o is for maps; give --sweep-stiffness, as in --sweep-stiffness 0:2:201";
+    return NULL;
+}
+
+gough_status stability_verb(int count, char **argument) {
+    command_line line = command_line_read(&usage, count, argument);
+    gough_study *study = NULL;
+    gough_status status = GOUGH_OK;
+    const char *wrong = contradiction(&line);
+    if (wrong) {
+        complain(line.verb, "%s", wrong);
+        status = GOUGH_ERROR_INPUT;
+    }
+    if (!status) status = read_study(&line, &study);
+    if (!status)
+        status = line.stiffness.key ? stability_map(&line, study) : answer_alone(&line, study);
+    gough_study_free(study);
+    command_line_free(&line);
+    return status;
+}

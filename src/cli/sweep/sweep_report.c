@@ -1,0 +1,241 @@
+/* The summary of a sweep, and what a study would run. */
+#include "cli/sweep/sweep_report.h"
+#include "cli/common/command.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/common/json.h"
+#include "cli/common/scale.h"
+#include "cli/run/run_report.h"
+
+/* ---- for reading -------------------------------------------------------------------------------------------------- */
+
+void sweep_name_values(const gough_sweep *sweep, size_t run, char *text, size_t size) {
+    enum { MOST = 1000 };
+    size_t keys, used = 0;
+    double value[MOST];
+    const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
+    text[0] = '\0';
+    if (keys > MOST) return;
+    gough_sweep_values(sweep, run, value);
+    for (size_t k = 0; k < keys && used < size; k++) {
+        char number[32];
+        snprintf(number, sizeof number, "%.6g", value[k]);
+        if (k == 4 && keys > 5) {
+            snprintf(text + used, size - used, " …");
+            return;
+        }
+        used += (size_t)snprintf(text + used, size - used, "%s%s=%s", k ? ", " : "", key[k].path,
+                                 number);
+    }
+}
+
+static const char *cause_words(gough_cause cause) {
+    switch (cause) {
+    case GOUGH_END_DONE:
+        return "reached their end";
+    case GOUGH_END_LEG_SHORT:
+        return "ended: a leg too short";
+    case GOUGH_END_LEG_LONG:
+        return "ended: a leg too long";
+    case GOUGH_END_LEG_SPEED:
+        return "ended: a leg too fast";
+    case GOUGH_END_LEG_FORCE:
+        return "ended: a leg's force too great";
+    case GOUGH_END_LEG_NO_LENGTH:
+        return "ended: a leg without length";
+    case GOUGH_END_SINGULAR:
+        return "ended: a singular pose";
+    case GOUGH_END_NOT_FINITE:
+        return "ended: not finite";
+    case GOUGH_END_NO_CONVERGENCE:
+        return "ended: no convergence";
+    case GOUGH_END_STOPPED:
+        return "stopped";
+    case GOUGH_END_INVALID:
+        return "invalid";
+    }
+    return "ended";
+}
+
+static const scaled_member summary_members[] = {
+    SCALED(gough_sweep_summary, least_position, LENGTH),
+    SCALED(gough_sweep_summary, greatest_position, LENGTH),
+    SCALED(gough_sweep_summary, least_angle, ANGLE),
+    SCALED(gough_sweep_summary, greatest_angle, ANGLE),
+    SCALED(gough_sweep_summary, least_power, POWER),
+    SCALED(gough_sweep_summary, greatest_power, POWER)};
+
+/* what is printed: in the output's units */
+static gough_sweep_summary scaled_summary(const sweep_report *report) {
+    gough_sweep_summary summary = report->summary;
+    SCALE(&summary, summary_members, &report->units);
+    return summary;
+}
+
+static void print_extreme(FILE *stream, const sweep_report *report, const char *what, double value,
+                          const char *unit, size_t run) {
+    if (run == 0) return;
+    char values[300] = "";
+    size_t keys = 0;
+    if (report->sweep) gough_sweep_keys(report->sweep, &keys);
+    /* of more there are too many for a line; --run prints them */
+    if (keys > 0 && keys <= 3) sweep_name_values(report->sweep, run, values, sizeof values);
+    fprintf(stream, "    %-10s %.6g%s, run %zu%s%s\n", what, value, unit, run, *values ? ": " : "",
+            values);
+}
+
+void sweep_print(FILE *stream, const sweep_report *report) {
+    const gough_sweep_summary summary = scaled_summary(report), *s = &summary;
+    const unit_words *unit = unit_words_of(&report->units);
+    print_title(stream, report->title);
+    fprintf(stream, "%zu run%s", s->runs, s->runs == 1 ? "" : "s");
+    if (s->resumed) fprintf(stream, ", %zu of them finished earlier", s->resumed);
+    const double made = (double)(s->runs - s->resumed);
+    if (report->sweep && report->time > 0 && made > 0)
+        fprintf(stream, ", %.3g s, %.4g runs/s", report->time, made / report->time);
+    fputs("\n\n", stream);
+    for (int c = 0; c <= GOUGH_END_INVALID; c++)
+        if (s->ended[c] || c == GOUGH_END_DONE)
+            fprintf(stream, "  %-30s %zu\n", cause_words((gough_cause)c), s->ended[c]);
+    if (s->least_position_run) {
+        fprintf(stream, "  largest deviation of position (runs that reached their end)\n");
+        print_extreme(stream, report, "least", s->least_position, unit->length,
+                      s->least_position_run);
+        print_extreme(stream, report, "greatest", s->greatest_position, unit->length,
+                      s->greatest_position_run);
+        fprintf(stream, "  largest deviation of angle\n");
+        print_extreme(stream, report, "least", s->least_angle, " deg", s->least_angle_run);
+        print_extreme(stream, report, "greatest", s->greatest_angle, " deg", s->greatest_angle_run);
+        fprintf(stream, "  power of a leg (below 0 the leg brakes)\n");
+        print_extreme(stream, report, "least", s->least_power, unit->power, s->least_power_run);
+        print_extreme(stream, report, "greatest", s->greatest_power, unit->power,
+                      s->greatest_power_run);
+    }
+    for (size_t i = 0; i < report->outputs; i++)
+        if (strcmp(report->output[i], "-") != 0) print_line(stream, "wrote %s", report->output[i]);
+}
+
+static const char *kind_words(const gough_sweep_key *key) {
+    switch (key->kind) {
+    case GOUGH_SWEEP_GRID:
+        return key->logarithmic ? "logarithmic" : "linear";
+    case GOUGH_SWEEP_LIST:
+        return "list";
+    case GOUGH_SWEEP_UNIFORM:
+        return "uniform";
+    case GOUGH_SWEEP_NORMAL:
+        return "normal";
+    }
+    return "";
+}
+
+void sweep_describe(const gough_sweep *sweep) {
+    size_t keys;
+    const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
+    const size_t runs = gough_sweep_runs(sweep);
+    int width = 20;
+    for (size_t k = 0; k < keys; k++)
+        if ((int)strlen(key[k].path) > width) width = (int)strlen(key[k].path);
+    printf("\nSweep\n  %-*s %zu%s\n", width, "runs", runs,
+           gough_sweep_zipped(sweep) ? ", values side by side" : "");
+    for (size_t k = 0; k < keys; k++) {
+        printf("  %-*s ", width, key[k].path);
+        if (key[k].kind == GOUGH_SWEEP_NORMAL)
+            printf("normal, mean %.6g, deviation %.6g\n", key[k].least, key[k].greatest);
+        else if (key[k].kind == GOUGH_SWEEP_UNIFORM)
+            printf("uniform, %.6g to %.6g\n", key[k].least, key[k].greatest);
+        else
+            printf("%zu value%s, %.6g to %.6g, %s\n", key[k].count, key[k].count == 1 ? "" : "s",
+                   key[k].least, key[k].greatest, kind_words(&key[k]));
+    }
+}
+
+bool sweep_numbers_noise(const gough_sweep *sweep) {
+    const gough_study *study = gough_sweep_study(sweep);
+    bool noisy = study->model->disturbance.noise.interval > 0;
+    size_t keys;
+    const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
+    for (size_t k = 0; k < keys; k++)
+        noisy = noisy || strncmp(key[k].path, "disturbance.noise.", 18) == 0;
+    return noisy && !study->noise_run_given;
+}
+
+/* ---- as JSON ------------------------------------------------------------------------------------------------------ */
+
+json_t *sweep_object(const gough_sweep *sweep) {
+    size_t keys;
+    const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
+    json_t *object = json_object(), *list = json_array();
+    json_object_set_new(object, "runs", json_integer((json_int_t)gough_sweep_runs(sweep)));
+    json_object_set_new(object, "combine",
+                        json_string(gough_sweep_zipped(sweep) ? "zip" : "product"));
+    for (size_t k = 0; k < keys; k++) {
+        json_t *item = json_object();
+        json_object_set_new(item, "key", json_string(key[k].path));
+        json_object_set_new(item, "kind", json_string(kind_words(&key[k])));
+        json_object_set_new(item, "values",
+                            key[k].count ? json_integer((json_int_t)key[k].count) : json_null());
+        json_object_set_new(item, "range",
+                            json_numbers((double[]){key[k].least, key[k].greatest}, 2));
+        json_array_append_new(list, item);
+    }
+    json_object_set_new(object, "keys", list);
+    return object;
+}
+
+int sweep_print_run_json(const gough_sweep *sweep, size_t run, const double *value) {
+    size_t keys;
+    const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
+    json_t *object = json_object(), *set = json_object();
+    for (size_t k = 0; k < keys; k++) json_object_set_new(set, key[k].path, json_number(value[k]));
+    if (sweep_numbers_noise(sweep))
+        json_object_set_new(set, "disturbance.noise.run", json_integer((json_int_t)run));
+    json_object_set_new(object, "run", json_integer((json_int_t)run));
+    json_object_set_new(object, "set", set);
+    return json_print(object);
+}
+
+static json_t *extreme(double value, size_t run) {
+    json_t *object = json_object();
+    json_object_set_new(object, "value", run ? json_number(value) : json_null());
+    json_object_set_new(object, "run", run ? json_integer((json_int_t)run) : json_null());
+    return object;
+}
+
+static json_t *extremes(double least, size_t least_run, double greatest, size_t greatest_run) {
+    json_t *object = json_object();
+    json_object_set_new(object, "least", extreme(least, least_run));
+    json_object_set_new(object, "greatest", extreme(greatest, greatest_run));
+    return object;
+}
+
+int sweep_print_json(const sweep_report *report) {
+    const gough_sweep_summary summary = scaled_summary(report), *s = &summary;
+    const double made = (double)(s->runs - s->resumed);
+    const bool timed = report->sweep && report->time > 0;
+    json_t *object = json_object(), *ended = json_object();
+    for (int c = 1; c <= GOUGH_END_INVALID; c++)
+        if (s->ended[c])
+            json_object_set_new(ended, gough_cause_name((gough_cause)c),
+                                json_integer((json_int_t)s->ended[c]));
+    json_object_set_new(object, "verb", json_string(report->verb));
+    json_object_set_new(object, "title", report->title ? json_words(report->title) : json_null());
+    json_object_set_new(object, "runs", json_integer((json_int_t)s->runs));
+    json_object_set_new(object, "resumed", json_integer((json_int_t)s->resumed));
+    json_object_set_new(object, "done", json_integer((json_int_t)s->ended[GOUGH_END_DONE]));
+    json_object_set_new(object, "ended", ended);
+    json_object_set_new(object, "position_deviation",
+                        extremes(s->least_position, s->least_position_run, s->greatest_position,
+                                 s->greatest_position_run));
+    json_object_set_new(
+        object, "angle_deviation",
+        extremes(s->least_angle, s->least_angle_run, s->greatest_angle, s->greatest_angle_run));
+    json_object_set_new(
+        object, "power",
+        extremes(s->least_power, s->least_power_run, s->greatest_power, s->greatest_power_run));
+    json_object_set_new(object, "time", json_number(timed ? report->time : NAN));
+    json_object_set_new(object, "rate", json_number(timed ? made / report->time : NAN));
+    return json_print(object);
+}

@@ -1,0 +1,324 @@
+/* The choice of gough tune for reading. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/common/command.h"
+#include "cli/common/paragraph.h"
+#include "cli/common/scale.h"
+#include "cli/run/run_report.h"
+#include "cli/tune/tune_report.h"
+
+/* ---- units -------------------------------------------------------------------------------------------------------- */
+
+static const scaled_member tuning_members[] = {
+    SCALED(gough_tuning, stiffness, STIFFNESS),   SCALED(gough_tuning, fails, STIFFNESS),
+    SCALED(gough_tuning, threshold, STIFFNESS),   SCALED(gough_tuning, damping, DAMPING),
+    SCALED(gough_tuning, deviation, LENGTH),      SCALED(gough_tuning, deviation_time, TIME),
+    SCALED(gough_tuning, angle_deviation, ANGLE), SCALED(gough_tuning, angle_time, TIME),
+    SCALED(gough_tuning, force, FORCE),           SCALED(gough_tuning, speed, SPEED),
+    SCALED(gough_tuning, scale, LENGTH)};
+
+static const scaled_member exception_members[] = {SCALED(gough_tuning_exception, from, STIFFNESS),
+                                                  SCALED(gough_tuning_exception, to, STIFFNESS)};
+
+static const scaled_member point_members[] = {
+    SCALED(gough_tuning_point, stiffness, STIFFNESS),
+    SCALED(gough_tuning_point, damping, DAMPING),
+    SCALED(gough_tuning_point, end_time, TIME),
+    SCALED(gough_tuning_point, position_deviation, LENGTH),
+    SCALED(gough_tuning_point, angle_deviation, ANGLE),
+    SCALED(gough_tuning_point, force, FORCE),
+    SCALED(gough_tuning_point, speed, SPEED)};
+
+static const scaled_member asked_members[] = {SCALED(gough_tuning_options, deviation, LENGTH),
+                                              SCALED(gough_tuning_options, angle_deviation, ANGLE),
+                                              SCALED(gough_tuning_options, least, STIFFNESS),
+                                              SCALED(gough_tuning_options, greatest, STIFFNESS)};
+
+void tune_scale(tune_report *report) {
+    const gough_units *u = &report->units;
+    SCALE(&report->asked, asked_members, u);
+    for (int c = 0; c < report->choices; c++) {
+        tune_choice *choice = &report->choice[c];
+        gough_tuning *tuning = &choice->tuning;
+        SCALE(tuning, tuning_members, u);
+        /* the deviation is scale · G^slope */
+        tuning->scale *= pow(scale_factor(u, DIMENSION_STIFFNESS), -tuning->slope);
+        for (size_t i = 0; i < tuning->exceptions; i++)
+            SCALE(&tuning->exception[i], exception_members, u);
+        for (size_t i = 0; i < tuning->points; i++) SCALE(&choice->point[i], point_members, u);
+    }
+}
+
+/* ---- words -------------------------------------------------------------------------------------------------------- */
+
+static const char *end_words(gough_cause cause) {
+    switch (cause) {
+    case GOUGH_END_LEG_SHORT:
+        return "a leg becomes too short";
+    case GOUGH_END_LEG_LONG:
+        return "a leg becomes too long";
+    case GOUGH_END_LEG_SPEED:
+        return "a leg moves too fast";
+    case GOUGH_END_LEG_FORCE:
+        return "a leg's force exceeds its limit";
+    case GOUGH_END_LEG_NO_LENGTH:
+        return "the joints of a leg meet";
+    case GOUGH_END_SINGULAR:
+        return "the platform collapses into a singular pose";
+    case GOUGH_END_NOT_FINITE:
+        return "a number is not finite";
+    default:
+        return "the steps do not converge";
+    }
+}
+
+/* Why a smaller G is not enough. */
+static void print_binding(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+    const char *mode = *tuning->mode.name ? tuning->mode.name : "a mode";
+    char text[300] = "", fails[80] = "";
+    switch (tuning->binding) {
+    case GOUGH_TUNING_POSITION:
+    case GOUGH_TUNING_ANGLE:
+        snprintf(text, sizeof text, "the deviation of %s",
+                 tuning->binding == GOUGH_TUNING_ANGLE ? "angle" : "position");
+        if (isfinite(tuning->mode_share))
+            snprintf(text + strlen(text), sizeof text - strlen(text),
+                     ", at its largest %.0f %% in %s", 100 * tuning->mode_share, tuning->mode.name);
+        break;
+    case GOUGH_TUNING_END:
+        snprintf(text, sizeof text, "early ends: with a smaller G %s", end_words(tuning->cause));
+        break;
+    case GOUGH_TUNING_THRESHOLD:
+        snprintf(text, sizeof text, "stability: with a smaller G %s grows at rest", mode);
+        break;
+    case GOUGH_TUNING_TONGUE:
+        snprintf(text, sizeof text, "stability: just below, the motion pumps %s", mode);
+        break;
+    case GOUGH_TUNING_SEARCH:
+        snprintf(text, sizeof text, "nothing: this is the smallest G of the search");
+        break;
+    }
+    if (isfinite(tuning->fails))
+        snprintf(fails, sizeof fails, "; G = %.6g%s is not enough", tuning->fails, unit->stiffness);
+    print_paragraph(stream, "  limited by", 14, "%s%s", text, fails);
+}
+
+static void print_legs(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+    char force[60] = "", speed[60] = "";
+    if (isfinite(tuning->force_share))
+        snprintf(force, sizeof force, " (%.3g %% of the limit)", 100 * tuning->force_share);
+    if (isfinite(tuning->speed_share))
+        snprintf(speed, sizeof speed, " (%.3g %% of the limit)", 100 * tuning->speed_share);
+    print_paragraph(stream, "  legs", 14, "force up to %.5g%s in leg %d%s; rate up to %.5g%s%s",
+                    tuning->force, unit->force, tuning->leg, force, tuning->speed, unit->speed,
+                    speed);
+}
+
+/* so far off the trend a reader doubts the run */
+static const double far_off = 100;
+
+static void print_exception(FILE *stream, const gough_tuning_exception *e, const unit_words *unit) {
+    if (e->to > e->from)
+        fprintf(stream, "    G = %.6g to %.6g%s: ", e->from, e->to, unit->stiffness);
+    else
+        fprintf(stream, "    G = %.6g%s: ", e->from, unit->stiffness);
+    if (e->kind == GOUGH_TUNING_UNSTABLE && *e->mode)
+        fprintf(stream, "unstable (%s)", e->mode);
+    else if (e->kind == GOUGH_TUNING_UNSTABLE)
+        fprintf(stream, "no pose of rest, or no periodic motion, is found");
+    else if (e->kind == GOUGH_TUNING_ENDED)
+        fprintf(stream, "the run ends early: %s", end_words(e->cause));
+    else
+        fprintf(stream, "%.3g times the trend", e->worst);
+    if (e->kind == GOUGH_TUNING_OFF_TREND && e->small_steps && fabs(log(e->worst)) > log(far_off))
+        fprintf(stream, ";\n      runs with small steps, which end at each corner of program and "
+                        "disturbance, confirm it");
+    fputc('\n', stream);
+}
+
+/* Resonances so narrow that hardly anybody meets one are counted only; JSON has them all. */
+static void print_exceptions(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+    static const double narrow = 2e-3;
+    size_t left_out = 0;
+    if (tuning->exceptions)
+        fprintf(stream, "  exceptions  where the curve does not follow its trend\n");
+    for (size_t i = 0; i < tuning->exceptions; i++) {
+        const gough_tuning_exception *e = &tuning->exception[i];
+        if (e->kind == GOUGH_TUNING_UNSTABLE && e->to > e->from && e->to < e->from * (1 + narrow))
+            left_out++;
+        else
+            print_exception(stream, e, unit);
+    }
+    if (left_out)
+        fprintf(stream, "    and %zu resonance%s narrower than %g %% of G\n", left_out,
+                left_out == 1 ? "" : "s", 100 * narrow);
+}
+
+static void print_curve(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+    if (isfinite(tuning->slope))
+        fprintf(stream,
+                "  curve       the deviation varies as G^%.3f (%.4g%s at G = 1%s); %zu points\n",
+                tuning->slope, tuning->scale, unit->length, unit->stiffness, tuning->points);
+    else
+        fprintf(stream, "  curve       no trend: the deviation is round-off, or too few runs reach "
+                        "their end\n");
+    print_exceptions(stream, tuning, unit);
+}
+
+static void print_choice(FILE *stream, const tune_choice *choice, const unit_words *unit) {
+    const gough_tuning *tuning = &choice->tuning;
+    fprintf(stream, "\n%s feed-forward\n", choice->feedforward ? "With" : "Without");
+    if (tuning->found) {
+        fprintf(stream, "  stiffness   G = %.10g%s in each leg\n", tuning->stiffness,
+                unit->stiffness);
+        fprintf(stream,
+                "  damping     D = %.9g%s; damping ratio of the least damped mode at home %.4g\n",
+                tuning->damping, unit->damping, tuning->damping_ratio);
+        fprintf(stream, "  deviation   %.5g%s at t = %.6g%s, and %.4g deg at t = %.6g%s\n",
+                tuning->deviation, unit->length, tuning->deviation_time, unit->time,
+                tuning->angle_deviation, tuning->angle_time, unit->time);
+        print_binding(stream, tuning, unit);
+        print_legs(stream, tuning, unit);
+    } else {
+        fprintf(stream, "  no G in the range of the search meets it; the reason is given below\n");
+    }
+    if (*tuning->unchecked)
+        print_paragraph(stream, "  stability", 14, "checked at rest only: %s", tuning->unchecked);
+    print_curve(stream, tuning, unit);
+}
+
+void tune_print(FILE *stream, const tune_report *report) {
+    const unit_words *unit = unit_words_of(&report->units);
+    const gough_tuning_options *asked = &report->asked;
+    const gough_tuning *first = &report->choice[0].tuning;
+    print_title(stream, report->study->title);
+    fprintf(stream, "Feedback for a deviation of at most %.6g%s", asked->deviation, unit->length);
+    if (isfinite(asked->angle_deviation)) fprintf(stream, " and %.6g deg", asked->angle_deviation);
+    fprintf(stream, ", with a margin of %.3g %% in G to instability\n%s\n", 100 * asked->margin,
+            units_sentence(report->study, &report->units));
+    if (first->threshold > 0)
+        fprintf(stream,
+                "At rest at home, with feed-forward, the machine needs G above %.6g%s (%s)\n",
+                first->threshold, unit->stiffness, first->least_mode.name);
+    for (int c = 0; c < report->choices; c++) print_choice(stream, &report->choice[c], unit);
+}
+
+/* ---- table -------------------------------------------------------------------------------------------------------- */
+
+enum {
+    FEEDFORWARD,
+    G,
+    D,
+    POSITION,
+    ANGLE,
+    FORCE,
+    SPEED,
+    GROWTH,
+    STABLE,
+    REGULAR,
+    ENDED,
+    CAUSE,
+    LEG,
+    END_TIME,
+    NAMED,
+    ASKED,
+    COLUMNS
+};
+
+static void name_columns(gough_table *table, bool dimensionless, double *column[COLUMNS]) {
+    static const char *const name[COLUMNS][2] = {{"feedforward", "1"},
+                                                 {"G", "N/m"},
+                                                 {"D", "N s/m"},
+                                                 {"position_deviation", "m"},
+                                                 {"angle_deviation", "degree"},
+                                                 {"force", "N"},
+                                                 {"speed", "m/s"},
+                                                 {"growth", "1"},
+                                                 {"stable", "1"},
+                                                 {"regular", "1"},
+                                                 {"ended", "1"},
+                                                 {"end_cause", "1"},
+                                                 {"end_leg", "1"},
+                                                 {"end_time", "s"},
+                                                 {"named", "1"},
+                                                 {"asked", "m"}};
+    for (int c = 0; c < COLUMNS; c++) {
+        const char *unit = dimensionless && c != ANGLE ? "1" : name[c][1];
+        column[c] = gough_table_name(table, (size_t)c, name[c][0], unit);
+    }
+}
+
+static void set_row(double *const column[COLUMNS], size_t row, const tune_report *report,
+                    bool feedforward, const gough_tuning_point *point, bool named) {
+    const bool ended = point->cause != GOUGH_END_DONE;
+    const double value[COLUMNS] = {feedforward,
+                                   point->stiffness,
+                                   point->damping,
+                                   point->position_deviation,
+                                   point->angle_deviation,
+                                   point->force,
+                                   point->speed,
+                                   point->growth,
+                                   point->stable,
+                                   point->regular,
+                                   ended,
+                                   point->cause,
+                                   point->leg,
+                                   point->end_time,
+                                   named,
+                                   report->asked.deviation};
+    for (int c = 0; c < COLUMNS; c++) column[c][row] = value[c];
+}
+
+static gough_tuning_point named_point(const tune_report *report, const gough_tuning *tuning) {
+    return (gough_tuning_point){.stiffness = tuning->stiffness,
+                                .damping = tuning->damping,
+                                .end_time = report->study->simulation.duration *
+                                            scale_factor(&report->units, DIMENSION_TIME),
+                                .position_deviation = tuning->deviation,
+                                .angle_deviation = tuning->angle_deviation,
+                                .force = tuning->force,
+                                .speed = tuning->speed,
+                                .growth = NAN,
+                                .stable = true,
+                                .regular = false};
+}
+
+gough_table *tune_table(const tune_report *report) {
+    size_t rows = 0, row = 0;
+    double *column[COLUMNS];
+    for (int c = 0; c < report->choices; c++)
+        rows += report->choice[c].tuning.points + report->choice[c].tuning.found;
+    gough_table *table = gough_table_new(report->study->title, report->verb, COLUMNS, rows);
+    if (!table) return NULL;
+    name_columns(table, report->units.dimensionless, column);
+    const gough_simulation *simulation = &report->study->simulation;
+    if (simulation->step > 0)
+        table->step = simulation->step * scale_factor(&report->units, DIMENSION_TIME);
+    else
+        table->tolerance = simulation->tolerance;
+    for (int c = 0; c < COLUMNS; c++) {
+        if (column[c]) continue;
+        gough_table_free(table);
+        return NULL;
+    }
+    for (int c = 0; c < report->choices; c++) {
+        const tune_choice *choice = &report->choice[c];
+        bool named = !choice->tuning.found; /* or its row is yet to come */
+        for (size_t i = 0; i < choice->tuning.points; i++) {
+            if (!named && choice->point[i].stiffness >= choice->tuning.stiffness) {
+                const gough_tuning_point point = named_point(report, &choice->tuning);
+                set_row(column, row++, report, choice->feedforward, &point, true);
+                named = true;
+            }
+            set_row(column, row++, report, choice->feedforward, &choice->point[i], false);
+        }
+        if (!named) {
+            const gough_tuning_point point = named_point(report, &choice->tuning);
+            set_row(column, row++, report, choice->feedforward, &point, true);
+        }
+    }
+    return table;
+}
