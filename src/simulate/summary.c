@@ -210,60 +210,75 @@ static void integrate(gough_summary *summary, const double time[WINDOW], int cou
     }
 }
 
-/* an interval between two looks: its polynomial as quadrature_fit() makes it */
+/* an interval between two looks: its polynomial as quadrature_fit() makes it, once it is wanted */
 typedef struct {
-    double c[WINDOW][WINDOW];
+    double c[WINDOW][WINDOW], time[WINDOW], h; /* h: from look a to the next */
     int count, a;
-} fitted;
+    bool made;
+} interval;
 
-/* the extreme of a column between the two looks, and where it is; without one, the value at look a */
-static double extreme_of(const gough_summary *summary, const fitted *f, int column, double *s) {
-    double y[WINDOW];
+/* Whether a column turns between the two looks. Where looks in the middle of four do not turn, peak_between() finds nothing. */
+static bool turns(const gough_summary *summary, const interval *f, int column) {
+    const double(*look)[LOOK_COLUMNS] = summary->look_;
 
-    for (int i = 0; i < WINDOW; i++) y[i] = summary->look_[i][column];
-    const double value = peak_between(y, (const double(*)[WINDOW])f->c, f->count, f->a, s);
-    return *s > 0 && isfinite(value) ? value : y[f->a];
+    if (f->count < WINDOW || f->a != 1) return true;
+    return (look[1][column] - look[0][column]) * (look[3][column] - look[2][column]) < 0;
 }
 
-static void take_extremes(gough_summary *summary, const fitted *f, double h) {
-    double s;
+/* the extreme of a column between the two looks, and where it is: 0 for the value at look a, where there is none */
+static double extreme_of(const gough_summary *summary, interval *f, int column, double *s) {
+    double y[WINDOW];
+
+    *s = 0;
+    if (!turns(summary, f, column)) return summary->look_[f->a][column];
+    if (!f->made) f->h = quadrature_fit(f->time, f->count, f->a, f->c);
+    f->made = true;
+    for (int i = 0; i < WINDOW; i++) y[i] = summary->look_[i][column];
+    const double value = peak_between(y, (const double(*)[WINDOW])f->c, f->count, f->a, s);
+    if (!(*s > 0 && isfinite(value))) *s = 0;
+    return *s > 0 ? value : y[f->a];
+}
+
+/* Extremes between the two looks; the looks themselves are among the peaks already. */
+static void take_extremes(gough_summary *summary, interval *f) {
+    double s, x;
 
     for (int v = 0; v < GOUGH_LEGS; v++) {
         gough_leg_summary *leg = &summary->leg[v];
-        const double length = extreme_of(summary, f, LOOK_LENGTH + v, &s);
-        const double force = extreme_of(summary, f, LOOK_FORCE + v, &s);
-        const double power = extreme_of(summary, f, LOOK_POWER + v, &s);
-        leg->length_min = fmin(leg->length_min, length);
-        leg->length_max = fmax(leg->length_max, length);
-        leg->speed = fmax(leg->speed, fabs(extreme_of(summary, f, LOOK_RATE + v, &s)));
-        leg->force_min = fmin(leg->force_min, force);
-        leg->force_max = fmax(leg->force_max, force);
-        leg->power_min = fmin(leg->power_min, power);
-        leg->power_max = fmax(leg->power_max, power);
-        leg->swing_base = fmax(leg->swing_base, extreme_of(summary, f, LOOK_BASE + v, &s));
-        leg->swing_top = fmax(leg->swing_top, extreme_of(summary, f, LOOK_TOP + v, &s));
+        x = extreme_of(summary, f, LOOK_LENGTH + v, &s);
+        if (s > 0) leg->length_min = fmin(leg->length_min, x);
+        if (s > 0) leg->length_max = fmax(leg->length_max, x);
+        x = extreme_of(summary, f, LOOK_FORCE + v, &s);
+        if (s > 0) leg->force_min = fmin(leg->force_min, x);
+        if (s > 0) leg->force_max = fmax(leg->force_max, x);
+        x = extreme_of(summary, f, LOOK_POWER + v, &s);
+        if (s > 0) leg->power_min = fmin(leg->power_min, x);
+        if (s > 0) leg->power_max = fmax(leg->power_max, x);
+        x = extreme_of(summary, f, LOOK_RATE + v, &s);
+        if (s > 0) leg->speed = fmax(leg->speed, fabs(x));
+        x = extreme_of(summary, f, LOOK_BASE + v, &s);
+        if (s > 0) leg->swing_base = fmax(leg->swing_base, x);
+        x = extreme_of(summary, f, LOOK_TOP + v, &s);
+        if (s > 0) leg->swing_top = fmax(leg->swing_top, x);
     }
-    const double position = extreme_of(summary, f, LOOK_POSITION, &s);
-    const double angle = 2 * asin(fmin(1, extreme_of(summary, f, LOOK_HALF, &s)));
-    if (position > summary->position_deviation) summary->position_deviation = position;
-    if (angle > summary->angle_deviation) summary->angle_deviation = angle;
-    const double condition = extreme_of(summary, f, LOOK_CONDITION, &s);
-    if (condition > summary->condition) {
-        summary->condition = condition;
-        summary->condition_time = summary->look_[f->a][0] + s * h;
+    x = extreme_of(summary, f, LOOK_POSITION, &s);
+    if (x > summary->position_deviation) summary->position_deviation = x;
+    x = 2 * asin(fmin(1, extreme_of(summary, f, LOOK_HALF, &s)));
+    if (x > summary->angle_deviation) summary->angle_deviation = x;
+    x = extreme_of(summary, f, LOOK_CONDITION, &s);
+    if (x > summary->condition) {
+        summary->condition = x;
+        summary->condition_time = summary->look_[f->a][0] + s * f->h;
     }
 }
 
 /* integrals and extremes from look a to the next, by the polynomial through the last `count` looks */
 static void sum_up(gough_summary *summary, int count, int a) {
-    fitted f = {.count = count, .a = a};
-    double time[WINDOW];
+    interval f = {.count = count, .a = a, .h = 0, .made = false};
 
-    for (int i = 0; i < WINDOW; i++) time[i] = summary->look_[i][0];
-    integrate(summary, time, count, a);
-    if (count < 3) return;
-    const double h = quadrature_fit(time, count, a, f.c);
-    take_extremes(summary, &f, h);
+    for (int i = 0; i < WINDOW; i++) f.time[i] = summary->look_[i][0];
+    integrate(summary, f.time, count, a);
+    if (count >= 3) take_extremes(summary, &f);
 }
 
 /* where the last interval has no look after it */
