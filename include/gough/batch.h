@@ -45,6 +45,7 @@ typedef struct gough_outcome {
 
 /** How to run a batch; start from gough_batch_options_default(). */
 typedef struct gough_batch_options {
+    size_t size; /**< of this struct in bytes, from gough_batch_options_default(), or 0 */
     int lanes; /**< 0: as many as the processor has; else 1, 2, 4 or 8 (more than it has is an error) */
     int threads; /**< 0: one per processor that the process may use */
     /** Called occasionally, from one thread at a time, with the number of finished runs; nonzero stops. May be NULL. */
@@ -52,8 +53,17 @@ typedef struct gough_batch_options {
     void *context; /**< passed to progress */
 } gough_batch_options;
 
-/** Widest lanes, all processors, no progress. */
-GOUGH_API gough_batch_options gough_batch_options_default(void);
+/** Fills in the defaults: widest lanes, all processors, no progress.
+ *  @param size  sizeof(gough_batch_options)
+ *  @return as gough_platform_init() */
+GOUGH_API gough_status gough_batch_options_init(gough_batch_options *options, size_t size);
+
+/** The options that gough_batch_options_init() fills in. */
+static inline gough_batch_options gough_batch_options_default(void) {
+    gough_batch_options options;
+    (void)gough_batch_options_init(&options, sizeof options);
+    return options;
+}
 
 /** Widest lanes of this processor: 8 (AVX-512), 4 (AVX2) or 2. */
 GOUGH_API int gough_batch_lanes(void);

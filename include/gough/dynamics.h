@@ -40,8 +40,18 @@ typedef struct gough_wrench {
     double moment[3]; /**< a couple, besides the force */
 } gough_wrench;
 
-/** The home pose at rest: the top frame parallel to the base frame, its origin `height` above that of the base frame. */
-GOUGH_API gough_state gough_state_home(const gough_machine *machine);
+/** Fills in the home pose at rest: the top frame parallel to the base frame, its origin `height` above that of the base frame.
+ *  @param size  sizeof(gough_state)
+ *  @return as gough_platform_init(). Exact. */
+GOUGH_API gough_status gough_state_init(gough_state *state, size_t size,
+                                        const gough_machine *machine);
+
+/** The state that gough_state_init() fills in. */
+static inline gough_state gough_state_home(const gough_machine *machine) {
+    gough_state state;
+    (void)gough_state_init(&state, sizeof state, machine);
+    return state;
+}
 
 /** R = Rz(yaw) Ry(pitch) Rx(roll) (motion-1).
  *  @param angles         roll, pitch, yaw in radians

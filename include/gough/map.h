@@ -37,6 +37,7 @@ GOUGH_API double gough_map_value(const gough_map_range *range, size_t i);
 
 /** Options of a map; start from gough_map_options_default(). */
 typedef struct gough_map_options {
+    size_t size; /**< of this struct in bytes, from gough_map_options_default(), or 0 */
     gough_map_range stiffness; /**< G, the same in all legs, ≥ 0 */
     gough_map_axis axis;       /**< which second axis */
     gough_map_range second;    /**< its values; ignored for GOUGH_MAP_NONE */
@@ -54,8 +55,17 @@ typedef struct gough_map_options {
     void *context; /**< passed to progress */
 } gough_map_options;
 
-/** No axes, 256 intervals in each row, widest lanes, all processors, no progress. */
-GOUGH_API gough_map_options gough_map_options_default(void);
+/** Fills in the defaults: no axes, 256 intervals in each row, widest lanes, all processors, no progress.
+ *  @param size  sizeof(gough_map_options)
+ *  @return as gough_platform_init() */
+GOUGH_API gough_status gough_map_options_init(gough_map_options *options, size_t size);
+
+/** The options that gough_map_options_init() fills in. */
+static inline gough_map_options gough_map_options_default(void) {
+    gough_map_options options;
+    (void)gough_map_options_init(&options, sizeof options);
+    return options;
+}
 
 /** One point of the grid. A point without a result (its row has an error, or no periodic motion was found without feed-forward)
  *  has NaN, an empty mode, and is not stable. */

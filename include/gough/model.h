@@ -37,15 +37,38 @@ typedef struct gough_platform {
     double force_max;  /**< greatest |leg force|; INFINITY: no limit */
 } gough_platform;
 
-/** A platform without joints and without limits. */
-GOUGH_API gough_platform gough_platform_default(void);
+/** Fills in a platform without joints and without limits.
+ *  @param size  sizeof(gough_platform)
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT if the library's struct has another size: then all @p size bytes are 0xff, which no
+ *  function accepts. */
+GOUGH_API gough_status gough_platform_init(gough_platform *platform, size_t size);
 
-/** Joints in pairs on two circles: base pairs at ±half_angle about 0°, 120°, 240°, top pairs about 60°, 180°, 300°;
+/** The platform that gough_platform_init() fills in. */
+static inline gough_platform gough_platform_default(void) {
+    gough_platform platform;
+    (void)gough_platform_init(&platform, sizeof platform);
+    return platform;
+}
+
+/** Fills in joints in pairs on two circles: base pairs at ±half_angle about 0°, 120°, 240°, top pairs about 60°, 180°, 300°;
  *  leg 1 runs from base angle +base_half_angle to top angle 60° − top_half_angle, legs 2 … 6 follow counter-clockwise,
- *  each joining neighbours. Half angles in radians. Sets base_radius and height; there are no limits. */
-GOUGH_API gough_platform gough_platform_symmetric(double base_radius, double base_half_angle,
-                                                  double top_radius, double top_half_angle,
-                                                  double height);
+ *  each joining neighbours. Half angles in radians. Sets base_radius and height; there are no limits.
+ *  @param size  sizeof(gough_platform)
+ *  @return as gough_platform_init(). Joints are exact to a few roundings of the radius. */
+GOUGH_API gough_status gough_platform_init_symmetric(gough_platform *platform, size_t size,
+                                                     double base_radius, double base_half_angle,
+                                                     double top_radius, double top_half_angle,
+                                                     double height);
+
+/** The platform that gough_platform_init_symmetric() fills in. */
+static inline gough_platform gough_platform_symmetric(double base_radius, double base_half_angle,
+                                                      double top_radius, double top_half_angle,
+                                                      double height) {
+    gough_platform platform;
+    (void)gough_platform_init_symmetric(&platform, sizeof platform, base_radius, base_half_angle,
+                                        top_radius, top_half_angle, height);
+    return platform;
+}
 
 /** Everything that moves with the top, as one rigid body. */
 typedef struct gough_load {
@@ -104,14 +127,23 @@ typedef struct gough_formula {
 GOUGH_API gough_status gough_formula_compile(gough_formula *formula, const char *text,
                                              size_t length, size_t *offset, gough_error *error);
 
-/** A formula with a constant value, which must be finite. */
-GOUGH_API gough_formula gough_formula_constant(double value);
+/** Fills in a formula with a constant value, which must be finite.
+ *  @param size  sizeof(gough_formula)
+ *  @return as gough_platform_init() */
+GOUGH_API gough_status gough_formula_init(gough_formula *formula, size_t size, double value);
+
+/** The formula that gough_formula_init() fills in. */
+static inline gough_formula gough_formula_constant(double value) {
+    gough_formula formula;
+    (void)gough_formula_init(&formula, sizeof formula, value);
+    return formula;
+}
 
 /** True if the formula is the constant 0, so that a disturbance is absent. */
 GOUGH_API bool gough_formula_is_zero(const gough_formula *formula);
 
 /** Value, first and second derivative at t, exact up to rounding (evaluated on jets, without differences). Outside the domain
- *  of a function the results are not finite. Does not allocate. */
+ *  of a function, and if the formula has an impossible number of operations, the results are not finite. Does not allocate. */
 GOUGH_API void gough_formula_evaluate(const gough_formula *formula, double t, double jet[3]);
 
 /* ---- the program --------------------------------------------------------------------------------------------- */
@@ -161,7 +193,7 @@ GOUGH_API size_t gough_samples_scratch(size_t count);
 GOUGH_API gough_status gough_samples_prepare(const gough_samples *samples, double *scratch,
                                              gough_error *error);
 
-/** What gough_samples_unwrap() changed. */
+/** What unwrapping changed. */
 typedef struct gough_unwrapping {
     size_t turns[3]; /**< rows at which roll, pitch, yaw jumped by whole turns */
     size_t flips;    /**< rows at which all three jumped to other angles of the same rotation */
@@ -175,8 +207,18 @@ typedef struct gough_unwrapping {
  *  @param count      rows
  *  @param value      six components a row, as in gough_samples
  *  @param half_turn  180 for angles in degrees, π for radians
- *  Always succeeds; gough_samples_prepare() reports rows that are not finite. */
-GOUGH_API gough_unwrapping gough_samples_unwrap(size_t count, double *value, double half_turn);
+ *  @param[out] done  what was changed
+ *  @param size       sizeof(gough_unwrapping)
+ *  @return as gough_platform_init(): GOUGH_OK whatever the rows; gough_samples_prepare() reports those that are not finite. */
+GOUGH_API gough_status gough_samples_make_continuous(size_t count, double *value, double half_turn,
+                                                     gough_unwrapping *done, size_t size);
+
+/** Calls gough_samples_make_continuous() and returns what was changed. */
+static inline gough_unwrapping gough_samples_unwrap(size_t count, double *value, double half_turn) {
+    gough_unwrapping done;
+    (void)gough_samples_make_continuous(count, value, half_turn, &done, sizeof done);
+    return done;
+}
 
 /** Finds axes for the angles of recorded motion that comes close to a pitch of ±90°, where roll and yaw cannot follow it,
  *  (motion-10).

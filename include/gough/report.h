@@ -13,6 +13,7 @@ extern "C" {
 
 /** Options of a figure. */
 typedef struct gough_figure {
+    size_t size; /**< of this struct in bytes, from gough_figure_default(), or 0 */
     const char
         *kind; /**< name of one of gough_figure_kinds(); NULL: the one that suits the table */
     const char *title;   /**< NULL: the table's title */
@@ -22,8 +23,17 @@ typedef struct gough_figure {
     bool logarithmic;    /**< magnitudes on a logarithmic vertical axis */
 } gough_figure;
 
-/** Defaults: kind and title from the tables, all columns and times. */
-GOUGH_API gough_figure gough_figure_default(void);
+/** Fills in the defaults: kind and title from the tables, all columns and times.
+ *  @param size  sizeof(gough_figure)
+ *  @return as gough_platform_init() */
+GOUGH_API gough_status gough_figure_init(gough_figure *figure, size_t size);
+
+/** The options that gough_figure_init() fills in. */
+static inline gough_figure gough_figure_default(void) {
+    gough_figure figure;
+    (void)gough_figure_init(&figure, sizeof figure);
+    return figure;
+}
 
 /** Kinds of figure, terminated by NULL, each "name — sentence". */
 GOUGH_API const char *const *gough_figure_kinds(void);

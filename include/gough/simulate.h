@@ -122,6 +122,7 @@ typedef struct gough_statistics {
 /** How to run; start from gough_simulation_default(): 20 units of time, a row every 0.05, dop853 with a
  *  tolerance of 1e-10, projection. */
 typedef struct gough_simulation {
+    size_t size;        /**< of this struct in bytes, from gough_simulation_default(), or 0 */
     double duration;    /**< from t = 0 */
     double output_step; /**< rows at k · output_step, k = 0 … ⌊duration/output_step + 1e-9⌋ */
     gough_method method; /**< the stepper */
@@ -143,8 +144,17 @@ typedef struct gough_simulation {
                                         wanted. gough_forces() makes no steps and fills zeros */
 } gough_simulation;
 
-/** 20 units of time, a row every 0.05, dop853 with a tolerance of 1e-10, projection, double precision. */
-GOUGH_API gough_simulation gough_simulation_default(void);
+/** Fills in the defaults: 20 units of time, a row every 0.05, dop853 with a tolerance of 1e-10, projection, double precision.
+ *  @param size  sizeof(gough_simulation)
+ *  @return as gough_platform_init() */
+GOUGH_API gough_status gough_simulation_init(gough_simulation *simulation, size_t size);
+
+/** The options that gough_simulation_init() fills in. */
+static inline gough_simulation gough_simulation_default(void) {
+    gough_simulation simulation;
+    (void)gough_simulation_init(&simulation, sizeof simulation);
+    return simulation;
+}
 
 /** Checks the options against the model.
  *  @return GOUGH_OK or GOUGH_ERROR_INPUT: duration, output_step or step not positive and finite, step not dividing

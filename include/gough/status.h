@@ -7,6 +7,8 @@
 #include <stdarg.h>
 #include <stddef.h>
 
+#include "gough/names.h"
+
 #if defined(GOUGH_SHARED) && defined(__GNUC__)
 #define GOUGH_API __attribute__((visibility("default")))
 #else
@@ -20,6 +22,9 @@ extern "C" {
 /** Version of the library that is loaded, as in "0.1.0"; GOUGH_VERSION is that of the headers. Until 1.0 libraries of different
  *  minor versions have different names, so that a program never runs with one that it was not built for. */
 GOUGH_API const char *gough_version(void);
+
+/** Edition of the interface of the library that is loaded; GOUGH_EDITION is that of the headers. */
+GOUGH_API int gough_edition(void);
 
 /** Status of a call. The values are the exit codes of the command. */
 typedef enum gough_status {

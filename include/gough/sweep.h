@@ -124,6 +124,7 @@ typedef int (*gough_sweep_sink)(void *context, const gough_sweep_row *row);
 
 /** How to run; start from gough_sweep_options_default(). */
 typedef struct gough_sweep_options {
+    size_t size;  /**< of this struct in bytes, from gough_sweep_options_default(), or 0 */
     int lanes;    /**< as in gough_batch_options */
     int threads;  /**< as in gough_batch_options */
     size_t first; /**< first run; 0: 1 */
@@ -133,8 +134,17 @@ typedef struct gough_sweep_options {
     void *context; /**< passed to progress */
 } gough_sweep_options;
 
-/** All runs, widest lanes, all processors. */
-GOUGH_API gough_sweep_options gough_sweep_options_default(void);
+/** Fills in the defaults: all runs, widest lanes, all processors.
+ *  @param size  sizeof(gough_sweep_options)
+ *  @return as gough_platform_init() */
+GOUGH_API gough_status gough_sweep_options_init(gough_sweep_options *options, size_t size);
+
+/** The options that gough_sweep_options_init() fills in. */
+static inline gough_sweep_options gough_sweep_options_default(void) {
+    gough_sweep_options options;
+    (void)gough_sweep_options_init(&options, sizeof options);
+    return options;
+}
 
 /** Runs a sweep. Memory does not grow with the number of runs.
  *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if sink or progress stopped it; GOUGH_ERROR_INPUT for invalid options;

@@ -18,6 +18,7 @@ extern "C" {
 
 /** The request; start from gough_tuning_options_default(). */
 typedef struct gough_tuning_options {
+    size_t size; /**< of this struct in bytes, from gough_tuning_options_default(), or 0 */
     double
         deviation; /**< greatest distance of the top frame's origin from the program allowed, > 0 */
     double
@@ -45,8 +46,17 @@ typedef struct gough_tuning_options {
     const char *stiffness_unit; /**< unit printed after a stiffness */
 } gough_tuning_options;
 
-/** A margin of 0.02, the model's damping, any angle, no units; `deviation` is 0 and must be set. */
-GOUGH_API gough_tuning_options gough_tuning_options_default(void);
+/** Fills in the defaults: a margin of 0.02, the model's damping, any angle, no units; `deviation` is 0 and must be set.
+ *  @param size  sizeof(gough_tuning_options)
+ *  @return as gough_platform_init() */
+GOUGH_API gough_status gough_tuning_options_init(gough_tuning_options *options, size_t size);
+
+/** The options that gough_tuning_options_init() fills in. */
+static inline gough_tuning_options gough_tuning_options_default(void) {
+    gough_tuning_options options;
+    (void)gough_tuning_options_init(&options, sizeof options);
+    return options;
+}
 
 /** A point of the curve: deviation against G. */
 typedef struct gough_tuning_point {

@@ -10,14 +10,17 @@
 #include "analyse/map_row.h"
 #include "base/crew.h"
 #include "gough/batch.h"
+#include "gough/sizes.h"
 
 /* steps are refined up to this; beyond it errors up to the second value pass */
 static const double finest = 16, rough = 1e-6;
 
 static const double most_points = 2147483648.0;
 
-gough_map_options gough_map_options_default(void) {
-    return (gough_map_options){.axis = GOUGH_MAP_NONE, .intervals = 256};
+gough_status gough_map_options_init(gough_map_options *options, size_t size) {
+    if (size != sizeof *options) return gough_size_refuse(options, size);
+    *options = (gough_map_options){.size = size, .axis = GOUGH_MAP_NONE, .intervals = 256};
+    return GOUGH_OK;
 }
 
 const char *gough_interval_kind_name(gough_interval_kind kind) {
@@ -95,8 +98,10 @@ static gough_status check(const gough_map_options *given, gough_map_options *o,
                           gough_error *error) {
     static const char *const second[] = {"", "amplitude", "frequency", "damping"};
     const int widest = gough_batch_lanes();
-    gough_status status;
+    gough_status status =
+        gough_size_check(given->size, sizeof(gough_map_options), "gough_map_options", error);
 
+    if (status != GOUGH_OK) return status;
     *o = *given;
     if ((int)o->axis < GOUGH_MAP_NONE || (int)o->axis > GOUGH_MAP_DAMPING) {
         return gough_fail(error, GOUGH_ERROR_INPUT,

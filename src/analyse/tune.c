@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "gough/sizes.h"
+
 /* G is bracketed to this, relative */
 static const double bracket = 1e-4;
 
@@ -35,17 +37,23 @@ enum { MOST_LIFTS = 200, INSIDE = 3 };
 
 /* ---- what is asked ------------------------------------------------------------------------------------------------ */
 
-gough_tuning_options gough_tuning_options_default(void) {
-    return (gough_tuning_options){.angle_deviation = INFINITY,
-                                  .damping_ratio = NAN,
-                                  .margin = 0.02,
-                                  .greatest = INFINITY,
-                                  .length_unit = "",
-                                  .time_unit = "",
-                                  .stiffness_unit = ""};
+gough_status gough_tuning_options_init(gough_tuning_options *options, size_t size) {
+    if (size != sizeof *options) return gough_size_refuse(options, size);
+    *options = (gough_tuning_options){.size = size,
+                                      .angle_deviation = INFINITY,
+                                      .damping_ratio = NAN,
+                                      .margin = 0.02,
+                                      .greatest = INFINITY,
+                                      .length_unit = "",
+                                      .time_unit = "",
+                                      .stiffness_unit = ""};
+    return GOUGH_OK;
 }
 
 static gough_status check_options(const gough_tuning_options *o, gough_error *error) {
+    if (gough_size_check(o->size, sizeof(gough_tuning_options), "gough_tuning_options", error) !=
+        GOUGH_OK)
+        return GOUGH_ERROR_INPUT;
     if (!(o->deviation > 0) || !isfinite(o->deviation))
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "the deviation allowed must be a finite number > 0, not %.9g",

@@ -7,6 +7,7 @@
 
 #include "base/crew.h"
 #include "batch/width.h"
+#include "gough/sizes.h"
 #include "integrate/fixed.h"
 #include "model/appointments.h"
 #include "simulate/ahead.h"
@@ -15,8 +16,11 @@
 /* groups that a thread walks together; steps of a block; records of its tape: at most 18 stages a step */
 enum { GROUPS = 32, BLOCK = 32, RECORDS = 18 * BLOCK + 8 };
 
-gough_batch_options gough_batch_options_default(void) {
-    return (gough_batch_options){.lanes = 0, .threads = 0, .progress = NULL, .context = NULL};
+gough_status gough_batch_options_init(gough_batch_options *options, size_t size) {
+    if (size != sizeof *options) return gough_size_refuse(options, size);
+    *options = (gough_batch_options){
+        .size = size, .lanes = 0, .threads = 0, .progress = NULL, .context = NULL};
+    return GOUGH_OK;
 }
 
 int gough_batch_lanes(void) { return ahead_lanes(); }
@@ -245,6 +249,9 @@ gough_status gough_batch(const gough_motion *motion, const gough_simulation *sim
     gough_status status;
     work w;
 
+    if (gough_size_check(options->size, sizeof(gough_batch_options), "gough_batch_options",
+                         error) != GOUGH_OK)
+        return GOUGH_ERROR_INPUT;
     if (count == 0) return GOUGH_OK;
     if (width_of(lanes) == NULL || lanes > widest) {
         return gough_fail(error, GOUGH_ERROR_INPUT,

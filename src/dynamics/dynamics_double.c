@@ -9,6 +9,7 @@
 #include "dynamics/program.h"
 #include "dynamics/rotation.h"
 #include "dynamics/valid.h"
+#include "gough/sizes.h"
 #include "kernel/law.h"
 
 /* the machine, the coordinates and the legs of a public state */
@@ -60,9 +61,11 @@ static vector external_moment(const gough_wrench *external) {
     return external ? vector_of(external->moment) : (vector){0, 0, 0};
 }
 
-gough_state gough_state_home(const gough_machine *machine) {
-    return (gough_state){.position = {0, 0, machine->platform.height},
-                         .rotation = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+gough_status gough_state_init(gough_state *state, size_t size, const gough_machine *machine) {
+    if (size != sizeof *state) return gough_size_refuse(state, size);
+    *state = (gough_state){.position = {0, 0, machine->platform.height},
+                           .rotation = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    return GOUGH_OK;
 }
 
 void gough_rotation_from_angles(const double angles[3], double rotation[3][3]) {

@@ -7,6 +7,7 @@
 
 #include <string.h>
 
+#include "gough/sizes.h"
 #include "gough/text.h"
 #include "model/words.h"
 
@@ -294,11 +295,12 @@ gough_status gough_formula_compile(gough_formula *formula, const char *text, siz
     return status;
 }
 
-gough_formula gough_formula_constant(double value) {
-    gough_formula f = {.count = 1};
-    f.operation[0].code = FORMULA_NUMBER;
-    f.operation[0].value = value;
-    return f;
+gough_status gough_formula_init(gough_formula *formula, size_t size, double value) {
+    if (size != sizeof *formula) return gough_size_refuse(formula, size);
+    *formula = (gough_formula){.count = 1};
+    formula->operation[0].code = FORMULA_NUMBER;
+    formula->operation[0].value = value;
+    return GOUGH_OK;
 }
 
 bool gough_formula_is_zero(const gough_formula *formula) {

@@ -10,7 +10,8 @@ static void hand_out(jet from, double to[3]) {
 }
 
 void gough_formula_evaluate(const gough_formula *formula, double t, double out[3]) {
-    hand_out(formula_jet(formula, t), out);
+    const bool fits = formula->count >= 0 && formula->count <= GOUGH_FORMULA_OPERATIONS;
+    hand_out(fits ? formula_jet(formula, t) : (jet){NAN, NAN, NAN}, out);
 }
 
 void gough_motion_evaluate(const gough_motion *motion, double t,

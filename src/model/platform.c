@@ -2,9 +2,13 @@
 #include <math.h>
 
 #include "gough/model.h"
+#include "gough/sizes.h"
 
-gough_platform gough_platform_default(void) {
-    return (gough_platform){.length_max = INFINITY, .speed_max = INFINITY, .force_max = INFINITY};
+gough_status gough_platform_init(gough_platform *platform, size_t size) {
+    if (size != sizeof *platform) return gough_size_refuse(platform, size);
+    *platform =
+        (gough_platform){.length_max = INFINITY, .speed_max = INFINITY, .force_max = INFINITY};
+    return GOUGH_OK;
 }
 
 /* Point of a circle at `angle` from a direction whose cosine and sine are known exactly, so that
@@ -16,22 +20,25 @@ static void on_circle(double radius, const double direction[2], double angle, do
     joint[2] = 0;
 }
 
-gough_platform gough_platform_symmetric(double base_radius, double base_half_angle,
-                                        double top_radius, double top_half_angle, double height) {
+gough_status gough_platform_init_symmetric(gough_platform *platform, size_t size,
+                                           double base_radius, double base_half_angle,
+                                           double top_radius, double top_half_angle,
+                                           double height) {
     static const double HALF = 0.5, SINE = 0.86602540378443864676; /* of 30° and 60° */
     const double base_pair[3][2] = {{1, 0}, {-HALF, SINE}, {-HALF, -SINE}};
     const double top_pair[3][2] = {{HALF, SINE}, {-1, 0}, {HALF, -SINE}};
 
-    gough_platform p = gough_platform_default();
-    p.base_radius = base_radius;
-    p.height = height;
+    if (gough_platform_init(platform, size) != GOUGH_OK) return GOUGH_ERROR_INPUT;
+    platform->base_radius = base_radius;
+    platform->height = height;
     for (int pair = 0; pair < 3; pair++) {
         /* an odd leg rises from the pair's far joint to the near joint of the top's next pair,
          * an even leg from the next base pair's near joint to the far joint there */
-        on_circle(base_radius, base_pair[pair], base_half_angle, p.base[2 * pair]);
-        on_circle(top_radius, top_pair[pair], -top_half_angle, p.top[2 * pair]);
-        on_circle(base_radius, base_pair[(pair + 1) % 3], -base_half_angle, p.base[2 * pair + 1]);
-        on_circle(top_radius, top_pair[pair], top_half_angle, p.top[2 * pair + 1]);
+        on_circle(base_radius, base_pair[pair], base_half_angle, platform->base[2 * pair]);
+        on_circle(top_radius, top_pair[pair], -top_half_angle, platform->top[2 * pair]);
+        on_circle(base_radius, base_pair[(pair + 1) % 3], -base_half_angle,
+                  platform->base[2 * pair + 1]);
+        on_circle(top_radius, top_pair[pair], top_half_angle, platform->top[2 * pair + 1]);
     }
-    return p;
+    return GOUGH_OK;
 }

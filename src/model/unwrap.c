@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "gough/model.h"
+#include "gough/sizes.h"
 
 /* The angle plus the whole turns that bring it nearest to `to`. */
 static double nearest(double angle, double to, double turn) {
@@ -26,8 +27,10 @@ static double squared_distance(const double a[3], const double b[3]) {
     return sum;
 }
 
-gough_unwrapping gough_samples_unwrap(size_t count, double *value, double half_turn) {
-    gough_unwrapping done = {.first = 0};
+gough_status gough_samples_make_continuous(size_t count, double *value, double half_turn,
+                                           gough_unwrapping *done, size_t size) {
+    if (size != sizeof *done) return gough_size_refuse(done, size);
+    *done = (gough_unwrapping){.first = 0};
     double turns[3] = {0, 0, 0}; /* added so far to each angle of the row before */
     int family = 0;
     for (size_t i = 1; i < count; i++) {
@@ -40,18 +43,18 @@ gough_unwrapping gough_samples_unwrap(size_t count, double *value, double half_t
         bool jumps = flips;
         if (flips) {
             family = 1 - family;
-            done.flips++;
+            done->flips++;
         }
         for (int a = 0; a < 3; a++) {
             const double bare = family == 0 ? angle[a]
                                 : a == 1    ? half_turn - angle[a]
                                             : angle[a] + half_turn;
             const double added = rint((triple[family][a] - bare) / (2 * half_turn));
-            if (!flips && fabs(added - turns[a]) > 0.5) done.turns[a]++, jumps = true;
+            if (!flips && fabs(added - turns[a]) > 0.5) done->turns[a]++, jumps = true;
             turns[a] = added;
             angle[a] = triple[family][a];
         }
-        if (jumps && !done.first) done.first = i;
+        if (jumps && !done->first) done->first = i;
     }
-    return done;
+    return GOUGH_OK;
 }

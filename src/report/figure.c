@@ -8,11 +8,15 @@
 #include <string.h>
 #include <strings.h>
 
+#include "gough/sizes.h"
 #include "sheet.h"
 #include "workshop.h"
 
-gough_figure gough_figure_default(void) {
-    return (gough_figure){.kind = NULL, .title = NULL, .columns = NULL, .from = NAN, .to = NAN};
+gough_status gough_figure_init(gough_figure *figure, size_t size) {
+    if (size != sizeof *figure) return gough_size_refuse(figure, size);
+    *figure = (gough_figure){
+        .size = size, .kind = NULL, .title = NULL, .columns = NULL, .from = NAN, .to = NAN};
+    return GOUGH_OK;
 }
 
 static bool find_format(const char *path, sheet_format *format) {
@@ -86,6 +90,8 @@ gough_status gough_figure_draw(const gough_figure *figure, const gough_table *co
                                const char *const *labels, size_t table_count, const char *path,
                                gough_error *error) {
     sheet_format format;
+    if (gough_size_check(figure->size, sizeof(gough_figure), "gough_figure", error) != GOUGH_OK)
+        return GOUGH_ERROR_INPUT;
     if (!find_format(path, &format))
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "%s: the name of a figure must end in .png, .svg or .pdf", path);

@@ -1,6 +1,7 @@
 /* Pictures of stability maps: frame, abscissa, thresholds; the panels are in stability_plane.c (two axes) and stability_line.c. */
 #define _POSIX_C_SOURCE 200809L
 #include "stability.h"
+#include "gough/sizes.h"
 #include "gough/text.h"
 #include "ticks.h"
 
@@ -238,6 +239,9 @@ gough_status gough_map_draw(const gough_map_options *options, const gough_map *f
                             const gough_map_figure *figure, const char *path, gough_error *error) {
     field f;
     gough_status status = GOUGH_ERROR_FILE;
+    if (gough_size_check(options->size, sizeof(gough_map_options), "gough_map_options", error) !=
+        GOUGH_OK)
+        return GOUGH_ERROR_INPUT;
     if (options->stiffness.count < 2)
         return gough_fail(error, GOUGH_ERROR_INPUT, "a map of one stiffness cannot be drawn");
     if (field_make(&f, options, found))

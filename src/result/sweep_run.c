@@ -12,6 +12,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "gough/sizes.h"
+
 enum {
     MOST_THREADS = 256,
     MOST_PIECE = 256,     /* runs: what a thread's batch walks together in lanes of 8 */
@@ -56,8 +58,10 @@ typedef struct hand {
     void *memory;
 } hand;
 
-gough_sweep_options gough_sweep_options_default(void) {
-    return (gough_sweep_options){.lanes = 0, .threads = 0};
+gough_status gough_sweep_options_init(gough_sweep_options *options, size_t size) {
+    if (size != sizeof *options) return gough_size_refuse(options, size);
+    *options = (gough_sweep_options){.size = size, .lanes = 0, .threads = 0};
+    return GOUGH_OK;
 }
 
 /* ---- the runs of a piece ----------------------------------------------------------------------------------------- */
@@ -124,7 +128,8 @@ static int look(void *context, size_t done) {
 
 static gough_status run_batch(hand *h, const gough_study *study, const size_t *which, size_t count,
                               gough_outcome *outcome, gough_error *error) {
-    const gough_batch_options options = {h->crew->options->lanes, 1, look, h->crew};
+    const gough_batch_options options = {
+        .lanes = h->crew->options->lanes, .threads = 1, .progress = look, .context = h->crew};
     const gough_status status = gough_batch(&study->model->motion, &study->simulation, h->run,
                                             count, &options, h->outcome, h->memory, error);
     for (size_t i = 0; i < count; i++) outcome[which[i]] = h->outcome[i];
@@ -340,6 +345,9 @@ gough_status gough_sweep_run(const gough_sweep *sweep, const gough_sweep_options
               .options = options,
               .first = options->first ? options->first : 1,
               .last = options->last ? options->last : gough_sweep_runs(sweep)};
+    if (gough_size_check(options->size, sizeof(gough_sweep_options), "gough_sweep_options",
+                         error) != GOUGH_OK)
+        return GOUGH_ERROR_INPUT;
     if (c.last > gough_sweep_runs(sweep) || c.first > c.last + 1)
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "there are no runs %zu to %zu in a sweep of %zu runs", c.first, c.last,

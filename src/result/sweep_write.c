@@ -7,6 +7,7 @@
 #include <strings.h>
 #include <unistd.h>
 
+#include "gough/sizes.h"
 #include "result.h"
 #include "sweep_table.h"
 
@@ -110,7 +111,9 @@ gough_status gough_sweep_write(const gough_sweep *sweep, const gough_sweep_optio
                                gough_error *error) {
     gough_units units;
     *summary = (gough_sweep_summary){.runs = 0};
-    gough_status status = check_path(output, error);
+    gough_status status =
+        gough_size_check(options->size, sizeof(gough_sweep_options), "gough_sweep_options", error);
+    if (status == GOUGH_OK) status = check_path(output, error);
     if (status == GOUGH_OK)
         status =
             gough_units_of_study(gough_sweep_study(sweep), output->dimensionless, &units, error);

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "gough/sizes.h"
 #include "model/motion.h"
 #include "model/places.h"
 #include "simulate/ahead.h"
@@ -27,14 +28,19 @@ const char *gough_method_name(int method) {
     return method >= 0 && method < GOUGH_METHODS ? method_names[method] : NULL;
 }
 
-gough_simulation gough_simulation_default(void) {
-    gough_simulation simulation = {.summary = NULL};
+gough_status gough_simulation_init(gough_simulation *simulation, size_t size) {
     size_t count;
     const gough_place *place = gough_places(&count);
 
+    if (size != sizeof *simulation) return gough_size_refuse(simulation, size);
+    *simulation = (gough_simulation){.size = size};
     for (size_t i = 0; i < count; i++)
-        if (place[i].owner == GOUGH_OWNER_SIMULATION) gough_place_reset(&place[i], &simulation);
-    return simulation;
+        if (place[i].owner == GOUGH_OWNER_SIMULATION) gough_place_reset(&place[i], simulation);
+    return GOUGH_OK;
+}
+
+static gough_status check_size(const gough_simulation *s, gough_error *error) {
+    return gough_size_check(s->size, sizeof(gough_simulation), "gough_simulation", error);
 }
 
 static bool positive(double x) { return x > 0 && isfinite(x); }
@@ -150,6 +156,7 @@ gough_status gough_simulation_check(const gough_model *model, const gough_simula
     const gough_noise *noise = &model->disturbance.noise;
     const bool noisy = noise->leg_force > 0 || noise->force > 0 || noise->moment > 0;
 
+    if (check_size(simulation, error) != GOUGH_OK) return GOUGH_ERROR_INPUT;
     if (noisy && !(simulation->duration / noise->interval <= most_knots)) {
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "disturbance.noise.interval",
                               "disturbance.noise.interval %.9g gives more than 1e12 knots in a run "
@@ -162,8 +169,9 @@ gough_status gough_simulation_check(const gough_model *model, const gough_simula
 gough_status simulate_check(const gough_motion *motion, const gough_simulation *simulation,
                             gough_error *error) {
     const gough_simulation *s = simulation;
-    gough_status status = check_times(s, error);
+    gough_status status = check_size(s, error);
 
+    if (status == GOUGH_OK) status = check_times(s, error);
     if (status != GOUGH_OK) return status;
     if (gough_method_name((int)s->method) == NULL) {
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.method",
@@ -214,6 +222,7 @@ gough_status gough_forces(const gough_model *model, const gough_simulation *simu
     const gough_status checked = gough_simulation_check(model, simulation, error);
 
     *end = (gough_end){.cause = GOUGH_END_DONE};
+    if (check_size(simulation, error) != GOUGH_OK) return GOUGH_ERROR_INPUT;
     if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
     if (checked != GOUGH_OK) return checked;
     if (simulation->summary) gough_summary_begin(simulation->summary);
@@ -229,6 +238,7 @@ gough_status gough_simulate(const gough_model *model, const gough_simulation *si
     const gough_status checked = gough_simulation_check(model, simulation, error);
 
     *end = (gough_end){.cause = GOUGH_END_DONE};
+    if (check_size(simulation, error) != GOUGH_OK) return GOUGH_ERROR_INPUT;
     if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
     if (checked != GOUGH_OK) return checked;
     const simulate_parts parts = {&model->motion,  &model->machine,

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "${SOURCE:-$(dirname "$0")/../..}"
 command -v perl >/dev/null || { echo "skipped: no perl"; exit 77; }
 perl -0777 -e '
-    my @structs = (    # struct, place in the table, members that are no input: other structs, memory of the caller, derived numbers
+    my @structs = (    # struct, place in the table, members that are no input: other structs, memory of the caller, derived numbers, sizes
         ["gough_model", "", "machine motion control disturbance initial"],
         ["gough_machine", "MACHINE(", "platform load base_radius gravity_magnitude principal_axes second_moments home_length home_condition"],
         ["gough_platform", "MACHINE(platform.", ""],
@@ -17,7 +17,7 @@ perl -0777 -e '
         ["gough_disturbance", "DISTURBANCE(", "noise"],
         ["gough_noise", "DISTURBANCE(noise.", ""],
         ["gough_initial", "INITIAL(", ""],
-        ["gough_simulation", "SIMULATION(", "summary statistics"]);
+        ["gough_simulation", "SIMULATION(", "size summary statistics"]);
     my ($headers, $table) = ("", "");
     for my $file ("include/gough/model.h", "include/gough/simulate.h") { open F, "<", $file or die; $headers .= <F> }
     open F, "<", "src/model/fields.def" or die;

@@ -15,9 +15,13 @@ for header in include/gough/*.h; do
     fi
 done
 nm -D --defined-only "$BUILD/libgough.so" "$BUILD/libgough-analyse.so" "$BUILD/libgough-files.so" | awk '{ print $3 }' | sort -u >"$scratch/have"
-"${CC:-cc}" -E -P -Iinclude -I"$BUILD/include" include/gough/gough.h | tr '\n' ' ' | sed 's/;/;\n/g' |
-    grep -oE '\bgough_[a-z0-9_]+ *\([^;]*\).*;' | grep -v typedef | grep -oE '^gough_[a-z0-9_]+' | sort -u >"$scratch/want"
+# as the headers declare them, with the linker's name that names.h gives them
+edition=$(sed -n 's/^#define GOUGH_EDITION //p' include/gough/names.h)
+cat include/gough/*.h | tr '\n' ' ' | sed 's/;/;\n/g' | grep -oE 'GOUGH_API [^;(]*\bgough_[a-z0-9_]+\(' | grep -oE 'gough_[a-z0-9_]+\($' | tr -d '(' |
+    sed -E "/^gough_(version|edition|struct_size)$/!s/$/_e$edition/" | sort -u >"$scratch/want"
 [[ $(wc -l <"$scratch/want") -gt 40 ]] || { echo "found too few declarations: $(wc -l <"$scratch/want")"; failed=1; }
 missing=$(comm -23 "$scratch/want" "$scratch/have")
 [[ -z $missing ]] || { echo "declared, but in no library:" $missing; failed=1; }
+unknown=$(comm -13 "$scratch/want" "$scratch/have")
+[[ -z $unknown ]] || { echo "in a library, but in no header:" $unknown; failed=1; }
 exit $failed

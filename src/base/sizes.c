@@ -1,0 +1,101 @@
+/* Sizes of the public structs by name, for programs in other languages and for structs that keep their size. */
+#include "gough/sizes.h"
+
+#include <string.h>
+
+#include "gough/batch.h"
+#include "gough/report.h"
+#include "gough/sweep.h"
+#include "gough/tune.h"
+
+#define SIZE_OF(name)                                                                              \
+    { #name, sizeof(name) }
+
+static const struct {
+    const char *name;
+    size_t size;
+} sizes[] = {
+    SIZE_OF(gough_acceleration),
+    SIZE_OF(gough_batch_options),
+    SIZE_OF(gough_batch_run),
+    SIZE_OF(gough_bound),
+    SIZE_OF(gough_column_info),
+    SIZE_OF(gough_control),
+    SIZE_OF(gough_crossing),
+    SIZE_OF(gough_disturbance),
+    SIZE_OF(gough_eigenvalue),
+    SIZE_OF(gough_end),
+    SIZE_OF(gough_error),
+    SIZE_OF(gough_field),
+    SIZE_OF(gough_figure),
+    SIZE_OF(gough_floquet),
+    SIZE_OF(gough_formula),
+    SIZE_OF(gough_initial),
+    SIZE_OF(gough_interval),
+    SIZE_OF(gough_leg_summary),
+    SIZE_OF(gough_load),
+    SIZE_OF(gough_machine),
+    SIZE_OF(gough_map),
+    SIZE_OF(gough_map_figure),
+    SIZE_OF(gough_map_options),
+    SIZE_OF(gough_map_point),
+    SIZE_OF(gough_map_range),
+    SIZE_OF(gough_map_row),
+    SIZE_OF(gough_mode),
+    SIZE_OF(gough_model),
+    SIZE_OF(gough_motion),
+    SIZE_OF(gough_move),
+    SIZE_OF(gough_multiplier),
+    SIZE_OF(gough_noise),
+    SIZE_OF(gough_outcome),
+    SIZE_OF(gough_page_template),
+    SIZE_OF(gough_period),
+    SIZE_OF(gough_place),
+    SIZE_OF(gough_platform),
+    SIZE_OF(gough_record),
+    SIZE_OF(gough_record_column),
+    SIZE_OF(gough_remark),
+    SIZE_OF(gough_rest),
+    SIZE_OF(gough_result_column),
+    SIZE_OF(gough_row),
+    SIZE_OF(gough_samples),
+    SIZE_OF(gough_setting),
+    SIZE_OF(gough_simulation),
+    SIZE_OF(gough_state),
+    SIZE_OF(gough_statistics),
+    SIZE_OF(gough_study),
+    SIZE_OF(gough_summary),
+    SIZE_OF(gough_sweep_key),
+    SIZE_OF(gough_sweep_options),
+    SIZE_OF(gough_sweep_output),
+    SIZE_OF(gough_sweep_row),
+    SIZE_OF(gough_sweep_summary),
+    SIZE_OF(gough_table),
+    SIZE_OF(gough_threshold),
+    SIZE_OF(gough_tuning),
+    SIZE_OF(gough_tuning_exception),
+    SIZE_OF(gough_tuning_options),
+    SIZE_OF(gough_tuning_point),
+    SIZE_OF(gough_units),
+    SIZE_OF(gough_unwrapping),
+    SIZE_OF(gough_wrench),
+};
+
+size_t gough_struct_size(const char *name) {
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        if (strcmp(name, sizes[i].name) == 0) return sizes[i].size;
+    return 0;
+}
+
+gough_status gough_size_check(size_t size, size_t own, const char *name, gough_error *error) {
+    if (size == 0 || size == own) return GOUGH_OK;
+    return gough_fail(error, GOUGH_ERROR_INPUT,
+                      "%s.size is %zu, but this struct has %zu bytes in this library: start from "
+                      "%s_default()",
+                      name, size, own, name);
+}
+
+gough_status gough_size_refuse(void *of_caller, size_t size) {
+    memset(of_caller, 0xff, size);
+    return GOUGH_ERROR_INPUT;
+}
