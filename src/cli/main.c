@@ -8,35 +8,17 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/common/command.h"
+#include "cli/common/memory.h"
+#include "cli/common/talk.h"
+#include "cli/common/verb.h"
 
-typedef struct verb {
-    const char *name;
-    gough_status (*run)(int count, char **argument);
-} verb;
+enum { LIST_WIDTH = 24 }; /* columns of "gough example NAME" in the list of verbs */
 
-static const verb verbs[] = {{"example", example_verb},     {"check", check_verb},
-                             {"forces", forces_verb},       {"simulate", simulate_verb},
-                             {"sweep", sweep_verb},         {"merge", merge_verb},
-                             {"stability", stability_verb}, {"tune", tune_verb},
-                             {"plot", plot_verb},           {"report", report_verb}};
-enum { VERBS = sizeof verbs / sizeof *verbs };
+static const char before[] = "Dynamics and control of Stewart-Gough platforms.\n\n";
 
-static const char text[] =
-    "Dynamics and control of Stewart-Gough platforms.\n"
-    "\n"
-    "  gough example NAME      print an example study to start from, or list them\n"
-    "  gough check STUDY       validate a study and describe its machine\n"
-    "  gough forces STUDY      the leg forces that the motion of a study needs\n"
-    "  gough simulate STUDY    the motion under leg forces, control and disturbances\n"
-    "  gough sweep STUDY       run a study many times with different numbers\n"
-    "  gough merge SHARD...    join the shards of a sweep into one table\n"
-    "  gough stability STUDY   modes, stiffness thresholds, growth along the program\n"
-    "  gough tune STUDY        the least feedback stiffness for a given accuracy\n"
-    "  gough plot RESULT...    figures as PNG, SVG or PDF\n"
-    "  gough report STUDY...   everything about a study on one HTML page\n"
-    "\n"
-    "'gough VERB --help' describes each verb.\vExit status: 0 success; 1 the run stopped early (a "
+static const char after[] =
+    "\n'gough VERB --help' describes each verb.\vExit status: 0 success; 1 the run stopped early "
+    "(a "
     "leg limit, a singular pose, no convergence; its results up to that time are complete) or "
     "there is no solution; 2 the study or the command line is invalid; 3 reading or writing "
     "failed.\n"
@@ -46,6 +28,24 @@ static const char text[] =
     "  gough check heave.yaml\n"
     "  gough forces heave.yaml -o heave.h5\n"
     "  gough plot heave.h5";
+
+/* The text of --help, with a line for each verb; an argument that may be left out without its brackets. */
+static char *make_text(void) {
+    char *text = NULL;
+    size_t length = 0;
+    FILE *stream = open_memstream(&text, &length);
+    if (!stream) out_of_memory();
+    fputs(before, stream);
+    for (size_t n = 0; verb_at(n); n++) {
+        const char *arguments = verb_at(n)->arguments + (*verb_at(n)->arguments == '[');
+        const int named = fprintf(stream, "  gough %s %.*s", verb_at(n)->name,
+                                  (int)strcspn(arguments, "]"), arguments);
+        fprintf(stream, "%*s%s\n", LIST_WIDTH + 2 - named, "", verb_at(n)->sentence);
+    }
+    fputs(after, stream);
+    if (fclose(stream) != 0) out_of_memory();
+    return text;
+}
 
 /* Opens /dev/null for a standard descriptor that is closed, in the mode that makes its use fail, so that no result file gets its
  * number. */
@@ -65,20 +65,22 @@ static void close_output(void) {
 }
 
 static error_t read_verb(int key, char *argument, struct argp_state *state) {
-    const verb **found = state->input;
+    const command_verb **found = state->input;
     if (key == ARGP_KEY_NO_ARGS) {
         argp_state_help(state, stderr, ARGP_HELP_USAGE | ARGP_HELP_DOC | ARGP_HELP_EXIT_ERR);
         return EINVAL;
     }
     if (key != ARGP_KEY_ARG) return ARGP_ERR_UNKNOWN;
 
-    const char *name[VERBS];
-    for (size_t i = 0; i < VERBS; i++) {
-        name[i] = verbs[i].name;
-        if (strcmp(argument, name[i]) == 0) *found = &verbs[i];
+    enum { MOST_VERBS = 40 };
+    const char *name[MOST_VERBS];
+    size_t verbs = 0;
+    for (; verbs < MOST_VERBS && verb_at(verbs); verbs++) {
+        name[verbs] = verb_at(verbs)->name;
+        if (strcmp(argument, name[verbs]) == 0) *found = verb_at(verbs);
     }
     if (!*found) {
-        const char *near = nearest_word(argument, name, VERBS);
+        const char *near = nearest_word(argument, name, verbs);
         usage_error(state,
                     near ? "there is no verb '%s'; did you mean '%s'?" : "there is no verb '%s'",
                     argument, near);
@@ -102,19 +104,20 @@ int main(int count, char **argument) {
     argp_program_version = "gough " GOUGH_VERSION;
     argp_err_exit_status = GOUGH_ERROR_INPUT;
 
-    const verb *found = NULL;
-    char name[] = "gough";
+    const command_verb *found = NULL;
+    char name[] = "gough", *text = make_text();
     const struct argp argp = {.parser = read_verb, .args_doc = "VERB ...", .doc = text};
     if (count > 0) argument[0] = name; /* not what the caller made of it */
     int leading = 1;                   /* options that stand before the verb */
     while (leading < count && argument[leading][0] == '-') leading++;
     refuse_strange_option(&argp, leading, argument);
     argp_parse(&argp, count, argument, ARGP_IN_ORDER, NULL, &found);
+    free(text);
 
     int first = 1; /* only options that end the process stand before the verb */
     while (first < count && strcmp(argument[first], found->name) != 0) first++;
     char title[32];
     snprintf(title, sizeof title, "gough %s", found->name);
     argument[first] = title;
-    return (int)found->run(count - first, argument + first);
+    return (int)verb_run(found, count - first, argument + first);
 }

@@ -2,7 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 
-#include "cli/common/command.h"
+#include "cli/common/option_values.h"
 #include "file.h"
 #include "report/sheet.h"
 

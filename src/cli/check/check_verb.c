@@ -4,30 +4,13 @@
 #include "cli/check/check_record.h"
 #include "cli/check/check_warnings.h"
 #include "cli/check/machine_view.h"
-#include "cli/common/command.h"
+#include "cli/common/in_and_out.h"
 #include "cli/common/json.h"
+#include "cli/common/talk.h"
 #include "cli/run/run_report.h"
 #include "cli/sweep/sweep_report.h"
 
 static const double DEGREES = 57.295779513082320877;
-
-static const struct argp_option option[] = {
-    {"json", OPTION_JSON, NULL, 0, "print the description as JSON", 0},
-    {"set", OPTION_SET, "KEY=VALUE", 0,
-     "override a key of the study, as in --set load.mass=2; may be repeated", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "validate the study and print errors only", 0},
-    {0}};
-
-static const verb_usage usage = {
-    .verb = "check",
-    .option = option,
-    .arguments = "STUDY",
-    .text = "Validate a study and describe its machine: leg lengths, condition and least singular "
-            "value at home, principal moments of inertia, dimensionless groups, range of the "
-            "program, control and simulation settings. Suspicious values are reported as "
-            "warnings.\vSTUDY is a study file, or - for standard input.",
-    .least_files = 1,
-    .most_files = 1};
 
 /* Everything that is printed, in the study's units; ranges in degrees where they are angles. */
 typedef struct check {
@@ -335,15 +318,32 @@ static gough_status check_study(const command_line *line, const gough_study *stu
     return GOUGH_OK;
 }
 
-gough_status check_verb(int count, char **argument) {
-    command_line line = command_line_read(&usage, count, argument);
+static gough_status run(const void *given) {
+    const command_line *line = given;
     gough_study *study = NULL;
-    gough_status status = read_study(&line, &study);
     gough_sweep *sweep = NULL;
-    if (!status && study->swept) status = read_sweep(&line, study, &sweep);
-    if (!status) status = check_study(&line, study, sweep);
+    gough_status status = read_study(line, line->file.word[0], &study);
+    if (!status && study->swept) status = read_sweep(line, study, &sweep);
+    if (!status) status = check_study(line, study, sweep);
     gough_sweep_free(sweep);
     gough_study_free(study);
-    command_line_free(&line);
     return status;
 }
+
+static const group_use groups[] = {USES_JSON, USES_SETTINGS, {0}};
+
+extern const command_verb check_verb;
+const command_verb check_verb = {
+    .name = "check",
+    .arguments = "STUDY",
+    .sentence = "validate a study and describe its machine",
+    .text = "Validate a study and describe its machine: leg lengths, condition and least singular "
+            "value at home, principal moments of inertia, dimensionless groups, range of the "
+            "program, control and simulation settings. Suspicious values are reported as "
+            "warnings.\vSTUDY is a study file, or - for standard input.",
+    .endings = "yaml yml",
+    .least_files = 1,
+    .most_files = 1,
+    .groups = groups,
+    .size = sizeof(command_line),
+    .run = run};

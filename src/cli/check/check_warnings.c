@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/common/command.h"
+#include "cli/common/talk.h"
 
 static const double DEGREES = 57.295779513082320877;
 

@@ -6,7 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/common/command.h"
+#include "cli/common/in_and_out.h"
+#include "cli/common/talk.h"
 
 static void say_messages(char *messages) {
     if (messages) {
@@ -76,14 +77,15 @@ gough_status check_overwriting(const char *verb, const char *output, const char 
 }
 
 gough_status check_distinct(const command_line *line) {
-    for (size_t i = 1; i < line->output_count; i++) {
-        const identity one = identity_of(line->outputs[i], STDOUT_FILENO);
+    for (size_t i = 1; i < line->outputs.count; i++) {
+        const identity one = identity_of(line->outputs.word[i], STDOUT_FILENO);
         for (size_t k = 0; k < i; k++) {
-            const identity other = identity_of(line->outputs[k], STDOUT_FILENO);
-            if (!same_file(&one, &other) && strcmp(line->outputs[i], line->outputs[k]) != 0)
+            const identity other = identity_of(line->outputs.word[k], STDOUT_FILENO);
+            if (!same_file(&one, &other) &&
+                strcmp(line->outputs.word[i], line->outputs.word[k]) != 0)
                 continue;
-            complain(line->verb, "the outputs '%s' and '%s' are the same file", line->outputs[k],
-                     line->outputs[i]);
+            complain(line->verb, "the outputs '%s' and '%s' are the same file",
+                     line->outputs.word[k], line->outputs.word[i]);
             return GOUGH_ERROR_INPUT;
         }
     }
@@ -93,8 +95,8 @@ gough_status check_distinct(const command_line *line) {
 /* ---- outputs ------------------------------------------------------------------------------------------------------ */
 
 bool writes_standard(const command_line *line) {
-    for (size_t i = 0; i < line->output_count; i++)
-        if (strcmp(line->outputs[i], "-") == 0) return true;
+    for (size_t i = 0; i < line->outputs.count; i++)
+        if (strcmp(line->outputs.word[i], "-") == 0) return true;
     return false;
 }
 
@@ -103,35 +105,62 @@ static bool ends_in(const char *path, const char *ending) {
     return dot && strcasecmp(dot, ending) == 0;
 }
 
+bool is_data(const char *path) {
+    return strcmp(path, "-") == 0 || ends_in(path, ".csv") || ends_in(path, ".h5");
+}
+
+bool is_picture(const char *path) {
+    return ends_in(path, ".png") || ends_in(path, ".svg") || ends_in(path, ".pdf");
+}
+
+/* Standard output cannot take a table and JSON; a file needs its folder. */
+static gough_status check_place(const command_line *line, const char *path) {
+    if (strcmp(path, "-") != 0) return check_folder(line->verb, path);
+    if (!line->json) return GOUGH_OK;
+    complain(line->verb, "'-o -' and --json both write to standard output; give -o a file");
+    return GOUGH_ERROR_INPUT;
+}
+
+gough_status check_data_and_pictures(const command_line *line) {
+    gough_status status = GOUGH_OK;
+    for (size_t i = 0; i < line->outputs.count && !status; i++) {
+        const char *path = line->outputs.word[i];
+        if (is_data(path) || is_picture(path)) {
+            status = check_place(line, path);
+        } else {
+            complain(line->verb,
+                     "-o takes a name that ends in .csv or .h5 (data) or in .png, .svg or .pdf "
+                     "(picture), or - for CSV on standard output; '%s' does not",
+                     path);
+            status = GOUGH_ERROR_INPUT;
+        }
+    }
+    return status ? status : check_distinct(line);
+}
+
 static gough_status check_one(const command_line *line, const char *path, const char *other) {
-    const bool standard = strcmp(path, "-") == 0;
     if (other && !ends_in(path, other)) {
         complain(line->verb, "a shard needs an output whose name ends in %s; '%s' does not", other,
                  path);
         return GOUGH_ERROR_INPUT;
     }
-    if (standard && line->json) {
-        complain(line->verb, "'-o -' and --json both write to standard output; give -o a file");
-        return GOUGH_ERROR_INPUT;
-    }
-    if (standard) return GOUGH_OK;
-    if (!other && !ends_in(path, ".h5") && !ends_in(path, ".csv")) {
+    if (!other && !is_data(path)) {
         complain(line->verb,
                  "-o needs a name that ends in .h5 or .csv, or - for CSV on standard output; '%s' "
                  "does not",
                  path);
         return GOUGH_ERROR_INPUT;
     }
-    return check_folder(line->verb, path);
+    return check_place(line, path);
 }
 
 gough_status check_output(const command_line *line, const char *other) {
-    if (other && line->output_count > 1) {
+    if (other && line->outputs.count > 1) {
         complain(line->verb, "a shard is written to one file; give -o once");
         return GOUGH_ERROR_INPUT;
     }
-    for (size_t i = 0; i < line->output_count; i++) {
-        const gough_status status = check_one(line, line->outputs[i], other);
+    for (size_t i = 0; i < line->outputs.count; i++) {
+        const gough_status status = check_one(line, line->outputs.word[i], other);
         if (status) return status;
     }
     return check_distinct(line);
@@ -140,12 +169,13 @@ gough_status check_output(const command_line *line, const char *other) {
 /* ---- studies ------------------------------------------------------------------------------------------------------ */
 
 /* No output is the study or its recorded motion. */
-static gough_status check_inputs(const command_line *line, const gough_study *study) {
-    const char *const input[] = {line->file[0], study->samples};
+static gough_status check_inputs(const command_line *line, const char *path,
+                                 const gough_study *study) {
+    const char *const input[] = {path, study->samples};
     const size_t inputs = study->samples ? 2 : 1;
     gough_status status = GOUGH_OK;
-    for (size_t i = 0; i < line->output_count && !status; i++)
-        status = check_overwriting(line->verb, line->outputs[i], input, inputs);
+    for (size_t i = 0; i < line->outputs.count && !status; i++)
+        status = check_overwriting(line->verb, line->outputs.word[i], input, inputs);
     return status;
 }
 
@@ -158,22 +188,22 @@ static void say_record(const command_line *line, const gough_record *record) {
     }
 }
 
-gough_status read_study(const command_line *line, gough_study **study) {
+gough_status read_study(const command_line *line, const char *path, gough_study **study) {
     char *messages = NULL;
     const gough_status status =
-        gough_study_read(line->file[0], line->settings, line->setting_count, study, &messages);
+        gough_study_read(path, line->settings.list, line->settings.count, study, &messages);
     if (status == GOUGH_ERROR_FILE && !messages) complain(line->verb, "out of memory");
     say_messages(messages);
     if (status) return status;
     say_record(line, (*study)->record);
-    return check_inputs(line, *study);
+    return check_inputs(line, path, *study);
 }
 
 gough_status read_sweep(const command_line *line, const gough_study *study, gough_sweep **sweep) {
     char *messages = NULL;
     const gough_status status =
-        gough_sweep_parse(study->name, study->text, strlen(study->text), line->settings,
-                          line->setting_count, sweep, &messages);
+        gough_sweep_parse(study->name, study->text, strlen(study->text), line->settings.list,
+                          line->settings.count, sweep, &messages);
     if (status == GOUGH_ERROR_FILE && !messages) complain(line->verb, "out of memory");
     say_messages(messages);
     return status;

@@ -3,11 +3,13 @@
 #define _GNU_SOURCE
 #include <signal.h>
 #include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/common/command.h"
+#include "cli/common/interrupt.h"
 
 enum { LONGEST = 1000 };
 

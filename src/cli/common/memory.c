@@ -8,7 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/common/command.h"
+#include "cli/common/memory.h"
+#include "gough/status.h"
 
 _Noreturn void out_of_memory(void) {
     static const char sentence[] = "gough: error: out of memory\n";

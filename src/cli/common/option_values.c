@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/common/command.h"
+#include "cli/common/option_values.h"
+#include "cli/common/talk.h"
 
 enum { MOST_VALUES = 10000 };
 

@@ -1,6 +1,7 @@
 /* A bar on the terminal, shown once a run has taken a second and wiped away at its end. */
 #define _GNU_SOURCE
-#include "cli/common/command.h"
+#include "cli/common/progress.h"
+#include "cli/common/talk.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* Messages on standard error, text of users in messages and summaries, and the nearest known word to a misspelled one. */
 #define _GNU_SOURCE
-#include "cli/common/command.h"
+#include "cli/common/talk.h"
 
 #include <stdarg.h>
 #include <stdlib.h>

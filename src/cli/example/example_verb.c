@@ -4,23 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/common/command.h"
+#include "cli/common/in_and_out.h"
+#include "cli/common/talk.h"
 #include "cli/example/embedded.h"
-
-static const struct argp_option option[] = {
-    {"output", OPTION_OUTPUT, "FILE", 0, "write the example to FILE instead of standard output", 0},
-    {"json", OPTION_JSON, NULL, 0, "print the list of examples as JSON", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
-    {0}};
-
-static const verb_usage usage = {
-    .verb = "example",
-    .option = option,
-    .arguments = "[NAME]",
-    .text = "Print an example study to start from; without NAME, list the examples.\vNAME without "
-            "an ending is a study, such as 'flight-simulator'; with one it is a file that belongs "
-            "to a study, such as 'ship-deck.awk', the script that computes its data.",
-    .most_files = 1};
 
 /* The name to type: without the ending of a study file. */
 static size_t stem_length(const embedded_file *file) {
@@ -92,30 +78,45 @@ static void complain_of_unknown(const char *name) {
         complain("example", "there is no example '%s'; 'gough example' lists them", name);
 }
 
-gough_status example_verb(int count, char **argument) {
-    command_line line = command_line_read(&usage, count, argument);
+static gough_status run(const void *given) {
+    const command_line *line = given;
     gough_status status = GOUGH_OK;
-    if (line.files == 0) {
-        status = list_examples(&line);
+    if (line->file.count == 0) return list_examples(line);
+    const embedded_file *file = find_example(line->file.word[0]);
+    gough_error error = {0};
+    if (!file) {
+        complain_of_unknown(line->file.word[0]);
+        status = GOUGH_ERROR_INPUT;
+    } else if (line->outputs.count == 0) {
+        fwrite(file->text, 1, file->length, stdout);
     } else {
-        const embedded_file *file = find_example(line.file[0]);
-        gough_error error = {0};
-        if (!file) {
-            complain_of_unknown(line.file[0]);
-            status = GOUGH_ERROR_INPUT;
-        } else if (line.output_count == 0) {
-            fwrite(file->text, 1, file->length, stdout);
-        } else {
-            status = check_distinct(&line);
-        }
-        for (size_t i = 0; i < line.output_count && !status; i++) {
-            status = gough_write_file(line.outputs[i], file->text, file->length, &error);
-            if (status)
-                complain("example", "%s", error.message);
-            else if (!line.quiet && strcmp(line.outputs[i], "-") != 0)
-                remark("example", "wrote %s", line.outputs[i]);
-        }
+        status = check_distinct(line);
     }
-    command_line_free(&line);
+    for (size_t i = 0; i < line->outputs.count && !status; i++) {
+        const char *path = line->outputs.word[i];
+        status = gough_write_file(path, file->text, file->length, &error);
+        if (status)
+            complain("example", "%s", error.message);
+        else if (!line->quiet && strcmp(path, "-") != 0)
+            remark("example", "wrote %s", path);
+    }
     return status;
 }
+
+static const group_use groups[] = {
+    USES_OUTPUT("write the example to FILE instead of standard output; may be given several times"),
+    USES_JSON,
+    {0}};
+
+extern const command_verb example_verb;
+const command_verb example_verb = {
+    .name = "example",
+    .arguments = "[NAME]",
+    .sentence = "print an example study to start from, or list them",
+    .text = "Print an example study to start from; without NAME, list the examples.\vNAME without "
+            "an ending is a study, such as 'flight-simulator'; with one it is a file that belongs "
+            "to a study, such as 'ship-deck.awk', the script that computes its data.",
+    .most_files = 1,
+    .groups = groups,
+    .size = sizeof(command_line),
+    .run = run};

@@ -4,26 +4,68 @@
 #include <string.h>
 #include <strings.h>
 
-#include "cli/common/command.h"
+#include "cli/common/in_and_out.h"
+#include "cli/common/interrupt.h"
+#include "cli/common/memory.h"
+#include "cli/common/talk.h"
 
-static const struct argp_option option[] = {
-    {"output", OPTION_OUTPUT, "FILE", 0,
-     "write to FILE: .png, .svg or .pdf (default: the first result with .png); may be given "
-     "several "
-     "times",
-     0},
-    {"figure", OPTION_FIGURE, "KIND", 0,
-     "kind of figure, one of those below (default: the one that suits the results)", 0},
-    {"columns", OPTION_COLUMNS, "A,B", 0, "draw these columns, separated by commas", 0},
-    {"from", OPTION_FROM, "T", 0, "start at this time", 0},
-    {"to", OPTION_TO, "T", 0, "end at this time", 0},
-    {"log", OPTION_LOG, NULL, 0, "draw magnitudes on a logarithmic axis", 0},
-    {"label", OPTION_LABEL, "TEXT", 0,
-     "name of a result in the key; give one for each result, in order", 0},
-    {"title", OPTION_TITLE, "TEXT", 0,
-     "heading of the figure (default: the title that the results share, if they do)", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
+/* What gough plot is asked for. */
+typedef struct plot_line {
+    command_line line;
+    struct plot_options {
+        gough_figure figure;
+        word_list label;
+    } plot;
+} plot_line;
+
+static void begin_plot(void *group) {
+    struct plot_options *plot = group;
+    plot->figure = gough_figure_default();
+}
+
+static void end_plot(void *group) {
+    struct plot_options *plot = group;
+    free(plot->label.word);
+}
+
+static void add_label(const struct argp_state *state, const option *o, const char *text,
+                      void *group) {
+    struct plot_options *plot = group;
+    (void)state, (void)o;
+    word_list_add(&plot->label, text);
+}
+
+#define FIGURE(member) offsetof(struct plot_options, figure.member)
+
+static const option plot_option[] = {
+    {.name = "figure",
+     .value = "KIND",
+     .choices = CHOICES_FIGURES,
+     .read = read_word,
+     .at = FIGURE(kind),
+     .text = "kind of figure, one of those below (default: the one that suits the results)"},
+    {.name = "columns",
+     .value = "A,B",
+     .read = read_word,
+     .at = FIGURE(columns),
+     .text = "draw these columns, separated by commas"},
+    {.name = "from",
+     .value = "T",
+     .read = read_time,
+     .at = FIGURE(from),
+     .text = "start at this time"},
+    {.name = "to", .value = "T", .read = read_time, .at = FIGURE(to), .text = "end at this time"},
+    {.name = "log",
+     .read = read_flag,
+     .at = FIGURE(logarithmic),
+     .text = "draw magnitudes on a logarithmic axis"},
+    {.name = "label",
+     .value = "TEXT",
+     .read = add_label,
+     .text = "name of a result in the key; give one for each result, in order"},
     {0}};
+
+static const option_group plot_group = {plot_option, begin_plot, end_plot};
 
 /* --help ends with the kinds of figure there are. */
 static char *list_kinds(int key, const char *text, void *input) {
@@ -43,19 +85,11 @@ static char *list_kinds(int key, const char *text, void *input) {
     return list;
 }
 
-static const verb_usage usage = {.verb = "plot",
-                                 .option = option,
-                                 .arguments = "RESULT...",
-                                 .text = "Draw results as PNG, SVG or PDF.\v-",
-                                 .least_files = 1,
-                                 .most_files = (size_t)-1,
-                                 .help_filter = list_kinds};
-
 static gough_status read_tables(const command_line *line, gough_table **table) {
     gough_error error = {0};
     gough_status status = GOUGH_OK;
-    for (size_t i = 0; i < line->files && !status; i++)
-        status = gough_table_read(line->file[i], &table[i], &error);
+    for (size_t i = 0; i < line->file.count && !status; i++)
+        status = gough_table_read(line->file.word[i], &table[i], &error);
     if (status) complain(line->verb, "%s", error.message);
     return status;
 }
@@ -63,8 +97,8 @@ static gough_status read_tables(const command_line *line, gough_table **table) {
 /* What can be known before the results are read. */
 static gough_status check_paths(const command_line *line) {
     gough_status status = GOUGH_OK;
-    for (size_t i = 0; i < line->output_count && !status; i++) {
-        const char *path = line->outputs[i], *ending = strrchr(path, '.');
+    for (size_t i = 0; i < line->outputs.count && !status; i++) {
+        const char *path = line->outputs.word[i], *ending = strrchr(path, '.');
         if (!ending || (strcasecmp(ending, ".png") != 0 && strcasecmp(ending, ".svg") != 0 &&
                         strcasecmp(ending, ".pdf") != 0)) {
             complain(line->verb, "-o needs a name that ends in .png, .svg or .pdf; '%s' does not",
@@ -72,52 +106,83 @@ static gough_status check_paths(const command_line *line) {
             return GOUGH_ERROR_INPUT;
         }
         status = check_folder(line->verb, path);
-        if (!status) status = check_overwriting(line->verb, path, line->file, line->files);
+        if (!status)
+            status = check_overwriting(line->verb, path, line->file.word, line->file.count);
     }
     return status ? status : check_distinct(line);
 }
 
-static gough_status draw(const command_line *line, gough_table **table) {
+static gough_status draw(const command_line *line, const struct plot_options *plot,
+                         gough_table **table) {
     gough_error error = {0};
     gough_status status = read_tables(line, table);
-    const char **label = calloc(line->files, sizeof *label);
-    if (!status && !label) {
-        complain(line->verb, "out of memory");
-        status = GOUGH_ERROR_FILE;
-    }
-    for (size_t i = 0; label && i < line->labels; i++) label[i] = line->label[i];
-    for (size_t i = 0; i < line->output_count && !status; i++) {
-        interrupt_outputs(line->verb, line->outputs, line->output_count, i);
-        status = gough_figure_draw(&line->figure, (const gough_table *const *)table, label,
-                                   line->files, line->outputs[i], &error);
+    const char **label = allocate(line->file.count * sizeof *label);
+    for (size_t i = 0; i < line->file.count; i++)
+        label[i] = i < plot->label.count ? plot->label.word[i] : NULL;
+    for (size_t i = 0; i < line->outputs.count && !status; i++) {
+        const char *path = line->outputs.word[i];
+        interrupt_outputs(line->verb, line->outputs.word, line->outputs.count, i);
+        status = gough_figure_draw(&plot->figure, (const gough_table *const *)table, label,
+                                   line->file.count, path, &error);
         if (status)
             complain(line->verb, "%s", error.message);
         else if (!line->quiet)
-            remark(line->verb, "wrote %s", line->outputs[i]);
+            remark(line->verb, "wrote %s", path);
     }
     free(label);
     return status;
 }
 
-gough_status plot_verb(int count, char **argument) {
-    command_line line = command_line_read(&usage, count, argument);
-    gough_status status = GOUGH_ERROR_FILE;
-    char *path = line.output_count ? NULL : output_beside(line.file[0], ".png", "figure.png");
-    gough_table **table = calloc(line.files, sizeof *table);
-    if (path) line.outputs[line.output_count++] = path;
-    if (!table || line.output_count == 0) {
-        complain(line.verb, "out of memory");
-    } else if (line.labels > line.files) {
-        complain(line.verb, "%zu labels are given for %zu result%s", line.labels, line.files,
-                 line.files == 1 ? "" : "s");
-        status = GOUGH_ERROR_INPUT;
-    } else {
-        status = check_paths(&line);
-        if (!status) status = draw(&line, table);
-        for (size_t i = 0; i < line.files; i++) gough_table_free(table[i]);
+static gough_status check_labels(const command_line *line, size_t labels) {
+    const size_t files = line->file.count;
+    if (labels <= files) return GOUGH_OK;
+    complain(line->verb, "%zu labels are given for %zu result%s", labels, files,
+             files == 1 ? "" : "s");
+    return GOUGH_ERROR_INPUT;
+}
+
+static gough_status run(const void *given) {
+    const plot_line *asked = given;
+    command_line line = asked->line;
+    const char *beside[1];
+    char *path = NULL;
+    gough_status status = check_labels(&line, asked->plot.label.count);
+    if (status) return status;
+    if (line.outputs.count == 0) {
+        path = output_beside(line.file.word[0], ".png", "figure.png");
+        if (!path) out_of_memory();
+        beside[0] = path;
+        line.outputs = (word_list){beside, 1};
     }
-    free(table);
+    status = check_paths(&line);
+    if (!status) {
+        gough_table **table = calloc(line.file.count, sizeof *table);
+        if (!table) out_of_memory();
+        status = draw(&line, &asked->plot, table);
+        for (size_t i = 0; i < line.file.count; i++) gough_table_free(table[i]);
+        free(table);
+    }
     free(path);
-    command_line_free(&line);
     return status;
 }
+
+static const group_use groups[] = {
+    USES_OUTPUT("write to FILE: .png, .svg or .pdf (default: the first result with .png); may be "
+                "given several times"),
+    USES(plot_group, plot_line, plot, NULL),
+    USES(title_group, plot_line, plot.figure.title,
+         "heading of the figure (default: the title that the results share, if they do)"),
+    {0}};
+
+extern const command_verb plot_verb;
+const command_verb plot_verb = {.name = "plot",
+                                .arguments = "RESULT...",
+                                .sentence = "figures as PNG, SVG or PDF",
+                                .text = "Draw results as PNG, SVG or PDF.\v-",
+                                .endings = "h5 csv",
+                                .least_files = 1,
+                                .most_files = (size_t)-1,
+                                .groups = groups,
+                                .size = sizeof(plot_line),
+                                .run = run,
+                                .help_filter = list_kinds};

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "cli/common/json.h"
+#include "cli/common/memory.h"
+#include "cli/common/talk.h"
 #include "cli/report/page_study.h"
 #include "cli/stability/stability_report.h"
 

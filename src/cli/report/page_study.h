@@ -4,7 +4,7 @@
 
 #include <jansson.h>
 
-#include "cli/common/command.h"
+#include "cli/common/verb.h"
 
 /* carried inside the command; length 0 where it was built without the page */
 gough_page_template page_template(void);

@@ -5,30 +5,11 @@
 #include <string.h>
 #include <strings.h>
 
-#include "cli/common/command.h"
+#include "cli/common/in_and_out.h"
+#include "cli/common/interrupt.h"
+#include "cli/common/memory.h"
+#include "cli/common/talk.h"
 #include "cli/report/page_study.h"
-
-static const struct argp_option option[] = {
-    {"output", OPTION_OUTPUT, "FILE", 0,
-     "write to FILE, whose name ends in .html (default: the first study with .html); may be given "
-     "several times",
-     0},
-    {"set", OPTION_SET, "KEY=VALUE", 0,
-     "override a key of every study, as in --set control.stiffness=50; may be repeated", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
-    {0}};
-
-static const verb_usage usage = {
-    .verb = "report",
-    .option = option,
-    .arguments = "STUDY...",
-    .text =
-        "Write studies as one HTML page: the machine moving in 3D, curves, numbers, and a live "
-        "simulation.\vSTUDY is a study file, or - for standard input; several are compared. The "
-        "page is one file that needs no network, so it can be sent by e-mail and opened in any "
-        "browser. If a run ends early, the page shows when and why, and the exit status is 1.",
-    .least_files = 1,
-    .most_files = 64};
 
 /* What can be known before the studies are run. */
 static gough_status check_path(const char *verb, const char *path) {
@@ -46,13 +27,11 @@ static gough_status check_path(const char *verb, const char *path) {
 /* Every study into the list; the worst status, GOUGH_ERROR_NUMERICAL where runs ended early. */
 static gough_status add_studies(const command_line *line, json_t *studies) {
     gough_status worst = GOUGH_OK;
-    for (size_t i = 0; i < line->files && worst <= GOUGH_ERROR_NUMERICAL; i++) {
-        command_line one = *line;
-        one.file = &line->file[i];
+    for (size_t i = 0; i < line->file.count && worst <= GOUGH_ERROR_NUMERICAL; i++) {
         gough_study *study = NULL;
         json_t *object = NULL;
-        gough_status status = read_study(&one, &study);
-        if (!status) status = page_study(&one, study, &object);
+        gough_status status = read_study(line, line->file.word[i], &study);
+        if (!status) status = page_study(line, study, &object);
         if (object) json_array_append_new(studies, object);
         gough_study_free(study);
         if (status > worst) worst = status;
@@ -66,9 +45,9 @@ static gough_status write_pages(const command_line *line, json_t *data) {
     char *text = json_dumps(data, JSON_COMPACT | JSON_PRESERVE_ORDER | JSON_REAL_PRECISION(17));
     gough_status status = GOUGH_OK;
     if (!text) status = gough_fail(&error, GOUGH_ERROR_FILE, "out of memory");
-    for (size_t i = 0; i < line->output_count && !status; i++) {
-        const char *path = line->outputs[i];
-        interrupt_outputs(line->verb, line->outputs, line->output_count, i);
+    for (size_t i = 0; i < line->outputs.count && !status; i++) {
+        const char *path = line->outputs.word[i];
+        interrupt_outputs(line->verb, line->outputs.word, line->outputs.count, i);
         status = gough_page_write(&page, text, strlen(text), path, &error);
         if (!status && !line->quiet && strcmp(path, "-") != 0) remark(line->verb, "wrote %s", path);
     }
@@ -79,10 +58,11 @@ static gough_status write_pages(const command_line *line, json_t *data) {
 
 static gough_status check_paths(const command_line *line) {
     gough_status status = GOUGH_OK;
-    for (size_t i = 0; i < line->output_count && !status; i++) {
-        status = check_path(line->verb, line->outputs[i]);
+    for (size_t i = 0; i < line->outputs.count && !status; i++) {
+        status = check_path(line->verb, line->outputs.word[i]);
         if (!status)
-            status = check_overwriting(line->verb, line->outputs[i], line->file, line->files);
+            status = check_overwriting(line->verb, line->outputs.word[i], line->file.word,
+                                       line->file.count);
     }
     if (!status) status = check_distinct(line);
     if (!status && page_template().length == 0) {
@@ -108,19 +88,42 @@ static gough_status run_and_write(const command_line *line) {
     return status;
 }
 
-gough_status report_verb(int count, char **argument) {
-    command_line line = command_line_read(&usage, count, argument);
-    char *path = line.output_count ? NULL : output_beside(line.file[0], ".html", "report.html");
-    gough_status status = GOUGH_ERROR_FILE;
-    if (path) line.outputs[line.output_count++] = path;
-    if (line.output_count == 0) {
-        complain(line.verb, "out of memory");
-    } else {
-        status = check_paths(&line);
-        interrupt_outputs(line.verb, line.outputs, line.output_count, 0);
-        if (!status) status = run_and_write(&line);
+static gough_status run(const void *given) {
+    command_line line = *(const command_line *)given;
+    const char *beside[1];
+    char *path = NULL;
+    if (line.outputs.count == 0) {
+        path = output_beside(line.file.word[0], ".html", "report.html");
+        if (!path) out_of_memory();
+        beside[0] = path;
+        line.outputs = (word_list){beside, 1};
     }
+    gough_status status = check_paths(&line);
+    interrupt_outputs(line.verb, line.outputs.word, line.outputs.count, 0);
+    if (!status) status = run_and_write(&line);
     free(path);
-    command_line_free(&line);
     return status;
 }
+
+static const group_use groups[] = {
+    USES_OUTPUT("write to FILE, whose name ends in .html (default: the first study with .html); "
+                "may be given several times"),
+    USES_SETTINGS,
+    {0}};
+
+extern const command_verb report_verb;
+const command_verb report_verb = {
+    .name = "report",
+    .arguments = "STUDY...",
+    .sentence = "everything about a study on one HTML page",
+    .text =
+        "Write studies as one HTML page: the machine moving in 3D, curves, numbers, and a live "
+        "simulation.\vSTUDY is a study file, or - for standard input; several are compared. The "
+        "page is one file that needs no network, so it can be sent by e-mail and opened in any "
+        "browser. If a run ends early, the page shows when and why, and the exit status is 1.",
+    .endings = "yaml yml",
+    .least_files = 1,
+    .most_files = 64,
+    .groups = groups,
+    .size = sizeof(command_line),
+    .run = run};

@@ -4,8 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/common/command.h"
 #include "cli/common/scale.h"
+#include "cli/common/talk.h"
+#include "cli/run/growth.h"
 #include "cli/run/run_report.h"
 
 static const double TENFOLD = 2.302585092994045684; /* log 10 */

@@ -1,6 +1,6 @@
 /* The summary of forces and simulate for reading: two tables over the legs, then what holds for the run. */
 #include "cli/run/run_report.h"
-#include "cli/common/command.h"
+#include "cli/common/talk.h"
 
 #include "cli/common/scale.h"
 #include "cli/run/limits_used.h"

@@ -4,8 +4,42 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/common/command.h"
+#include "cli/common/in_and_out.h"
+#include "cli/common/interrupt.h"
+#include "cli/common/progress.h"
+#include "cli/common/talk.h"
+#include "cli/run/growth.h"
 #include "cli/run/run_report.h"
+#include "cli/run/run_study.h"
+
+/* ---- options ------------------------------------------------------------------------------------------------------ */
+
+static void read_precision(const struct argp_state *state, const option *o, const char *text,
+                           void *group) {
+    run_options *run = group;
+    (void)o;
+    if (strcmp(text, "double") == 0)
+        run->precision = GOUGH_DOUBLE;
+    else if (strcmp(text, "quad") == 0)
+        run->precision = GOUGH_QUADRUPLE;
+    else
+        usage_error(state, "--precision takes double or quad; got '%s'", text);
+}
+
+static const option run_option[] = {{.name = "precision",
+                                     .value = "double|quad",
+                                     .choices = "double quad",
+                                     .read = read_precision,
+                                     .text = "compute with 16 or 33 digits (default: double)"},
+                                    {.name = "reactions",
+                                     .read = read_flag,
+                                     .at = offsetof(run_options, reactions),
+                                     .text = "add the constraint reactions to the table"},
+                                    {0}};
+
+const option_group run_group = {run_option, NULL, NULL};
+
+/* ---- the run ------------------------------------------------------------------------------------------------------ */
 
 /* Rows on their way into table and summary. */
 typedef struct running {
@@ -53,9 +87,9 @@ static gough_status write_tables(const command_line *line, const gough_result *r
     gough_error error = {0};
     gough_status status = GOUGH_OK;
     fflush(stdout);
-    for (size_t i = 0; i < line->output_count && !status; i++) {
-        interrupt_outputs(line->verb, line->outputs, line->output_count, i);
-        status = gough_result_write(result, line->outputs[i], &error);
+    for (size_t i = 0; i < line->outputs.count && !status; i++) {
+        interrupt_outputs(line->verb, line->outputs.word, line->outputs.count, i);
+        status = gough_result_write(result, line->outputs.word[i], &error);
     }
     if (status) complain(line->verb, "%s", error.message);
     return status;
@@ -72,7 +106,6 @@ gough_status run_report_fill(run_report *report, const command_line *line, gough
                              gough_error *error) {
     const gough_study *study = report->study;
     gough_simulation simulation = study->simulation;
-    if (line->precision == GOUGH_QUADRUPLE) simulation.precision = GOUGH_QUADRUPLE;
 
     running run = {.report = report, .result = result};
     gough_summary_begin(&report->summary); /* where the run is refused */
@@ -103,8 +136,8 @@ gough_status run_report_fill(run_report *report, const command_line *line, gough
     return status;
 }
 
-static gough_status run_study(const command_line *line, const gough_study *study,
-                              run_report *report) {
+static gough_status run_and_report(const command_line *line, run_report *report) {
+    const gough_study *study = report->study;
     gough_error error = {0};
     gough_status status = gough_units_of_study(study, line->dimensionless, &report->units, &error);
     if (status) {
@@ -112,21 +145,21 @@ static gough_status run_study(const command_line *line, const gough_study *study
         return status;
     }
     gough_result *result = NULL;
-    if (line->output && !(result = gough_result_new(study, line->verb, &report->units))) {
+    if (line->outputs.count && !(result = gough_result_new(study, line->verb, &report->units))) {
         complain(line->verb, "out of memory");
         return GOUGH_ERROR_FILE;
     }
     if (report->simulated && !line->quiet) remark_growth(line->verb, study, &report->units);
 
-    interrupt_outputs(line->verb, line->outputs, line->output_count, 0);
+    interrupt_outputs(line->verb, line->outputs.word, line->outputs.count, 0);
     status = run_report_fill(report, line, result, &error);
     if (status == GOUGH_ERROR_FILE) {
         complain(line->verb, "%s", error.message);
     } else if (status == GOUGH_OK || status == GOUGH_ERROR_NUMERICAL) {
         run_report_scale(report);
         const gough_status written = result ? write_tables(line, result) : GOUGH_OK;
-        report->output = line->outputs;
-        report->outputs = written ? 0 : line->output_count;
+        report->output = line->outputs.word;
+        report->outputs = written ? 0 : line->outputs.count;
         const gough_status printed = print_summary(line, report);
         if (!line->quiet) remark_stiffness(line->verb, report);
         explain_end(line, report);
@@ -138,19 +171,19 @@ static gough_status run_study(const command_line *line, const gough_study *study
     return status;
 }
 
-gough_status run_verb(const verb_usage *usage, bool simulated, int count, char **argument) {
-    command_line line = command_line_read(usage, count, argument);
-    run_report report = {.verb = usage->verb, .simulated = simulated, .all = line.all};
+gough_status run_study(const run_line *run, bool simulated) {
+    const command_line *line = &run->line;
+    run_report report = {.verb = line->verb, .simulated = simulated, .all = run->all};
     gough_study *study = NULL;
-    gough_status status = check_output(&line, NULL);
-    if (!status) status = read_study(&line, &study);
+    gough_status status = check_output(line, NULL);
+    if (!status) status = read_study(line, line->file.word[0], &study);
     if (!status) {
-        study->simulation.reactions |= line.reactions; /* tables have columns by this too */
+        study->simulation.reactions |= run->run.reactions; /* tables have columns by this too */
+        if (run->run.precision == GOUGH_QUADRUPLE) study->simulation.precision = GOUGH_QUADRUPLE;
         report.study = study;
-        status = run_study(&line, study, &report);
+        status = run_and_report(line, &report);
     }
     free(report.crossings.list);
     gough_study_free(study);
-    command_line_free(&line);
     return status;
 }

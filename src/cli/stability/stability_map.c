@@ -1,65 +1,32 @@
 /* gough stability --sweep-stiffness: the stability map, its tongues, its data and its pictures. */
 #define _GNU_SOURCE
 #include "cli/stability/stability_map.h"
+#include "cli/common/in_and_out.h"
+#include "cli/common/interrupt.h"
+#include "cli/common/progress.h"
 #include "cli/common/scale.h"
+#include "cli/common/talk.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 enum { MOST_POINTS = 4000000 }; /* some 300 MB */
 
 /* ---- outputs ----------------------------------------------------------------------------------------------------- */
 
-static bool ends_in(const char *path, const char *const *ending, size_t count) {
-    const char *dot = strrchr(path, '.');
-    for (size_t i = 0; dot && i < count; i++)
-        if (strcasecmp(dot, ending[i]) == 0) return true;
-    return false;
-}
-
-static bool is_data(const char *path) {
-    return strcmp(path, "-") == 0 || ends_in(path, (const char *const[]){".csv", ".h5"}, 2);
-}
-
-static bool is_picture(const char *path) {
-    return ends_in(path, (const char *const[]){".png", ".svg", ".pdf"}, 3);
-}
-
-/* What can be known before the work. */
-static gough_status check_outputs(const command_line *line) {
-    for (size_t i = 0; i < line->output_count; i++) {
-        const char *path = line->outputs[i];
-        if (!is_data(path) && !is_picture(path)) {
-            complain(line->verb,
-                     "-o takes a name that ends in .csv or .h5 (data) or in .png, .svg or .pdf "
-                     "(picture), or - for CSV on standard output; '%s' does not",
-                     path);
-            return GOUGH_ERROR_INPUT;
-        }
-        if (strcmp(path, "-") != 0) {
-            const gough_status status = check_folder(line->verb, path);
-            if (status) return status;
-        } else if (line->json) {
-            complain(line->verb, "'-o -' and --json both write to standard output; give -o a file");
-            return GOUGH_ERROR_INPUT;
-        }
-    }
-    return GOUGH_OK;
-}
-
-static gough_status write_outputs(const command_line *line, const map_report *report,
+static gough_status write_outputs(const stability_line *asked, const map_report *report,
                                   FILE *stream) {
-    for (size_t i = 0; i < line->output_count; i++) {
-        const char *path = line->outputs[i];
+    const command_line *line = &asked->line;
+    for (size_t i = 0; i < line->outputs.count; i++) {
+        const char *path = line->outputs.word[i];
         gough_error error = {0};
-        const gough_map_figure figure = {.title = line->figure.title ? line->figure.title
-                                                                     : report->study->title,
+        const gough_map_figure figure = {.title =
+                                             asked->title ? asked->title : report->study->title,
                                          .units = report->units,
                                          .rest = report->rest};
         fflush(stdout);
-        interrupt_outputs(line->verb, line->outputs, line->output_count, i);
+        interrupt_outputs(line->verb, line->outputs.word, line->outputs.count, i);
         const gough_status status =
             is_data(path) ? map_write(report, path, &error)
                           : gough_map_draw(&report->options, &report->map, &figure, path, &error);
@@ -77,21 +44,56 @@ static gough_status write_outputs(const command_line *line, const map_report *re
 
 /* ---- options ----------------------------------------------------------------------------------------------------- */
 
+/* The second axes; the first is the stiffness. */
+static const struct {
+    const char *option;
+    gough_map_axis axis;
+} second_axes[] = {{"sweep-amplitude", GOUGH_MAP_AMPLITUDE},
+                   {"sweep-frequency", GOUGH_MAP_FREQUENCY},
+                   {"sweep-damping", GOUGH_MAP_DAMPING}};
+
+static void read_map_axis(const struct argp_state *state, const option *o, const char *text,
+                          void *group) {
+    struct map_options *map = group;
+    axis_values *axis = strcmp(o->name, "sweep-stiffness") == 0 ? &map->stiffness : &map->second;
+    gough_error error = {0};
+    if (axis->option && strcmp(axis->option, o->name) != 0)
+        usage_error(state, "a map has at most two axes: --sweep-stiffness and one of "
+                           "--sweep-amplitude, --sweep-frequency and --sweep-damping");
+    if (!read_axis(o->name, text, axis, &error)) usage_error(state, "%s", error.message);
+    axis->option = o->name;
+}
+
+static const option map_option[] = {
+    {.name = "sweep-stiffness",
+     .value = "A:B:N[:log]",
+     .read = read_map_axis,
+     .text = "compute the stability map over the stiffness G, the same in all legs: N values from "
+             "A to B in equal steps, or in equal ratios with :log"},
+    {.name = "sweep-amplitude",
+     .value = "A:B:N[:log]",
+     .read = read_map_axis,
+     .text = "second axis of the map: a factor on the motion"},
+    {.name = "sweep-frequency",
+     .value = "A:B:N[:log]",
+     .read = read_map_axis,
+     .text = "second axis: a factor on the motion's frequency"},
+    {.name = "sweep-damping",
+     .value = "A:B:N[:log]",
+     .read = read_map_axis,
+     .text = "second axis: the damping D, the same in all legs"},
+    {0}};
+
+const option_group map_group = {map_option, NULL, NULL};
+
 static gough_map_range range_of(const axis_values *values) {
     return (gough_map_range){values->from, values->to, values->count, values->logarithmic};
 }
 
-static gough_map_axis axis_of(int option) {
-    switch (option) {
-    case OPTION_SWEEP_AMPLITUDE:
-        return GOUGH_MAP_AMPLITUDE;
-    case OPTION_SWEEP_FREQUENCY:
-        return GOUGH_MAP_FREQUENCY;
-    case OPTION_SWEEP_DAMPING:
-        return GOUGH_MAP_DAMPING;
-    default:
-        return GOUGH_MAP_NONE;
-    }
+static gough_map_axis axis_of(const char *name) {
+    for (size_t i = 0; name && i < sizeof second_axes / sizeof *second_axes; i++)
+        if (strcmp(name, second_axes[i].option) == 0) return second_axes[i].axis;
+    return GOUGH_MAP_NONE;
 }
 
 static int look(void *context, double done) {
@@ -200,31 +202,30 @@ static void find_thresholds(map_report *report) {
     }
 }
 
-static gough_status tell(const command_line *line, map_report *report) {
-    bool standard = false;
-    for (size_t i = 0; i < line->output_count; i++)
-        standard = standard || strcmp(line->outputs[i], "-") == 0;
-    FILE *stream = line->quiet || line->json ? NULL : standard ? stderr : stdout;
+static gough_status tell(const stability_line *asked, map_report *report) {
+    const command_line *line = &asked->line;
+    FILE *stream = line->quiet || line->json ? NULL : writes_standard(line) ? stderr : stdout;
     int failed = 0;
     if (line->json) failed = map_print_json(report);
-    if (stream) map_print(stream, report, line->output_count == 0);
-    const gough_status status = write_outputs(line, report, stream);
+    if (stream) map_print(stream, report, line->outputs.count == 0);
+    const gough_status status = write_outputs(asked, report, stream);
     return failed ? GOUGH_ERROR_FILE : status;
 }
 
-gough_status stability_map(const command_line *line, const gough_study *study) {
+gough_status stability_map(const stability_line *asked, const gough_study *study) {
+    const command_line *line = &asked->line;
     map_report report = {.verb = line->verb, .study = study};
     gough_error error = {0};
-    gough_status status = check_outputs(line);
+    gough_status status = check_data_and_pictures(line);
     if (status) return status;
     report.options = gough_map_options_default();
-    report.options.stiffness = range_of(&line->stiffness);
-    report.options.axis = axis_of(line->second.key);
-    report.options.second = range_of(&line->second);
-    report.options.lanes = line->lanes;
-    report.options.threads = line->threads;
+    report.options.stiffness = range_of(&asked->map.stiffness);
+    report.options.axis = axis_of(asked->map.second.option);
+    report.options.second = range_of(&asked->map.second);
+    report.options.lanes = asked->lanes;
+    report.options.threads = asked->threads;
     report.rows = gough_map_rows(&report.options);
-    interrupt_outputs(line->verb, line->outputs, line->output_count, 0);
+    interrupt_outputs(line->verb, line->outputs.word, line->outputs.count, 0);
     status = gough_units_of_study(study, line->dimensionless, &report.units, &error);
     if (!status) status = find(line, &report, &error);
     if (status) {
@@ -233,7 +234,7 @@ gough_status stability_map(const command_line *line, const gough_study *study) {
         find_thresholds(&report);
         report.own_row = find_own_row(&report);
         scale_map(&report);
-        status = tell(line, &report);
+        status = tell(asked, &report);
     }
     free(report.map.point);
     free(report.map.row);

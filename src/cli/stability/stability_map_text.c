@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/common/command.h"
 #include "cli/common/json.h"
+#include "cli/common/talk.h"
 #include "cli/run/run_report.h"
 #include "cli/stability/stability_map.h"
 

@@ -5,7 +5,8 @@
 #include <jansson.h>
 #include <stdio.h>
 
-#include "cli/common/command.h"
+#include "cli/common/option_values.h"
+#include "cli/common/verb.h"
 #include "gough/gough.h"
 
 /* Numbers are in the units of the output once stability_scale() has seen them; shapes have angles in radians. */
@@ -46,8 +47,24 @@ typedef struct stability_matrix {
 /* The answer as one JSON object; matrix may be NULL. */
 json_t *stability_json(const stability_report *report, const stability_matrix *matrix);
 
+/* What gough stability is asked for. */
+typedef struct stability_line {
+    command_line line;
+    struct loop_options {
+        bool posed, matrix;
+        double pose[GOUGH_COMPONENTS]; /* lengths and degrees, from home */
+        double at;                     /* NaN: not asked for */
+    } loop;
+    struct map_options {
+        axis_values stiffness, second;
+    } map;
+    int threads, lanes;
+    const char *title;
+} stability_line;
+
 /* The stability map of --sweep-stiffness (stability_map.c). */
-gough_status stability_map(const command_line *line, const gough_study *study);
+extern const option_group map_group; /* struct map_options */
+gough_status stability_map(const stability_line *asked, const gough_study *study);
 
 /* ---- mode_words.c: modes in words ---- */
 

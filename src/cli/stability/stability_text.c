@@ -2,9 +2,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/common/command.h"
 #include "cli/common/paragraph.h"
 #include "cli/common/scale.h"
+#include "cli/common/talk.h"
 #include "cli/run/run_report.h"
 #include "cli/stability/stability_report.h"
 

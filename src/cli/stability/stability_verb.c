@@ -4,63 +4,65 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/common/in_and_out.h"
 #include "cli/common/json.h"
+#include "cli/common/memory.h"
 #include "cli/common/scale.h"
+#include "cli/common/talk.h"
 #include "cli/stability/stability_report.h"
 
 static const double DEGREES = 57.295779513082320877;
 
-static const struct argp_option option[] = {
-    {"output", OPTION_OUTPUT, "FILE", 0,
-     "write a map to FILE, as data (.csv, .h5; - is CSV on standard output) or as a picture (.png, "
-     ".svg, .pdf); may be given several times",
-     0},
-    {"json", OPTION_JSON, NULL, 0, "print the results as JSON", 0},
-    {"set", OPTION_SET, "KEY=VALUE", 0,
-     "override a key of the study, as in --set control.stiffness=2; may be repeated", 0},
-    {"pose", OPTION_POSE, "C=X,...", 0,
-     "stability at rest in this pose, given by its components from home (angles in degrees), as in "
-     "heave=0.1,yaw=10; the program is ignored",
-     0},
-    {"matrix", OPTION_MATRIX, NULL, 0,
-     "print only the matrix of the linearised loop at rest, as CSV; with --json, add it to the "
-     "object",
-     0},
-    {"at", OPTION_AT, "T", 0, "with --matrix: about the program at time T", 0},
-    {"sweep-stiffness", OPTION_SWEEP_STIFFNESS, "A:B:N[:log]", 0,
-     "compute the stability map over the stiffness G, the same in all legs: N values from A to B "
-     "in equal steps, or in equal ratios with :log",
-     0},
-    {"sweep-amplitude", OPTION_SWEEP_AMPLITUDE, "A:B:N[:log]", 0,
-     "second axis of the map: a factor on the motion", 0},
-    {"sweep-frequency", OPTION_SWEEP_FREQUENCY, "A:B:N[:log]", 0,
-     "second axis: a factor on the motion's frequency", 0},
-    {"sweep-damping", OPTION_SWEEP_DAMPING, "A:B:N[:log]", 0,
-     "second axis: the damping D, the same in all legs", 0},
-    {"threads", OPTION_THREADS, "N", 0, "threads for a map (default: one for each processor)", 0},
-    {"lanes", OPTION_LANES, "N", 0,
-     "points of a map computed side by side: 1, 2, 4 or 8 (default: as many as the processor "
-     "supports)",
-     0},
-    {"title", OPTION_TITLE, "TEXT", 0, "heading of the picture (default: the study's title)", 0},
-    {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
-     "print results in units of R_b, M and sqrt(R_b/g)", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
+/* ---- options ----------------------------------------------------------------------------------------------------- */
+
+static void read_pose_option(const struct argp_state *state, const option *o, const char *text,
+                             void *group) {
+    struct loop_options *loop = group;
+    gough_error error = {0};
+    (void)o;
+    loop->posed = true;
+    if (!read_pose(text, loop->pose, &error)) usage_error(state, "%s", error.message);
+}
+
+static void begin_loop(void *group) {
+    struct loop_options *loop = group;
+    loop->at = NAN;
+}
+
+static const option loop_option[] = {
+    {.name = "pose",
+     .value = "C=X,...",
+     .read = read_pose_option,
+     .text = "stability at rest in this pose, given by its components from home (angles in "
+             "degrees), as in heave=0.1,yaw=10; the program is ignored"},
+    {.name = "matrix",
+     .read = read_flag,
+     .at = offsetof(struct loop_options, matrix),
+     .text = "print only the matrix of the linearised loop at rest, as CSV; with --json, add it to "
+             "the object"},
+    {.name = "at",
+     .value = "T",
+     .read = read_time,
+     .at = offsetof(struct loop_options, at),
+     .text = "with --matrix: about the program at time T"},
     {0}};
 
-static const verb_usage usage = {
-    .verb = "stability",
-    .option = option,
-    .arguments = "STUDY",
-    .text = "Determine whether the control law holds the platform: eigenvalues and modes at rest, "
-            "the least stiffness G that each mode needs, Floquet multipliers along a periodic "
-            "program.\vThe loop is linearised exactly: about rest at home or in --pose, and about "
-            "the program over one period, which is found from its formulas or given as "
-            "motion.period. With --sweep-stiffness it computes a map of stability and lists the "
-            "resonance tongues, in which a stiffer loop is unstable again. An unstable loop is a "
-            "valid result: the exit status is 0.",
-    .least_files = 1,
-    .most_files = 1};
+static const option_group loop_group = {loop_option, begin_loop, NULL};
+
+static const group_use groups[] = {
+    USES_OUTPUT("write a map to FILE, as data (.csv, .h5; - is CSV on standard output) or as a "
+                "picture (.png, .svg, .pdf); may be given several times"),
+    USES_JSON,
+    USES_SETTINGS,
+    USES(loop_group, stability_line, loop, NULL),
+    USES(map_group, stability_line, map, NULL),
+    USES(threads_group, stability_line, threads, NULL),
+    USES(lanes_group, stability_line, lanes,
+         "points of a map computed side by side: 1, 2, 4 or 8 (default: as many as the processor "
+         "supports)"),
+    USES(title_group, stability_line, title, "heading of the picture (default: the study's title)"),
+    USES_DIMENSIONLESS("print results in units of R_b, M and sqrt(R_b/g)"),
+    {0}};
 
 /* ---- units ------------------------------------------------------------------------------------------------------- */
 
@@ -208,18 +210,18 @@ gough_status stability_find(stability_report *report, gough_error *error) {
 /* ---- the matrix -------------------------------------------------------------------------------------------------- */
 
 /* At rest, or about the program at a time. */
-static gough_status find_matrix(const command_line *line, const gough_study *study,
+static gough_status find_matrix(const struct loop_options *loop, const gough_study *study,
                                 const gough_units *units, stability_matrix *matrix,
                                 gough_error *error) {
     double component[GOUGH_COMPONENTS];
     gough_rest *rest = NULL;
     gough_status status;
-    if (isfinite(line->at)) {
-        status = gough_linearise(study->model, line->at, NULL, GOUGH_LINEAR, matrix->row[0], error);
+    if (isfinite(loop->at)) {
+        status = gough_linearise(study->model, loop->at, NULL, GOUGH_LINEAR, matrix->row[0], error);
     } else {
         rest = malloc(sizeof *rest);
         if (!rest) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
-        to_radians(line->pose, component);
+        to_radians(loop->pose, component);
         status = gough_stability_at_rest(study->model, component, rest, error);
         if (!status) memcpy(matrix->row, rest->matrix, sizeof matrix->row);
         free(rest);
@@ -237,14 +239,16 @@ static void print_matrix(const stability_matrix *matrix) {
 
 /* ---- the verb ---------------------------------------------------------------------------------------------------- */
 
-static gough_status answer(const command_line *line, stability_report *report) {
+static gough_status answer(const stability_line *asked, stability_report *report) {
+    const command_line *line = &asked->line;
+    const bool wanted = asked->loop.matrix;
     gough_error error = {0};
     stability_matrix matrix = {{{0}}};
     gough_status status =
         gough_units_of_study(report->study, line->dimensionless, &report->units, &error);
-    if (!status && line->matrix)
-        status = find_matrix(line, report->study, &report->units, &matrix, &error);
-    if (!status && line->matrix && !line->json) {
+    if (!status && wanted)
+        status = find_matrix(&asked->loop, report->study, &report->units, &matrix, &error);
+    if (!status && wanted && !line->json) {
         print_matrix(&matrix);
         return GOUGH_OK;
     }
@@ -255,57 +259,73 @@ static gough_status answer(const command_line *line, stability_report *report) {
     }
     stability_scale(report);
     if (line->json)
-        return json_print(stability_json(report, line->matrix ? &matrix : NULL)) ? GOUGH_ERROR_FILE
-                                                                                 : GOUGH_OK;
+        return json_print(stability_json(report, wanted ? &matrix : NULL)) ? GOUGH_ERROR_FILE
+                                                                           : GOUGH_OK;
     if (!line->quiet) stability_print(stdout, report);
     return GOUGH_OK;
 }
 
-static gough_status answer_alone(const command_line *line, const gough_study *study) {
-    stability_report *report = calloc(1, sizeof *report);
-    if (!report) {
-        complain(line->verb, "out of memory");
-        return GOUGH_ERROR_FILE;
-    }
-    report->verb = line->verb;
-    report->study = study;
-    report->posed = line->posed;
-    memcpy(report->pose, line->pose, sizeof report->pose);
-    const gough_status status = answer(line, report);
+static gough_status answer_alone(const stability_line *asked, const gough_study *study) {
+    stability_report *report = allocate(sizeof *report);
+    *report =
+        (stability_report){.verb = asked->line.verb, .study = study, .posed = asked->loop.posed};
+    memcpy(report->pose, asked->loop.pose, sizeof report->pose);
+    const gough_status status = answer(asked, report);
     free(report);
     return status;
 }
 
 /* Options that say nothing together. */
-static const char *contradiction(const command_line *line) {
-    const bool map = line->stiffness.key != 0;
-    if (isfinite(line->at) && !line->matrix) return "--at is the time of --matrix; give both";
-    if (isfinite(line->at) && line->posed)
+static const char *contradiction(const stability_line *asked) {
+    const struct loop_options *loop = &asked->loop;
+    const bool map = asked->map.stiffness.option != NULL;
+    if (isfinite(loop->at) && !loop->matrix) return "--at is the time of --matrix; give both";
+    if (isfinite(loop->at) && loop->posed)
         return "--at refers to the program and --pose to rest; give only one of them";
-    if (line->second.key && !map)
+    if (asked->map.second.option && !map)
         return "a map needs the stiffness as its first axis; give --sweep-stiffness too, as in "
                "--sweep-stiffness 0:2:201";
-    if (map && (line->matrix || line->posed))
+    if (map && (loop->matrix || loop->posed))
         return "a map is computed along the program; --pose and --matrix cannot be combined with "
                "it";
-    if (line->output_count && !map)
+    if (asked->line.outputs.count && !map)
         return "-o is for maps; give --sweep-stiffness, as in --sweep-stiffness 0:2:201";
     return NULL;
 }
 
-gough_status stability_verb(int count, char **argument) {
-    command_line line = command_line_read(&usage, count, argument);
+static gough_status run(const void *given) {
+    const stability_line *asked = given;
+    const command_line *line = &asked->line;
     gough_study *study = NULL;
     gough_status status = GOUGH_OK;
-    const char *wrong = contradiction(&line);
+    const char *wrong = contradiction(asked);
     if (wrong) {
-        complain(line.verb, "%s", wrong);
+        complain(line->verb, "%s", wrong);
         status = GOUGH_ERROR_INPUT;
     }
-    if (!status) status = read_study(&line, &study);
+    if (!status) status = read_study(line, line->file.word[0], &study);
     if (!status)
-        status = line.stiffness.key ? stability_map(&line, study) : answer_alone(&line, study);
+        status =
+            asked->map.stiffness.option ? stability_map(asked, study) : answer_alone(asked, study);
     gough_study_free(study);
-    command_line_free(&line);
     return status;
 }
+
+extern const command_verb stability_verb;
+const command_verb stability_verb = {
+    .name = "stability",
+    .arguments = "STUDY",
+    .sentence = "modes, stiffness thresholds, growth along the program",
+    .text = "Determine whether the control law holds the platform: eigenvalues and modes at rest, "
+            "the least stiffness G that each mode needs, Floquet multipliers along a periodic "
+            "program.\vThe loop is linearised exactly: about rest at home or in --pose, and about "
+            "the program over one period, which is found from its formulas or given as "
+            "motion.period. With --sweep-stiffness it computes a map of stability and lists the "
+            "resonance tongues, in which a stiffer loop is unstable again. An unstable loop is a "
+            "valid result: the exit status is 0.",
+    .endings = "yaml yml",
+    .least_files = 1,
+    .most_files = 1,
+    .groups = groups,
+    .size = sizeof(stability_line),
+    .run = run};

@@ -1,6 +1,7 @@
 /* The summary of a sweep, and what a study would run. */
 #include "cli/sweep/sweep_report.h"
-#include "cli/common/command.h"
+#include "cli/common/in_and_out.h"
+#include "cli/common/talk.h"
 
 #include <math.h>
 #include <string.h>
@@ -86,7 +87,7 @@ static void print_extreme(FILE *stream, const sweep_report *report, const char *
             values);
 }
 
-void sweep_print(FILE *stream, const sweep_report *report) {
+static void print_summary(FILE *stream, const sweep_report *report) {
     const gough_sweep_summary summary = scaled_summary(report), *s = &summary;
     const unit_words *unit = unit_words_of(&report->units);
     print_title(stream, report->title);
@@ -211,7 +212,7 @@ static json_t *extremes(double least, size_t least_run, double greatest, size_t 
     return object;
 }
 
-int sweep_print_json(const sweep_report *report) {
+static int print_summary_json(const sweep_report *report) {
     const gough_sweep_summary summary = scaled_summary(report), *s = &summary;
     const double made = (double)(s->runs - s->resumed);
     const bool timed = report->sweep && report->time > 0;
@@ -238,4 +239,10 @@ int sweep_print_json(const sweep_report *report) {
     json_object_set_new(object, "time", json_number(timed ? report->time : NAN));
     json_object_set_new(object, "rate", json_number(timed ? made / report->time : NAN));
     return json_print(object);
+}
+
+gough_status sweep_tell(const command_line *line, const sweep_report *report) {
+    if (line->json) return print_summary_json(report) ? GOUGH_ERROR_FILE : GOUGH_OK;
+    if (!line->quiet) print_summary(writes_standard(line) ? stderr : stdout, report);
+    return GOUGH_OK;
 }

@@ -5,6 +5,7 @@
 #include <jansson.h>
 #include <stdio.h>
 
+#include "cli/common/verb.h"
 #include "gough/gough.h"
 
 typedef struct sweep_report {
@@ -17,10 +18,10 @@ typedef struct sweep_report {
     size_t outputs;
 } sweep_report;
 
-void sweep_print(FILE *stream, const sweep_report *report);
+/* The summary on standard output, or on standard error if a table goes there; or as JSON. */
+gough_status sweep_tell(const command_line *line, const sweep_report *report);
 
 /* Returns 0, or -1 where the output cannot be written. */
-int sweep_print_json(const sweep_report *report);
 int sweep_print_run_json(const gough_sweep *sweep, size_t run, const double *value);
 
 /* "control.stiffness=10, load.mass=2" of a run. */

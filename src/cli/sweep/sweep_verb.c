@@ -1,70 +1,76 @@
-/* gough sweep: many runs of a study with other numbers. gough merge: the table of their shards. */
+/* gough sweep: many runs of a study with other numbers. */
 #define _GNU_SOURCE
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <time.h>
 
-#include "cli/common/command.h"
+#include "cli/common/in_and_out.h"
+#include "cli/common/interrupt.h"
+#include "cli/common/progress.h"
+#include "cli/common/talk.h"
 #include "cli/sweep/sweep_report.h"
 
-static const struct argp_option sweep_option[] = {
-    {"output", OPTION_OUTPUT, "FILE", 0,
-     "write the table to FILE: .h5 or .csv by its ending; - is CSV on standard output; may be "
-     "given several times",
-     0},
-    {"json", OPTION_JSON, NULL, 0, "print the summary as JSON", 0},
-    {"set", OPTION_SET, "KEY=VALUE", 0,
-     "override a key of the study, as in --set sweep.runs=100; may be repeated", 0},
-    {"threads", OPTION_THREADS, "N", 0, "threads (default: one for each processor)", 0},
-    {"lanes", OPTION_LANES, "N", 0,
-     "runs computed side by side by one thread: 1, 2, 4 or 8 (default: as many as the processor "
-     "supports)",
-     0},
-    {"shard", OPTION_SHARD, "I/N", 0,
-     "run the I-th of N parts into a FILE whose name ends in .shard, for gough merge", 0},
-    {"run", OPTION_RUN, "N", 0,
-     "print the values of run N as options for gough simulate, without running anything", 0},
-    {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
-     "print table and summary in units of R_b, M and sqrt(R_b/g) of the study as written", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
+/* What gough sweep is asked for. */
+typedef struct sweep_line {
+    command_line line;
+    int threads, lanes;
+    struct sweep_part {
+        size_t shard, shards, one_run; /* 0: not asked for */
+    } part;
+} sweep_line;
+
+/* ---- options ------------------------------------------------------------------------------------------------------ */
+
+/* "3/8" */
+static void read_shard(const struct argp_state *state, const option *o, const char *text,
+                       void *group) {
+    struct sweep_part *p = group;
+    char first[16] = "";
+    const char *slash = strchr(text, '/');
+    if (!slash || slash == text || (size_t)(slash - text) >= sizeof first) {
+        usage_error(state, "--shard takes i/n, as in --shard 3/8; got '%s'", text);
+        return;
+    }
+    memcpy(first, text, (size_t)(slash - text));
+    p->shard = read_count(state, o->name, first);
+    p->shards = read_count(state, o->name, slash + 1);
+    if (p->shard > p->shards)
+        usage_error(state, "--shard i/n takes an i from 1 to n; got '%s'", text);
+}
+
+static void read_run(const struct argp_state *state, const option *o, const char *text,
+                     void *group) {
+    struct sweep_part *p = group;
+    p->one_run = read_count(state, o->name, text);
+}
+
+static const option part_option[] = {
+    {.name = "shard",
+     .value = "I/N",
+     .read = read_shard,
+     .text = "run the I-th of N parts into a FILE whose name ends in .shard, for gough merge"},
+    {.name = "run",
+     .value = "N",
+     .read = read_run,
+     .text = "print the values of run N as options for gough simulate, without running anything"},
     {0}};
 
-static const verb_usage sweep_usage = {
-    .verb = "sweep",
-    .option = sweep_option,
-    .arguments = "STUDY",
-    .text = "Run a study many times with different numbers: the section 'sweep' of STUDY lists the "
-            "numbers that vary, over grids, lists or distributions.\vThe table has one row for "
-            "each run: the swept values, the final state, the largest deviations, forces, speeds "
-            "and powers, and how the run ended. Its bytes are the same for any number of threads, "
-            "lanes and shards. Finished runs are kept in FILE.part until the sweep is complete; if "
-            "it is stopped or killed, the same command resumes it. A run that ends early does not "
-            "stop the others. Runs whose values do not make a valid study are marked invalid, and "
-            "the exit status is then 1.",
-    .least_files = 1,
-    .most_files = 1};
+static const option_group part_group = {part_option, NULL, NULL};
 
-static const struct argp_option merge_option[] = {
-    {"output", OPTION_OUTPUT, "FILE", 0,
-     "write the table to FILE: .h5 or .csv by its ending; - is CSV on standard output; may be "
-     "given several times",
-     0},
-    {"json", OPTION_JSON, NULL, 0, "print the summary as JSON", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
+static const group_use groups[] = {
+    USES_OUTPUT(TABLE_OUTPUT),
+    USES_JSON,
+    USES_SETTINGS,
+    USES(threads_group, sweep_line, threads, NULL),
+    USES(lanes_group, sweep_line, lanes,
+         "runs computed side by side by one thread: 1, 2, 4 or 8 (default: as many as the "
+         "processor supports)"),
+    USES(part_group, sweep_line, part, NULL),
+    USES_DIMENSIONLESS(
+        "print table and summary in units of R_b, M and sqrt(R_b/g) of the study as written"),
     {0}};
-
-static const verb_usage merge_usage = {
-    .verb = "merge",
-    .option = merge_option,
-    .arguments = "SHARD...",
-    .text = "Join the shards of a sweep into one table, with the same bytes as that of the whole "
-            "sweep.\vThe shards may be given in any order. All must be present and belong to the "
-            "same sweep.",
-    .least_files = 1,
-    .most_files = (size_t)-1};
 
 /* ---- stopping ----------------------------------------------------------------------------------------------------- */
 
@@ -99,11 +105,12 @@ static double seconds(void) {
 }
 
 /* "--set load.mass=2 --set …", or the same as JSON. */
-static gough_status print_run(const command_line *line, const gough_sweep *sweep) {
+static gough_status print_run(const sweep_line *given, const gough_sweep *sweep) {
+    const command_line *line = &given->line;
     size_t keys;
     const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
-    if (line->one_run > gough_sweep_runs(sweep)) {
-        complain(line->verb, "there is no run %zu: the sweep has %zu runs", line->one_run,
+    if (given->part.one_run > gough_sweep_runs(sweep)) {
+        complain(line->verb, "there is no run %zu: the sweep has %zu runs", given->part.one_run,
                  gough_sweep_runs(sweep));
         return GOUGH_ERROR_INPUT;
     }
@@ -112,10 +119,10 @@ static gough_status print_run(const command_line *line, const gough_sweep *sweep
         complain(line->verb, "out of memory");
         return GOUGH_ERROR_FILE;
     }
-    gough_sweep_values(sweep, line->one_run, value);
+    gough_sweep_values(sweep, given->part.one_run, value);
     int failed = 0;
     if (line->json)
-        failed = sweep_print_run_json(sweep, line->one_run, value);
+        failed = sweep_print_run_json(sweep, given->part.one_run, value);
     else
         for (size_t k = 0; k < keys; k++) {
             char text[GOUGH_SWEEP_TEXT];
@@ -123,7 +130,7 @@ static gough_status print_run(const command_line *line, const gough_sweep *sweep
             printf("%s--set %s=%s", k ? " " : "", key[k].path, text);
         }
     if (!line->json && sweep_numbers_noise(sweep))
-        printf(" --set disturbance.noise.run=%zu", line->one_run);
+        printf(" --set disturbance.noise.run=%zu", given->part.one_run);
     if (!line->json) putchar('\n');
     free(value);
     return failed ? GOUGH_ERROR_FILE : GOUGH_OK;
@@ -170,8 +177,8 @@ static void explain_not_finite(const command_line *line, const gough_sweep *swee
 
 /* The first output that is a file, in which name the runs done are kept; NULL: none. */
 static const char *kept_file(const command_line *line) {
-    for (size_t i = 0; i < line->output_count; i++)
-        if (strcmp(line->outputs[i], "-") != 0) return line->outputs[i];
+    for (size_t i = 0; i < line->outputs.count; i++)
+        if (strcmp(line->outputs.word[i], "-") != 0) return line->outputs.word[i];
     return NULL;
 }
 
@@ -190,36 +197,31 @@ static void explain_stop(const command_line *line, const gough_sweep_summary *su
                  summary->runs, runs);
 }
 
-static gough_status print_summary(const command_line *line, const sweep_report *report) {
-    if (line->json) return sweep_print_json(report) ? GOUGH_ERROR_FILE : GOUGH_OK;
-    if (!line->quiet) sweep_print(writes_standard(line) ? stderr : stdout, report);
-    return GOUGH_OK;
+static size_t runs_of_shard(const struct sweep_part *p, size_t runs) {
+    if (!p->shards) return runs;
+    return p->shard * runs / p->shards - (p->shard - 1) * runs / p->shards;
 }
 
-static size_t runs_of_shard(const command_line *line, size_t runs) {
-    if (!line->shards) return runs;
-    return line->shard * runs / line->shards - (line->shard - 1) * runs / line->shards;
-}
-
-static gough_status run_sweep(const command_line *line, const gough_sweep *sweep) {
+static gough_status run_sweep(const sweep_line *given, const gough_sweep *sweep) {
+    const command_line *line = &given->line;
     const gough_study *study = gough_sweep_study(sweep);
-    const size_t runs = runs_of_shard(line, gough_sweep_runs(sweep));
+    const size_t runs = runs_of_shard(&given->part, gough_sweep_runs(sweep));
     progress bar = progress_begin(line->verb, (double)runs, line->quiet);
     bar.counted = "runs";
     bar.first = -1;
     gough_sweep_options options = gough_sweep_options_default();
-    options.threads = line->threads;
-    options.lanes = line->lanes;
+    options.threads = given->threads;
+    options.lanes = given->lanes;
     options.progress = look;
     options.context = &bar;
-    const char **also = calloc(line->output_count + 1, sizeof *also);
+    const char **also = calloc(line->outputs.count + 1, sizeof *also);
     gough_sweep_output output = {.path = kept_file(line),
                                  .dimensionless = line->dimensionless,
-                                 .shard = line->shard,
-                                 .shards = line->shards,
+                                 .shard = given->part.shard,
+                                 .shards = given->part.shards,
                                  .also = also};
-    for (size_t i = 0; also && i < line->output_count; i++)
-        if (line->outputs[i] != output.path) also[output.also_count++] = line->outputs[i];
+    for (size_t i = 0; also && i < line->outputs.count; i++)
+        if (line->outputs.word[i] != output.path) also[output.also_count++] = line->outputs.word[i];
     sweep_report report = {.verb = line->verb, .title = study->title, .sweep = sweep};
     gough_error error = {0};
     (void)gough_units_of_study(study, line->dimensionless, &report.units, NULL);
@@ -231,8 +233,8 @@ static gough_status run_sweep(const command_line *line, const gough_sweep *sweep
                               : gough_fail(&error, GOUGH_ERROR_FILE, "out of memory");
     free(also);
     report.time = seconds() - started;
-    report.output = line->outputs;
-    report.outputs = line->output_count;
+    report.output = line->outputs.word;
+    report.outputs = line->outputs.count;
     progress_end(&bar);
     if (status == GOUGH_ERROR_NUMERICAL && stopped_by) {
         explain_stop(line, &report.summary, runs);
@@ -243,7 +245,7 @@ static gough_status run_sweep(const command_line *line, const gough_sweep *sweep
         return status;
     }
     stopped_by = 0; /* too late: it is done */
-    status = print_summary(line, &report);
+    status = sweep_tell(line, &report);
     explain_invalid(line, sweep, &report.summary);
     if (!line->quiet) explain_not_finite(line, sweep, &report.summary);
     if (status == GOUGH_OK && report.summary.ended[GOUGH_END_INVALID])
@@ -251,22 +253,22 @@ static gough_status run_sweep(const command_line *line, const gough_sweep *sweep
     return status;
 }
 
-gough_status sweep_verb(int count, char **argument) {
-    command_line line = command_line_read(&sweep_usage, count, argument);
+static gough_status run(const void *given) {
+    const sweep_line *asked = given;
+    const command_line *line = &asked->line;
     gough_study *study = NULL;
     gough_sweep *sweep = NULL;
     gough_status status = GOUGH_OK;
-    if (line.shards && !line.output) {
-        complain(line.verb, "--shard needs -o FILE.shard");
+    if (asked->part.shards && !line->outputs.count) {
+        complain(line->verb, "--shard needs -o FILE.shard");
         status = GOUGH_ERROR_INPUT;
     }
-    if (!status) status = check_output(&line, line.shards ? ".shard" : NULL);
-    if (!status) status = read_study(&line, &study);
-    if (!status) status = read_sweep(&line, study, &sweep);
-    if (!status) status = line.one_run ? print_run(&line, sweep) : run_sweep(&line, sweep);
+    if (!status) status = check_output(line, asked->part.shards ? ".shard" : NULL);
+    if (!status) status = read_study(line, line->file.word[0], &study);
+    if (!status) status = read_sweep(line, study, &sweep);
+    if (!status) status = asked->part.one_run ? print_run(asked, sweep) : run_sweep(asked, sweep);
     gough_sweep_free(sweep);
     gough_study_free(study);
-    command_line_free(&line);
     if (stopped_by) { /* who waits for this process, a shell's loop say, sees what ended it */
         fflush(NULL);
         signal(stopped_by, SIG_DFL);
@@ -275,45 +277,22 @@ gough_status sweep_verb(int count, char **argument) {
     return status;
 }
 
-/* ---- merge -------------------------------------------------------------------------------------------------------- */
-
-gough_status merge_verb(int count, char **argument) {
-    command_line line = command_line_read(&merge_usage, count, argument);
-    sweep_report report = {.verb = line.verb};
-    gough_error error = {0};
-    struct rlimit files;
-    gough_status status = GOUGH_OK;
-    if (!line.output) {
-        complain(line.verb, "-o FILE is missing; it names the table to write");
-        status = GOUGH_ERROR_INPUT;
-    }
-    if (!status) status = check_output(&line, NULL);
-    for (size_t i = 0; i < line.output_count && !status; i++)
-        status = check_overwriting(line.verb, line.outputs[i], line.file, line.files);
-    if (getrlimit(RLIMIT_NOFILE, &files) == 0) { /* all shards are open at once */
-        files.rlim_cur = files.rlim_max;
-        (void)setrlimit(RLIMIT_NOFILE, &files);
-    }
-    if (!status) {
-        for (size_t i = 0; i < line.output_count && !status; i++) {
-            interrupt_outputs(line.verb, line.outputs, line.output_count, i);
-            status =
-                gough_sweep_merge(line.file, line.files, line.outputs[i], &report.summary, &error);
-        }
-        if (status) complain(line.verb, "%s", error.message);
-    }
-    if (!status) {
-        report.output = line.outputs;
-        report.outputs = line.output_count;
-        report.units = report.summary.units;
-        status = print_summary(&line, &report);
-        if (!status && report.summary.ended[GOUGH_END_INVALID]) {
-            complain(line.verb, "%zu of %zu runs are invalid; the first is run %zu",
-                     report.summary.ended[GOUGH_END_INVALID], report.summary.runs,
-                     report.summary.first_invalid);
-            status = GOUGH_ERROR_NUMERICAL;
-        }
-    }
-    command_line_free(&line);
-    return status;
-}
+extern const command_verb sweep_verb;
+const command_verb sweep_verb = {
+    .name = "sweep",
+    .arguments = "STUDY",
+    .sentence = "run a study many times with different numbers",
+    .text = "Run a study many times with different numbers: the section 'sweep' of STUDY lists the "
+            "numbers that vary, over grids, lists or distributions.\vThe table has one row for "
+            "each run: the swept values, the final state, the largest deviations, forces, speeds "
+            "and powers, and how the run ended. Its bytes are the same for any number of threads, "
+            "lanes and shards. Finished runs are kept in FILE.part until the sweep is complete; if "
+            "it is stopped or killed, the same command resumes it. A run that ends early does not "
+            "stop the others. Runs whose values do not make a valid study are marked invalid, and "
+            "the exit status is then 1.",
+    .endings = "yaml yml",
+    .least_files = 1,
+    .most_files = 1,
+    .groups = groups,
+    .size = sizeof(sweep_line),
+    .run = run};

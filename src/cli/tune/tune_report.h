@@ -4,7 +4,6 @@
 
 #include <stdio.h>
 
-#include "cli/common/command.h"
 #include "gough/gough.h"
 
 /* Numbers are in the units of the output once tune_scale() has seen them; angles then in degrees. */

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/common/command.h"
 #include "cli/common/paragraph.h"
 #include "cli/common/scale.h"
+#include "cli/common/talk.h"
 #include "cli/run/run_report.h"
 #include "cli/tune/tune_report.h"
 

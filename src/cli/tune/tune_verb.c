@@ -5,119 +5,157 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "cli/common/in_and_out.h"
+#include "cli/common/interrupt.h"
+#include "cli/common/option_values.h"
+#include "cli/common/progress.h"
 #include "cli/common/scale.h"
+#include "cli/common/talk.h"
 #include "cli/run/run_report.h"
 
 static const double DEGREES = 57.295779513082320877;
 
-static const struct argp_option option[] = {
-    {"deviation", OPTION_DEVIATION, "X", 0,
-     "greatest distance from the program allowed, in the study's unit of length (required)", 0},
-    {"angle-deviation", OPTION_ANGLE_DEVIATION, "DEG", 0,
-     "greatest angle from the program allowed, in degrees (default: any)", 0},
-    {"damping-ratio", OPTION_DAMPING_RATIO, "Z", 0,
-     "choose the damping too, so that the least damped mode at home has this ratio, 0 <= Z < 1 "
-     "(default: the study's damping)",
-     0},
-    {"feedforward", OPTION_FEEDFORWARD, "program|none|both", 0,
-     "tune with the program's forces fed forward, without them, or both ways (default: both); the "
-     "study's own choice is ignored",
-     0},
-    {"margin", OPTION_MARGIN, "M", 0,
-     "margin to instability below and above G, as a fraction of G (default: 0.02)", 0},
-    {"stiffness", OPTION_STIFFNESS, "A:B", 0,
-     "range of G to search; A = 0 stands for a quarter of the threshold at rest (default: from "
-     "there to 1e6 F/R_b, where F is the largest force that weight, motion and disturbances cause, "
-     "and further if that can help)",
-     0},
-    {"output", OPTION_OUTPUT, "FILE", 0,
-     "write the curve of deviation against stiffness to FILE, as data (.csv, .h5; - is CSV on "
-     "standard output) or as a picture (.png, .svg, .pdf); may be given several times",
-     0},
-    {"json", OPTION_JSON, NULL, 0, "print the results as JSON", 0},
-    {"set", OPTION_SET, "KEY=VALUE", 0,
-     "override a key of the study, as in --set load.mass=2; may be repeated", 0},
-    {"threads", OPTION_THREADS, "N", 0, "threads (default: one for each processor)", 0},
-    {"title", OPTION_TITLE, "TEXT", 0, "heading of the picture (default: the study's title)", 0},
-    {"dimensionless", OPTION_DIMENSIONLESS, NULL, 0,
-     "print results in units of R_b, M and sqrt(R_b/g)", 0},
-    {"quiet", OPTION_QUIET, NULL, 0, "print errors only", 0},
+enum { WITHOUT, WITH, BOTH };
+
+/* What gough tune is asked for; NaN: not said. */
+typedef struct tune_line {
+    command_line line;
+    struct tune_options {
+        double deviation, angle, ratio, margin; /* the angle in degrees */
+        double from, to;                        /* of the stiffness */
+        bool bounded;                           /* whether those two were said */
+        int feedforward;                        /* of those below */
+    } tune;
+    int threads;
+    const char *title;
+} tune_line;
+
+/* ---- options ------------------------------------------------------------------------------------------------------ */
+
+/* A number in the range that is described by `range`. */
+static double read_asked(const struct argp_state *state, const option *o, const char *text,
+                         double least, double below, const char *range) {
+    double value = NAN;
+    if (!read_decimal(text, text + strlen(text), &value) || value < least || value >= below)
+        usage_error(state, "--%s takes a number %s; got '%s'", o->name, range, text);
+    return value;
+}
+
+static void read_deviation(const struct argp_state *state, const option *o, const char *text,
+                           void *group) {
+    struct tune_options *tune = group;
+    tune->deviation = read_asked(state, o, text, 1e-300, INFINITY, "greater than 0");
+}
+
+static void read_angle(const struct argp_state *state, const option *o, const char *text,
+                       void *group) {
+    struct tune_options *tune = group;
+    tune->angle = read_asked(state, o, text, 1e-300, INFINITY, "greater than 0, in degrees");
+}
+
+static void read_ratio(const struct argp_state *state, const option *o, const char *text,
+                       void *group) {
+    struct tune_options *tune = group;
+    tune->ratio = read_asked(state, o, text, 0, 1, "from 0 to less than 1");
+}
+
+static void read_margin(const struct argp_state *state, const option *o, const char *text,
+                        void *group) {
+    struct tune_options *tune = group;
+    tune->margin = read_asked(state, o, text, 0, 0.5000001, "from 0 to 0.5");
+}
+
+static void read_feedforward(const struct argp_state *state, const option *o, const char *text,
+                             void *group) {
+    static const char *const choice[] = {"none", "program", "both"};
+    struct tune_options *tune = group;
+    int c = 0;
+    while (c < 3 && strcmp(text, choice[c]) != 0) c++;
+    if (c == 3)
+        usage_error(state, "--%s takes program, none or both; got '%s'", o->name, text);
+    else
+        tune->feedforward = c;
+}
+
+static void read_stiffness(const struct argp_state *state, const option *o, const char *text,
+                           void *group) {
+    struct tune_options *tune = group;
+    gough_error error = {0};
+    (void)o;
+    tune->bounded = true;
+    if (!read_span(text, &tune->from, &tune->to, &error)) usage_error(state, "%s", error.message);
+}
+
+static void begin_tune(void *group) {
+    struct tune_options *tune = group;
+    *tune = (struct tune_options){NAN, NAN, NAN, NAN, 0, 0, false, BOTH};
+}
+
+static const option tune_option[] = {
+    {.name = "deviation",
+     .value = "X",
+     .read = read_deviation,
+     .text = "greatest distance from the program allowed, in the study's unit of length "
+             "(required)"},
+    {.name = "angle-deviation",
+     .value = "DEG",
+     .read = read_angle,
+     .text = "greatest angle from the program allowed, in degrees (default: any)"},
+    {.name = "damping-ratio",
+     .value = "Z",
+     .read = read_ratio,
+     .text = "choose the damping too, so that the least damped mode at home has this ratio, "
+             "0 <= Z < 1 (default: the study's damping)"},
+    {.name = "feedforward",
+     .value = "program|none|both",
+     .choices = "program none both",
+     .read = read_feedforward,
+     .text = "tune with the program's forces fed forward, without them, or both ways (default: "
+             "both); the study's own choice is ignored"},
+    {.name = "margin",
+     .value = "M",
+     .read = read_margin,
+     .text = "margin to instability below and above G, as a fraction of G (default: 0.02)"},
+    {.name = "stiffness",
+     .value = "A:B",
+     .read = read_stiffness,
+     .text = "range of G to search; A = 0 stands for a quarter of the threshold at rest (default: "
+             "from there to 1e6 F/R_b, where F is the largest force that weight, motion and "
+             "disturbances cause, and further if that can help)"},
     {0}};
 
-static const verb_usage usage = {
-    .verb = "tune",
-    .option = option,
-    .arguments = "STUDY",
-    .text =
-        "Find the least stiffness G of the feedback, the same in all legs, with which the platform "
-        "stays within --deviation of its program under the study's own disturbances, initial state "
-        "and duration, and is stable.\vEach G is tested by a simulation of the nonlinear motion. "
-        "The G chosen is stable, keeps the margin to resonance tongues, and is confirmed by a run "
-        "with small steps; a G smaller by a ten-thousandth is not enough. The summary also gives "
-        "the mode that limits G, the force and rate that the legs need, and how the deviation "
-        "falls with G, with the exceptions. If no G is found, the reason is printed and the exit "
-        "status is 1. Ctrl-C prints the best G found so far.",
-    .least_files = 1,
-    .most_files = 1};
+static const option_group tune_group = {tune_option, begin_tune, NULL};
+
+static const group_use groups[] = {
+    USES(tune_group, tune_line, tune, NULL),
+    USES_OUTPUT("write the curve of deviation against stiffness to FILE, as data (.csv, .h5; - is "
+                "CSV on standard output) or as a picture (.png, .svg, .pdf); may be given several "
+                "times"),
+    USES_JSON,
+    USES_SETTINGS,
+    USES(threads_group, tune_line, threads, NULL),
+    USES(title_group, tune_line, title, "heading of the picture (default: the study's title)"),
+    USES_DIMENSIONLESS("print results in units of R_b, M and sqrt(R_b/g)"),
+    {0}};
 
 /* ---- outputs ------------------------------------------------------------------------------------------------------ */
 
-static bool ends_in(const char *path, const char *const *ending) {
-    const char *dot = strrchr(path, '.');
-    for (; dot && *ending; ending++)
-        if (strcasecmp(dot, *ending) == 0) return true;
-    return false;
-}
-
-static bool is_data(const char *path) {
-    static const char *const ending[] = {".csv", ".h5", NULL};
-    return strcmp(path, "-") == 0 || ends_in(path, ending);
-}
-
-static bool is_picture(const char *path) {
-    static const char *const ending[] = {".png", ".svg", ".pdf", NULL};
-    return ends_in(path, ending);
-}
-
-/* What can be known before the work. */
-static gough_status check_outputs(const command_line *line) {
-    for (size_t i = 0; i < line->output_count; i++) {
-        const char *path = line->outputs[i];
-        const bool standard = strcmp(path, "-") == 0;
-        if (!is_data(path) && !is_picture(path)) {
-            complain(line->verb,
-                     "-o takes a name that ends in .csv or .h5 (data) or in .png, .svg or .pdf "
-                     "(picture), or - for CSV on standard output; '%s' does not",
-                     path);
-            return GOUGH_ERROR_INPUT;
-        }
-        if (standard && line->json) {
-            complain(line->verb, "'-o -' and --json both write to standard output; give -o a file");
-            return GOUGH_ERROR_INPUT;
-        }
-        const gough_status status = standard ? GOUGH_OK : check_folder(line->verb, path);
-        if (status) return status;
-    }
-    return GOUGH_OK;
-}
-
-static gough_status write_outputs(const command_line *line, const tune_report *report,
-                                  FILE *stream) {
+static gough_status write_outputs(const tune_line *asked, const tune_report *report, FILE *stream) {
+    const command_line *line = &asked->line;
     gough_error error = {0};
     gough_status status = GOUGH_OK;
-    gough_table *table = line->output_count ? tune_table(report) : NULL;
-    if (line->output_count && !table)
+    gough_table *table = line->outputs.count ? tune_table(report) : NULL;
+    if (line->outputs.count && !table)
         status = gough_fail(&error, GOUGH_ERROR_FILE, "out of memory");
     const gough_table *const tables[] = {table};
-    for (size_t i = 0; i < line->output_count && !status; i++) {
-        const char *path = line->outputs[i];
+    for (size_t i = 0; i < line->outputs.count && !status; i++) {
+        const char *path = line->outputs.word[i];
         gough_figure figure = gough_figure_default();
         figure.kind = "tuning";
-        figure.title = line->figure.title;
+        figure.title = asked->title;
         fflush(stdout);
-        interrupt_outputs(line->verb, line->outputs, line->output_count, i);
+        interrupt_outputs(line->verb, line->outputs.word, line->outputs.count, i);
         status = is_data(path) ? gough_table_write(table, report->study->text, path, &error)
                                : gough_figure_draw(&figure, tables, NULL, 1, path, &error);
         if (!status && stream && strcmp(path, "-") != 0) print_line(stream, "wrote %s", path);
@@ -230,15 +268,15 @@ static gough_status search(const command_line *line, tune_report *report, gough_
 
 /* ---- the verb ----------------------------------------------------------------------------------------------------- */
 
-static gough_tuning_options asked_of(const command_line *line) {
+static gough_tuning_options asked_of(const tune_line *line) {
     gough_tuning_options asked = gough_tuning_options_default();
-    asked.deviation = line->tuning.deviation;
-    if (isfinite(line->tuning.angle)) asked.angle_deviation = line->tuning.angle / DEGREES;
-    asked.damping_ratio = line->tuning.ratio;
-    if (isfinite(line->tuning.margin)) asked.margin = line->tuning.margin;
-    if (line->tuning.bounded) {
-        asked.least = line->tuning.from;
-        asked.greatest = line->tuning.to;
+    asked.deviation = line->tune.deviation;
+    if (isfinite(line->tune.angle)) asked.angle_deviation = line->tune.angle / DEGREES;
+    asked.damping_ratio = line->tune.ratio;
+    if (isfinite(line->tune.margin)) asked.margin = line->tune.margin;
+    if (line->tune.bounded) {
+        asked.least = line->tune.from;
+        asked.greatest = line->tune.to;
     }
     asked.threads = line->threads;
     return asked;
@@ -257,15 +295,13 @@ static gough_status explain(const command_line *line, const tune_report *report)
     return status;
 }
 
-static gough_status tell(const command_line *line, tune_report *report) {
-    bool standard = false;
-    for (size_t i = 0; i < line->output_count; i++)
-        standard = standard || strcmp(line->outputs[i], "-") == 0;
-    FILE *stream = line->quiet || line->json ? NULL : standard ? stderr : stdout;
+static gough_status tell(const tune_line *asked, tune_report *report) {
+    const command_line *line = &asked->line;
+    FILE *stream = line->quiet || line->json ? NULL : writes_standard(line) ? stderr : stdout;
     tune_scale(report);
     if (stream) tune_print(stream, report);
     const int failed = line->json ? tune_print_json(report) : 0;
-    const gough_status written = write_outputs(line, report, stream);
+    const gough_status written = write_outputs(asked, report, stream);
     const gough_status found = explain(line, report);
     if (failed) return GOUGH_ERROR_FILE;
     return written ? written : found;
@@ -304,16 +340,17 @@ static gough_status refuse_formulas(const tune_report *report, gough_error *erro
     return status;
 }
 
-static gough_status tune_study(const command_line *line, const gough_study *study) {
+static gough_status tune_study(const tune_line *asked, const gough_study *study) {
+    const command_line *line = &asked->line;
     tune_report *report = calloc(1, sizeof *report);
     gough_error error = {.message = "out of memory"};
     gough_status status = report ? GOUGH_OK : GOUGH_ERROR_FILE;
     if (!status) {
         report->verb = line->verb;
         report->study = study;
-        report->asked = asked_of(line);
+        report->asked = asked_of(asked);
         for (int with = 1; with >= 0; with--)
-            if (line->tuning.feedforward == 2 || line->tuning.feedforward == with)
+            if (asked->tune.feedforward == BOTH || (asked->tune.feedforward == WITH) == with)
                 report->choice[report->choices++].feedforward = with != 0;
         status = gough_units_of_study(study, line->dimensionless, &report->units, &error);
     }
@@ -322,25 +359,46 @@ static gough_status tune_study(const command_line *line, const gough_study *stud
     if (status)
         complain_of(line->verb, study, error.message);
     else
-        status = tell(line, report);
+        status = tell(asked, report);
     for (int c = 0; report && c < 2; c++) free(report->choice[c].point);
     free(report);
     return status;
 }
 
-gough_status tune_verb(int count, char **argument) {
-    command_line line = command_line_read(&usage, count, argument);
+static gough_status run(const void *given) {
+    const tune_line *asked = given;
+    const command_line *line = &asked->line;
     gough_study *study = NULL;
     gough_status status = GOUGH_OK;
-    if (isnan(line.tuning.deviation)) {
-        complain(line.verb, "--deviation is missing: how far from its program the platform may "
-                            "be, as in --deviation 1e-3");
+    if (isnan(asked->tune.deviation)) {
+        complain(line->verb, "--deviation is missing: how far from its program the platform may "
+                             "be, as in --deviation 1e-3");
         status = GOUGH_ERROR_INPUT;
     }
-    if (!status) status = check_outputs(&line);
-    if (!status) status = read_study(&line, &study);
-    if (!status) status = tune_study(&line, study);
+    if (!status) status = check_data_and_pictures(line);
+    if (!status) status = read_study(line, line->file.word[0], &study);
+    if (!status) status = tune_study(asked, study);
     gough_study_free(study);
-    command_line_free(&line);
     return status;
 }
+
+extern const command_verb tune_verb;
+const command_verb tune_verb = {
+    .name = "tune",
+    .arguments = "STUDY",
+    .sentence = "the least feedback stiffness for a given accuracy",
+    .text =
+        "Find the least stiffness G of the feedback, the same in all legs, with which the platform "
+        "stays within --deviation of its program under the study's own disturbances, initial state "
+        "and duration, and is stable.\vEach G is tested by a simulation of the nonlinear motion. "
+        "The G chosen is stable, keeps the margin to resonance tongues, and is confirmed by a run "
+        "with small steps; a G smaller by a ten-thousandth is not enough. The summary also gives "
+        "the mode that limits G, the force and rate that the legs need, and how the deviation "
+        "falls with G, with the exceptions. If no G is found, the reason is printed and the exit "
+        "status is 1. Ctrl-C prints the best G found so far.",
+    .endings = "yaml yml",
+    .least_files = 1,
+    .most_files = 1,
+    .groups = groups,
+    .size = sizeof(tune_line),
+    .run = run};
