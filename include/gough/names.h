@@ -20,6 +20,7 @@
 
 /* clang-format off: a name a line */
 GOUGH_NAME_(gough_angles_from_rotation)
+GOUGH_NAME_(gough_assertion_failed)
 GOUGH_NAME_(gough_batch)
 GOUGH_NAME_(gough_batch_lanes)
 GOUGH_NAME_(gough_batch_options_init)

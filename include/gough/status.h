@@ -68,6 +68,16 @@ GOUGH_API void gough_sentence(char *text, size_t size, const char *format, va_li
 #endif
     ;
 
+/** Called when an assertion fails: a bug in the library, or memory that its caller laid out against its contract; never for
+ *  invalid numbers or text. The library's own function stops the program (abort()) and prints nothing.
+ *
+ *  A program replaces it by defining a function of this name, with C linkage, which may write the place down and must not call the
+ *  library. It may leave by longjmp(), after which objects that the failed call was given must not be used; if it returns, the
+ *  program is stopped. It is called in the thread in which the assertion failed, possibly in several threads at once.
+ *  @param file,line  place in the library's source
+ *  @param condition  what should have been true, as text */
+GOUGH_API void gough_assertion_failed(const char *file, int line, const char *condition);
+
 /** Why a run ended. */
 typedef enum gough_cause {
     GOUGH_END_DONE = 0,      /**< the whole duration */

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "analyse/map_row.h"
+#include "base/assert.h"
 #include "base/crew.h"
 #include "gough/batch.h"
 #include "gough/sizes.h"
@@ -264,6 +265,7 @@ gough_status gough_map_find(const gough_model *model, const gough_map_options *o
 
     status = prepare(model, options, &o, &w.job, error);
     if (status != GOUGH_OK) return status;
+    assert_true((uintptr_t)memory % 64 == 0);
     w.job.map = map;
     w.job.report = report;
     w.job.context = &w;

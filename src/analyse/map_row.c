@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "gough/analyse.h"
 
 /* phase of the fastest mode from one sample to the next */
@@ -37,6 +38,7 @@ map_worker *map_worker_begin(const map_job *job, void *memory) {
     next += job->parts * sizeof(double[MATRIX]);
     w->node = (double *)(void *)next;
     w->room = MAP_MOST_NODES + MAP_MOST_PLACES + job->options->stiffness.count + 2;
+    assert_true((char *)(w->node + w->room) <= (char *)memory + map_worker_size(job));
     return w;
 }
 
@@ -103,6 +105,7 @@ static gough_status find(map_worker *w, bool damped, double finer, transitions *
     gough_control control = damping;
     division d = w->d;
 
+    assert_true(d.parts <= w->job->parts);
     if (!damped) memset(control.damping, 0, sizeof control.damping);
     d.steps = map_row_steps(w, finer) / d.parts;
     return transition_find(w->job->width, &(linear_loop){loop.machine, loop.motion, &control},

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "gough/sizes.h"
 
 /* G is bracketed to this, relative */
@@ -104,6 +105,7 @@ static tune *lay_out(const gough_model *model, const gough_tuning_options *optio
     char *place = memory;
     tune *t = (tune *)(void *)place;
 
+    assert_true((uintptr_t)memory % 64 == 0);
     memset(t, 0, sizeof *t);
     place += rounded(sizeof(tune));
     t->loop = (gough_model *)(void *)place;

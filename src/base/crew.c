@@ -5,6 +5,8 @@
 #include <pthread.h>
 #include <sched.h>
 
+#include "base/assert.h"
+
 int crew_threads(int wanted) {
     int threads = wanted;
 
@@ -20,6 +22,7 @@ void crew_work(void *members, size_t size, int count, void *(*work)(void *member
     char *member = members;
     int started = 1;
 
+    assert_true(count >= 1 && count <= CREW_MOST);
     while (started < count &&
            pthread_create(&thread[started], NULL, work, member + (size_t)started * size) == 0) {
         started++;

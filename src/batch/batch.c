@@ -5,6 +5,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "base/crew.h"
 #include "batch/width.h"
 #include "gough/sizes.h"
@@ -46,7 +47,10 @@ int gough_batch_threads(int wanted) { return crew_threads(wanted); }
 
 /* ---- one thread's memory ---- */
 
-static size_t rounded(size_t bytes) { return (bytes + 63) / 64 * 64; }
+/* of the caller's memory: lanes of eight lie in it */
+enum { ALIGNMENT = 64 };
+
+static size_t rounded(size_t bytes) { return (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT; }
 
 static size_t room_of(const struct batch_width *width) {
     return rounded(sizeof(stage_tape)) + rounded(RECORDS * sizeof(tape_record)) +
@@ -98,7 +102,9 @@ static void walk_chunk(work *w, char *memory, size_t first, size_t count) {
     stage_tape *t = (stage_tape *)(void *)memory;
     char *group[GROUPS];
     int going[GROUPS];
+    const char *end = memory + room_of(w->width);
 
+    assert_true(groups <= GROUPS);
     memory += rounded(sizeof *t);
     t->record = (tape_record *)(void *)memory;
     memory += rounded(RECORDS * sizeof(tape_record));
@@ -108,6 +114,7 @@ static void walk_chunk(work *w, char *memory, size_t first, size_t count) {
     t->disturbance_shared = w->disturbance_shared;
     batch_recorder_begin(t, job, memory);
     memory += batch_recorder_size();
+    assert_true(memory + groups * w->width->group_size <= end);
 
     for (size_t g = 0; g < groups; g++) {
         const size_t left = count - g * lanes;
@@ -117,12 +124,12 @@ static void walk_chunk(work *w, char *memory, size_t first, size_t count) {
         going[g] = 1;
     }
     for (long long k = 0; k < job->steps && !atomic_load(&w->stopped); k += BLOCK) {
-        const long long end = k + BLOCK < job->steps ? k + BLOCK : job->steps;
+        const long long to = k + BLOCK < job->steps ? k + BLOCK : job->steps;
         t->count = 0;
         for (size_t g = 0; g < groups; g++) {
             if (!going[g]) continue;
             t->cursor = 0;
-            going[g] = w->width->advance(group[g], job, k, end);
+            going[g] = w->width->advance(group[g], job, k, to);
         }
     }
     if (atomic_load(&w->stopped)) {
@@ -228,6 +235,7 @@ static gough_status run_threads(work *w, int threads, char *memory, gough_error 
     const size_t room = w->width ? room_of(w->width) : 0;
     worker workers[CREW_MOST];
 
+    assert_true((uintptr_t)memory % ALIGNMENT == 0);
     for (int i = 0; i < threads; i++) workers[i] = (worker){w, memory + (size_t)i * room};
     crew_work(workers, sizeof workers[0], threads, work_on);
     if (atomic_load(&w->stopped)) {

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "gough/simulate.h"
 #include "model/places.h"
 #include "model/program.h"
@@ -359,6 +360,7 @@ gough_status gough_model_unflatten(gough_model *model, gough_simulation *simulat
     e.move = memory;
     e.curvature = memory;
     exchange_all(&p, model, simulation, &e);
+    assert_true(p.at <= count);
     if (p.status == GOUGH_OK && p.at != count) {
         p.status =
             gough_fail(error, GOUGH_ERROR_INPUT,

@@ -3,6 +3,7 @@
 #ifndef GOUGH_SYSTEM_PARTS_H
 #define GOUGH_SYSTEM_PARTS_H
 
+#include "base/assert.h"
 #include "base/limits.h"
 #include "dynamics/forward.h"
 #include "dynamics/inverse.h"
@@ -137,6 +138,7 @@ static inline void system_begin(struct system *r, const gough_motion *motion,
     r->pose = (slice){0, COORDINATES};
     r->rate = (slice){COORDINATES, COORDINATES};
     r->states = r->rate.at + r->rate.count;
+    assert_true(r->pose.at + r->pose.count <= r->rate.at && r->states <= STATE_SIZE);
     r->noise.present = r->noise.fresh = 0;
     for (int kind = 0; kind < 3; kind++) r->limited[kind] = 0;
     for (int v = 0; v < LEGS; v++) r->shaken[v] = 0;
