@@ -1,5 +1,7 @@
 # The command. The examples travel inside it, as bytes in generated C.
 file(GLOB_RECURSE GOUGH_CLI_SOURCES CONFIGURE_DEPENDS src/cli/*.c)
+file(GLOB GOUGH_MANUAL_SOURCES CONFIGURE_DEPENDS src/cli/manual/*.c)
+list(REMOVE_ITEM GOUGH_CLI_SOURCES ${GOUGH_MANUAL_SOURCES} ${PROJECT_SOURCE_DIR}/src/cli/main.c)
 file(GLOB GOUGH_EXAMPLES CONFIGURE_DEPENDS examples/*.yaml examples/*.awk)
 set(GOUGH_EMBEDDED ${PROJECT_BINARY_DIR}/generated/examples.c)
 add_custom_command(OUTPUT ${GOUGH_EMBEDDED}
@@ -37,16 +39,36 @@ else()
 gough_page_template page_template(void) { return (gough_page_template){"", 0}; }
 ]])
 endif()
-add_executable(gough_command ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED} ${GOUGH_PAGE_OBJECT})
+add_library(gough_verbs OBJECT ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED} ${GOUGH_PAGE_OBJECT})
 if(TARGET page_template)
-    add_dependencies(gough_command page_template)
+    add_dependencies(gough_verbs page_template)
 endif()
+target_link_libraries(gough_verbs PUBLIC gough_files PkgConfig::JANSSON)
+add_executable(gough_command src/cli/main.c)
 set_target_properties(gough_command PROPERTIES OUTPUT_NAME gough)
-target_link_libraries(gough_command PRIVATE gough_files PkgConfig::JANSSON)
+target_link_libraries(gough_command PRIVATE gough_verbs)
+
+# The man page and the completions, from their templates and the tables of verbs and options.
+add_executable(gough_manual ${GOUGH_MANUAL_SOURCES})
+target_link_libraries(gough_manual PRIVATE gough_verbs)
+set(GOUGH_MANUAL)
+foreach(triple man|docs/man/gough.1 bash|completions/gough.bash zsh|completions/_gough fish|completions/gough.fish)
+    string(REPLACE "|" ";" triple ${triple})
+    list(GET triple 0 kind)
+    list(GET triple 1 name)
+    get_filename_component(folder ${PROJECT_BINARY_DIR}/${name} DIRECTORY)
+    add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/${name}
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
+        COMMAND gough_manual ${kind} ${PROJECT_SOURCE_DIR}/${name}.in ${PROJECT_BINARY_DIR}/${name}
+        DEPENDS gough_manual ${PROJECT_SOURCE_DIR}/${name}.in
+        COMMENT "Writing ${name}" VERBATIM)
+    list(APPEND GOUGH_MANUAL ${PROJECT_BINARY_DIR}/${name})
+endforeach()
+add_custom_target(gough_pages ALL DEPENDS ${GOUGH_MANUAL})
 
 # for the tests of the command
 if(GOUGH_TESTS_SANITIZED)
-    add_executable(gough_command_sanitized ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED} ${GOUGH_PAGE_OBJECT})
+    add_executable(gough_command_sanitized src/cli/main.c ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED} ${GOUGH_PAGE_OBJECT})
     if(TARGET page_template)
         add_dependencies(gough_command_sanitized page_template)
     endif()

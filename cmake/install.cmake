@@ -1,4 +1,4 @@
-# What `make install` puts where. The man page, completions and examples are installed as they stand in the source.
+# What `make install` puts where. The man page and the completions are those that gough_manual has written (cmake/command.cmake).
 include(CMakePackageConfigHelpers)
 
 install(TARGETS gough_command RUNTIME)
@@ -27,32 +27,31 @@ foreach(name gough gough-analyse gough-files)
 endforeach()
 
 # as Debian wants it: manual page and changelog compressed, without a time stamp
-set(GOUGH_MAN docs/man/gough.1)
+set(GOUGH_MAN ${PROJECT_BINARY_DIR}/docs/man/gough.1)
 if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+    add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/gough.1.gz
+        COMMAND gzip -9nc ${GOUGH_MAN} > ${PROJECT_BINARY_DIR}/gough.1.gz DEPENDS ${GOUGH_MAN} VERBATIM)
+    add_custom_target(gough_man_compressed ALL DEPENDS ${PROJECT_BINARY_DIR}/gough.1.gz)
+    add_dependencies(gough_man_compressed gough_pages)
     set(GOUGH_MAN ${PROJECT_BINARY_DIR}/gough.1.gz)
-    foreach(pair docs/man/gough.1|gough.1.gz CHANGELOG.md|changelog.gz)
-        string(REPLACE "|" ";" pair ${pair})
-        list(GET pair 0 plain)
-        list(GET pair 1 compressed)
-        if(EXISTS ${PROJECT_SOURCE_DIR}/${plain})
-            set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${plain})
-            execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/${plain}
-                OUTPUT_FILE ${PROJECT_BINARY_DIR}/${compressed} COMMAND_ERROR_IS_FATAL ANY)
-        endif()
-    endforeach()
+    if(EXISTS ${PROJECT_SOURCE_DIR}/CHANGELOG.md)
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS CHANGELOG.md)
+        execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+            OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
+    endif()
     install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 else()
     install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 endif()
 install(FILES ${GOUGH_MAN} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES completions/gough.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gough)
+install(FILES ${PROJECT_BINARY_DIR}/completions/gough.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gough)
 # zsh looks for a package's completions elsewhere than for the administrator's
 if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
-    install(FILES completions/_gough DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+    install(FILES ${PROJECT_BINARY_DIR}/completions/_gough DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
 else()
-    install(FILES completions/_gough DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+    install(FILES ${PROJECT_BINARY_DIR}/completions/_gough DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 endif()
-install(FILES completions/gough.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(FILES ${PROJECT_BINARY_DIR}/completions/gough.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "man" EXCLUDE
     PATTERN "images" EXCLUDE)

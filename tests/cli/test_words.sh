@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# --help, the man page and the completions of three shells name the same verbs and options.
+# --help, and the man page and the completions of three shells that the build has written, name the same verbs and options.
 source "$(dirname "$0")/support.sh"
-cd "$SOURCE" || exit 1
+cd "${BUILD:?}" || exit 1
+! grep -n '^@.*@$' docs/man/gough.1 completions/* || fail "a part of a template was not filled"
 
 # the man page as plain text: markup and escapes away
 tr '\n' ' ' <docs/man/gough.1 | sed -e 's/\\f[A-Z]//g' -e 's/\\-/-/g' >"$scratch/man"

@@ -98,10 +98,11 @@ GROUP(quiet_group, NULL, NULL, .name = "quiet", .letter = 'q', .read = read_flag
 GROUP(json_group, NULL, NULL, .name = "json", .read = read_flag,
       .text = "print the results as JSON");
 GROUP(dimensionless_group, NULL, NULL, .name = "dimensionless", .read = read_flag);
-GROUP(settings_group, NULL, free_settings, .name = "set", .value = "KEY=VALUE", .read = add_setting,
+GROUP(settings_group, NULL, free_settings, .name = "set", .value = "KEY=VALUE", .many = true,
+      .read = add_setting,
       .text = "override a key of the study, as in --set control.stiffness=50; may be repeated");
 GROUP(output_group, NULL, free_words, .name = "output", .letter = 'o', .value = "FILE",
-      .choices = CHOICES_FILES, .read = add_output);
+      .choices = CHOICES_FILES, .many = true, .read = add_output);
 GROUP(threads_group, NULL, NULL, .name = "threads", .value = "N", .read = read_counts,
       .text = "threads (default: one for each processor)");
 GROUP(lanes_group, NULL, NULL, .name = "lanes", .value = "N", .choices = "1 2 4 8",

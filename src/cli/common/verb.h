@@ -24,6 +24,7 @@ struct command_option {
     const char *value; /* "FILE"; NULL: it takes none */
     const char *
         choices; /* what the shells complete: "double quad", or one of those below; NULL: nothing */
+    bool many;   /* it may be given several times */
     option_reader *read;
     size_t at; /* of the value in the group's struct, where the reader is one of those below */
     const char *text; /* NULL: each verb has words of its own for it */

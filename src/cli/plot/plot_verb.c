@@ -43,7 +43,8 @@ static const option plot_option[] = {
      .choices = CHOICES_FIGURES,
      .read = read_word,
      .at = FIGURE(kind),
-     .text = "kind of figure, one of those below (default: the one that suits the results)"},
+     .text = "kind of figure, one of those at the end of --help (default: the one that suits the "
+             "results)"},
     {.name = "columns",
      .value = "A,B",
      .read = read_word,
@@ -61,6 +62,7 @@ static const option plot_option[] = {
      .text = "draw magnitudes on a logarithmic axis"},
     {.name = "label",
      .value = "TEXT",
+     .many = true,
      .read = add_label,
      .text = "name of a result in the key; give one for each result, in order"},
     {0}};
@@ -75,10 +77,7 @@ static char *list_kinds(int key, const char *text, void *input) {
     size_t length = 0;
     FILE *stream = open_memstream(&list, &length);
     if (!stream) return (char *)text;
-    fputs("RESULT is a table written by forces, simulate, sweep or tune, .h5 or .csv, or any CSV "
-          "with a header row and a column t. Several results are compared in the same "
-          "panels.\n\nKinds of figure:\n",
-          stream);
+    fprintf(stream, "%s\n\nKinds of figure:\n", text);
     for (const char *const *kind = gough_figure_kinds(); *kind; kind++)
         fprintf(stream, "  %s\n", *kind);
     fclose(stream);
@@ -175,14 +174,18 @@ static const group_use groups[] = {
     {0}};
 
 extern const command_verb plot_verb;
-const command_verb plot_verb = {.name = "plot",
-                                .arguments = "RESULT...",
-                                .sentence = "figures as PNG, SVG or PDF",
-                                .text = "Draw results as PNG, SVG or PDF.\v-",
-                                .endings = "h5 csv",
-                                .least_files = 1,
-                                .most_files = (size_t)-1,
-                                .groups = groups,
-                                .size = sizeof(plot_line),
-                                .run = run,
-                                .help_filter = list_kinds};
+const command_verb plot_verb = {
+    .name = "plot",
+    .arguments = "RESULT...",
+    .sentence = "figures as PNG, SVG or PDF",
+    .text =
+        "Draw results as PNG, SVG or PDF.\vRESULT is a table written by forces, simulate, sweep or "
+        "tune, .h5 or .csv, or any CSV with a header row and a column t. Several results are "
+        "compared in the same panels.",
+    .endings = "h5 csv",
+    .least_files = 1,
+    .most_files = (size_t)-1,
+    .groups = groups,
+    .size = sizeof(plot_line),
+    .run = run,
+    .help_filter = list_kinds};

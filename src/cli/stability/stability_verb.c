@@ -32,6 +32,7 @@ static void begin_loop(void *group) {
 static const option loop_option[] = {
     {.name = "pose",
      .value = "C=X,...",
+     .many = true,
      .read = read_pose_option,
      .text = "stability at rest in this pose, given by its components from home (angles in "
              "degrees), as in heave=0.1,yaw=10; the program is ignored"},
