@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "base/crew.h"
+#include "gough/batch.h"
 #include "support/suite.h"
 
 typedef struct {
@@ -36,6 +37,9 @@ START_TEST(a_wish_has_bounds) {
     ck_assert_int_ge(crew_threads(0), 1);
     ck_assert_int_le(crew_threads(0), (int)sysconf(_SC_NPROCESSORS_CONF));
     ck_assert_int_eq(crew_threads(-5), crew_threads(0));
+    /* what batches say of it */
+    for (int wish = -1; wish < 300; wish++)
+        ck_assert_int_eq(gough_batch_threads(wish), crew_threads(wish));
 }
 END_TEST
 

@@ -235,6 +235,19 @@ START_TEST(every_function_refuses_options_of_another_size) {
 }
 END_TEST
 
+START_TEST(a_size_is_that_of_the_struct_or_0) {
+    gough_error error = {.message = ""};
+    ck_assert_int_eq(gough_size_check(0, 40, "gough_x", &error), GOUGH_OK);
+    ck_assert_int_eq(gough_size_check(40, 40, "gough_x", &error), GOUGH_OK);
+    ck_assert_str_eq(error.message, "");
+    ck_assert_int_eq(gough_size_check(32, 40, "gough_x", &error), GOUGH_ERROR_INPUT);
+    ck_assert_str_eq(error.message,
+                     "gough_x.size is 32, but this struct has 40 bytes in this library: "
+                     "start from gough_x_default()");
+    ck_assert_int_eq(gough_size_check(41, 40, "gough_x", NULL), GOUGH_ERROR_INPUT);
+}
+END_TEST
+
 START_TEST(sizes_are_known_by_name) {
     ck_assert_uint_eq(gough_struct_size("gough_model"), sizeof(gough_model));
     ck_assert_uint_eq(gough_struct_size("gough_error"), sizeof(gough_error));
@@ -248,8 +261,8 @@ START_TEST(sizes_are_known_by_name) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("base/sizes", 60,
-                     structs_are_filled_within_their_bytes_whatever_size_the_caller_has,
-                     a_refused_struct_cannot_be_used,
-                     every_function_refuses_options_of_another_size, sizes_are_known_by_name);
+    return SUITE_RUN(
+        "base/sizes", 60, structs_are_filled_within_their_bytes_whatever_size_the_caller_has,
+        a_refused_struct_cannot_be_used, every_function_refuses_options_of_another_size,
+        a_size_is_that_of_the_struct_or_0, sizes_are_known_by_name);
 }

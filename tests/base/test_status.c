@@ -29,6 +29,39 @@ START_TEST(no_error_struct_is_no_error) {
 }
 END_TEST
 
+START_TEST(an_error_about_a_key_names_it) {
+    gough_error e = {.message = ""};
+    ck_assert_int_eq(gough_fail_key(&e, GOUGH_ERROR_INPUT, "load.mass", "%g is %s", 0.5, "small"),
+                     GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(e.status, GOUGH_ERROR_INPUT);
+    ck_assert_str_eq(e.key, "load.mass");
+    ck_assert_str_eq(e.message, "0.5 is small");
+    gough_fail(&e, GOUGH_ERROR_FILE, "no key");
+    ck_assert_ptr_null(e.key);
+    ck_assert_int_eq(gough_fail_key(NULL, GOUGH_ERROR_NUMERICAL, "load.mass", "x"),
+                     GOUGH_ERROR_NUMERICAL);
+}
+END_TEST
+
+static void write_sentence(char *text, size_t size, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    gough_sentence(text, size, format, arguments);
+    va_end(arguments);
+}
+
+START_TEST(a_sentence_stays_in_its_room) {
+    for (size_t size = 1; size < 20; size++) {
+        char text[32];
+        memset(text, 7, sizeof text);
+        write_sentence(text, size, "%s %d %.1f", "leg", 12, 0.5);
+        ck_assert(strncmp(text, "leg 12 0.5", size - 1) == 0);
+        ck_assert_uint_eq(strlen(text), size - 1 < 10 ? size - 1 : 10);
+        for (size_t i = size; i < sizeof text; i++) ck_assert_int_eq(text[i], 7);
+    }
+}
+END_TEST
+
 START_TEST(long_sentences_are_cut) {
     gough_error e;
     char text[2000];
@@ -81,6 +114,8 @@ int main(void) {
     TCase *tests = tcase_create("status");
     tcase_add_test(tests, sentences_are_formatted_like_printf);
     tcase_add_test(tests, no_error_struct_is_no_error);
+    tcase_add_test(tests, an_error_about_a_key_names_it);
+    tcase_add_test(tests, a_sentence_stays_in_its_room);
     tcase_add_test(tests, long_sentences_are_cut);
     tcase_add_test(tests, cut_sentences_are_still_utf8);
     tcase_add_test(tests, numbers_have_a_point_in_a_comma_locale);

@@ -175,6 +175,28 @@ START_TEST(parabolas_are_left_alone_at_any_cutoff) {
 }
 END_TEST
 
+START_TEST(no_more_scratch_is_used_than_is_asked_for) {
+    static const size_t rows[] = {0, 1, 3, 4, 5, 50, 1000};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const size_t room = gough_samples_smooth_scratch(rows[i]), all = 8 * MOST;
+        double found;
+        ck_assert_uint_lt(room, all);
+        fill(1000, 0.01, sine, 20);
+        for (int smooths = 0; smooths < 2; smooths++) {
+            for (size_t k = 0; k < all; k++) scratch[k] = 7;
+            if (smooths)
+                gough_samples_smooth(rows[i], time_of, value, GOUGH_ROLL, 1e-3, INFINITY, &found,
+                                     scratch, NULL);
+            else
+                gough_samples_low_pass(rows[i], time_of, value, GOUGH_ROLL, 5, scratch, NULL);
+            size_t kept = room;
+            while (kept < all && scratch[kept] >= 7 && scratch[kept] <= 7) kept++;
+            ck_assert_uint_eq(kept, all);
+        }
+    }
+}
+END_TEST
+
 START_TEST(infinite_cutoff_and_few_rows_change_nothing) {
     double before[GOUGH_COMPONENTS * 100];
     fill(100, 0.01, sine, 20);
@@ -391,9 +413,9 @@ int main(void) {
     return SUITE_RUN(
         "model/smooth", 60, agrees_with_dense_normal_equations,
         gain_of_sines_is_that_of_the_filter_and_phase_is_none,
-        parabolas_are_left_alone_at_any_cutoff, infinite_cutoff_and_few_rows_change_nothing,
-        rounding_is_taken_out_of_heave, noise_left_is_that_of_the_theory,
-        a_short_move_in_a_long_rest_keeps_its_acceleration, bad_input_is_refused_and_left_alone,
-        motion_over_the_pole_and_past_north_is_recovered, no_rotation_changes,
-        heading_past_north_is_continuous_in_exact_degrees);
+        parabolas_are_left_alone_at_any_cutoff, no_more_scratch_is_used_than_is_asked_for,
+        infinite_cutoff_and_few_rows_change_nothing, rounding_is_taken_out_of_heave,
+        noise_left_is_that_of_the_theory, a_short_move_in_a_long_rest_keeps_its_acceleration,
+        bad_input_is_refused_and_left_alone, motion_over_the_pole_and_past_north_is_recovered,
+        no_rotation_changes, heading_past_north_is_continuous_in_exact_degrees);
 }

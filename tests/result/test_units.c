@@ -151,6 +151,33 @@ START_TEST(no_dimensionless_form_without_gravity) {
 }
 END_TEST
 
+START_TEST(columns_of_a_table_have_its_numbers_as_written) {
+    gough_study *study = study_by_hand("", false);
+    gough_result *result = result_by_hand(study, "simulate", 3, &own_units);
+    gough_result_column column = {.rows = 99};
+    int count = 0;
+    while (gough_result_column_at(result, count, &column)) {
+        const gough_column_info *info = gough_column(count);
+        ck_assert_str_eq(column.name, info->name);
+        ck_assert_str_eq(column.long_name, info->long_name);
+        ck_assert_uint_eq(column.rows, 3);
+        const double factor = info->angle ? 57.295779513082320877 : 1;
+        for (size_t r = 0; r < 3; r++) {
+            const double number = count == GOUGH_T ? (double)r / 8.0 : awkward(r, count);
+            ck_assert(fabs(column.value[r] - factor * number) <= 4e-16 * fabs(factor * number));
+        }
+        count++;
+    }
+    ck_assert_int_eq(count, GOUGH_RXX);
+    column = (gough_result_column){.rows = 99};
+    ck_assert(!gough_result_column_at(result, -1, &column));
+    ck_assert(!gough_result_column_at(result, GOUGH_COLUMNS, &column));
+    ck_assert_uint_eq(column.rows, 99);
+    gough_result_free(result);
+    free_study_by_hand(study);
+}
+END_TEST
+
 /* The order of every table, written out once more. */
 START_TEST(columns_are_those_of_every_table_in_order) {
     static const char *const names[] = {
@@ -170,5 +197,6 @@ int main(void) {
                      dimensionless_numbers_are_those_worked_out_by_hand, si_units_are_named,
                      dimensionless_units_are_1_and_angles_stay_degrees,
                      own_units_are_asked_for_by_default, no_dimensionless_form_without_gravity,
+                     columns_of_a_table_have_its_numbers_as_written,
                      columns_are_those_of_every_table_in_order);
 }

@@ -166,6 +166,37 @@ START_TEST(no_peak_beyond_a_jump) {
 }
 END_TEST
 
+/* a force that rises evenly to 1 and falls from there, with looks h apart: cubics across the tip would overshoot it */
+static gough_leg_summary sum_tent(double h, bool marked) {
+    gough_machine machine;
+    gough_summary s;
+    gough_row row;
+
+    paper_machine(&machine);
+    gough_summary_begin(&s);
+    for (int k = -4; k <= 4; k++) {
+        for (int c = 0; c < GOUGH_COLUMNS; c++) row.value[c] = 0;
+        row.value[GOUGH_X] = row.value[GOUGH_EX] = NAN;
+        row.value[GOUGH_T] = 1 + k * h;
+        row.value[GOUGH_F] = 1 - fabs(k * h);
+        gough_summary_look(&s, &machine, &row, k == -4);
+        if (k == 0 && marked) gough_summary_corner(&s);
+    }
+    gough_summary_end(&s);
+    return s.leg[0];
+}
+
+START_TEST(nothing_is_interpolated_across_a_corner) {
+    const double h = 0.1, end = 1 - 4 * h;
+    const double rms = sqrt((1 - end * end * end) / (3 * 4 * h));
+    ck_assert(fabs(sum_tent(h, true).force_max - 1) <= 1e-15);
+    ck_assert(fabs(sum_tent(h, true).force_min - end) <= 1e-15);
+    ck_assert(fabs(sum_tent(h, true).rms_force - rms) <= 1e-14);
+    /* without the mark both are off, so that the test above is one */
+    ck_assert(!(fabs(sum_tent(h, false).rms_force - rms) <= 1e-6));
+}
+END_TEST
+
 START_TEST(deviation_is_what_was_put_in) {
     gough_model *model = calloc(1, sizeof *model);
 
@@ -189,5 +220,5 @@ int main(void) {
     return SUITE_RUN("summary", 30, energy_is_the_load_s_and_of_fourth_order,
                      rest_is_summed_exactly, swing_is_the_angle_of_each_end,
                      peaks_lie_between_any_two_looks, no_peak_beyond_a_jump,
-                     deviation_is_what_was_put_in);
+                     nothing_is_interpolated_across_a_corner, deviation_is_what_was_put_in);
 }

@@ -322,6 +322,55 @@ START_TEST(settings_change_a_sweep) {
 }
 END_TEST
 
+START_TEST(a_sweep_says_what_it_is_made_of) {
+    static const gough_setting settings[] = {{"load.mass", "3"}, {"sweep.seed", "77"}};
+    char text[2000], *messages = NULL;
+    gough_sweep *sweep = NULL;
+    size_t count = 0;
+    snprintf(text, sizeof text,
+             "%ssweep: {keys: {control.stiffness: [1, 2], platform.height: [1.1, 1.3], "
+             "disturbance.vertical_force: {uniform: [0, 1]}, simulation.duration: [1, 2]}}\n",
+             good_study);
+    ck_assert_msg(gough_sweep_parse("study.yaml", text, strlen(text), settings, 2, &sweep,
+                                    &messages) == GOUGH_OK,
+                  "%s", messages);
+    /* the study as written, with the settings */
+    const gough_study *study = gough_sweep_study(sweep);
+    ck_assert(same(study->model->machine.load.mass, 3));
+    ck_assert(study->swept);
+    const gough_setting *given = gough_sweep_settings(sweep, &count);
+    ck_assert_uint_eq(count, 2);
+    ck_assert_str_eq(given[1].key, "sweep.seed");
+    ck_assert_str_eq(given[1].value, "77");
+    ck_assert_uint_eq(gough_sweep_seed(sweep), 77);
+
+    static const unsigned touched[] = {GOUGH_SWEEP_CONTROL,
+                                       GOUGH_SWEEP_MACHINE | GOUGH_SWEEP_HEIGHT,
+                                       GOUGH_SWEEP_DISTURBANCE, GOUGH_SWEEP_SIMULATION};
+    unsigned all = 0;
+    gough_sweep_keys(sweep, &count);
+    ck_assert_uint_eq(count, 4);
+    for (size_t key = 0; key < 4; key++) {
+        ck_assert_uint_eq(gough_sweep_touches(sweep, key), touched[key]);
+        all |= touched[key];
+    }
+    ck_assert_uint_eq(gough_sweep_touches(sweep, 4), all);
+    ck_assert_uint_eq(gough_sweep_touches(sweep, 99), all);
+    gough_sweep_free(sweep);
+}
+END_TEST
+
+START_TEST(noise_is_of_the_run_unless_the_study_names_one) {
+    reading one = expect_good("disturbance: {noise: {leg_force: 0.1, interval: 0.5}}\n", NULL);
+    reading named =
+        expect_good("disturbance: {noise: {leg_force: 0.1, interval: 0.5, run: 0}}\n", NULL);
+    ck_assert_uint_eq(gough_sweep_noise_run(one.study, 5), 5);
+    ck_assert_uint_eq(gough_sweep_noise_run(named.study, 5), 0);
+    reading_free(&one);
+    reading_free(&named);
+}
+END_TEST
+
 /* ---- running it --------------------------------------------------------------------------------------------------- */
 
 typedef struct rows {
@@ -368,6 +417,7 @@ int main(void) {
                   draws_are_of_seed_run_and_key, values_are_printed_so_that_they_read_back,
                   study_of_a_run_is_the_one_read_with_its_settings, says_what_is_wrong_with_a_sweep,
                   a_key_that_goes_not_with_the_file_is_an_error, settings_change_a_sweep,
+                  a_sweep_says_what_it_is_made_of, noise_is_of_the_run_unless_the_study_names_one,
                   rows_come_in_order_and_can_be_stopped);
     forget_comma_locale();
     return status;
