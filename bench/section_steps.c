@@ -1,7 +1,7 @@
 /* Rows of whole batches on one thread: steps of RK4 in a second for each width, and the memory of a run. */
 #include <math.h>
 
-#include "batch/width.h"
+#include "batch/lane_runs_table.h"
 #include "bench/bench.h"
 
 typedef struct {

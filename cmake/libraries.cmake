@@ -1,41 +1,42 @@
-# Three libraries: the core (base to batch: no dependency but the C library and libquadmath); over it the analysis of
-# stability (analyse: LAPACK); over both files and figures (study, result, report). Each is compiled once, as position-independent code with only GOUGH_API visible, and
-# serves as a static library (command, tests) and as a shared one (installed).
+# Three libraries: the core (rooms base to batch: no dependency but the C library and libquadmath); over it the analysis of
+# stability (linear to tune: LAPACK); over both files and figures (study to page). Each is compiled once, as position-independent
+# code with only GOUGH_API visible, and serves as a static library (command, tests) and as a shared one (installed).
 configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/gough/version.h @ONLY)
 
 file(GLOB GOUGH_HEADERS CONFIGURE_DEPENDS include/gough/*.h)
 file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
-    src/base/*.c src/kernel/*.c src/model/*.c src/dynamics/*.c src/integrate/*.c src/simulate/*.c src/batch/*.c)
-file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/analyse/*.c)
+    src/base/*.c src/kernel/*.c src/program/*.c src/plant/*.c src/model/*.c src/integrate/*.c src/run/*.c src/batch/*.c)
+file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/linear/*.c src/floquet/*.c src/map/*.c src/tune/*.c)
 # The core does not show its inner functions: what the analysis needs of them is compiled into it again.
-list(APPEND GOUGH_ANALYSE_SOURCES src/model/appointments.c src/base/crew.c)
-file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS src/study/*.c src/result/*.c src/report/*.c)
+list(APPEND GOUGH_ANALYSE_SOURCES src/program/appointments.c src/base/crew.c)
+file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS 
+    src/study/*.c src/table/*.c src/sweep/*.c src/figure/*.c src/page/*.c)
 
 # What steps is worth more of the compiler's time; the bits stay.
-set_source_files_properties(src/batch/batch_double.c src/batch/batch_lanes_2.c src/simulate/simulate_double.c
-    src/analyse/analyse_double.c src/analyse/analyse_lanes_2.c
+set_source_files_properties(src/batch/batch_double.c src/batch/batch_lanes_2.c src/run/run_double.c
+    src/map/lane_matrices_double.c src/map/lane_matrices_2.c
     PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 
 # Lanes of 4 and 8 have the instructions they need, in files of their own; which of them runs is chosen by the processor.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    set_source_files_properties(src/batch/batch_lanes_4.c src/analyse/analyse_lanes_4.c
+    set_source_files_properties(src/batch/batch_lanes_4.c src/map/lane_matrices_4.c
         PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx2")
-    set_source_files_properties(src/batch/batch_lanes_8.c src/analyse/analyse_lanes_8.c
+    set_source_files_properties(src/batch/batch_lanes_8.c src/map/lane_matrices_8.c
         PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx512f;-mavx512dq;-mavx512vl")
 else()
     list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "batch_lanes_[48]\\.c$")
-    list(FILTER GOUGH_ANALYSE_SOURCES EXCLUDE REGEX "analyse_lanes_[48]\\.c$")
+    list(FILTER GOUGH_ANALYSE_SOURCES EXCLUDE REGEX "lane_matrices_[48]\\.c$")
 endif()
 
 # The same for one run, and for its stages made ready side by side.
-set_source_files_properties(src/simulate/ahead_lanes_2.c PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
+set_source_files_properties(src/run/prefetch_lanes_2.c PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    set_source_files_properties(src/simulate/ahead_lanes_4.c src/simulate/simulate_double_4.c
+    set_source_files_properties(src/run/prefetch_lanes_4.c src/run/run_double_4.c
         PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx2")
-    set_source_files_properties(src/simulate/ahead_lanes_8.c src/simulate/simulate_double_8.c
+    set_source_files_properties(src/run/prefetch_lanes_8.c src/run/run_double_8.c
         PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx512f;-mavx512dq;-mavx512vl")
 else()
-    list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "(ahead_lanes|simulate_double)_[48]\\.c$")
+    list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "(prefetch_lanes|run_double)_[48]\\.c$")
 endif()
 
 # gough_room_libraries(SUFFIX [FLAGS…]): the static libraries gough_core<SUFFIX>, gough_analyse<SUFFIX> and gough_files<SUFFIX>.

@@ -5,13 +5,13 @@ find_program(GOUGH_PAGE_LINKER NAMES wasm-ld wasm-ld-20 wasm-ld-19 wasm-ld-18 wa
 set(GOUGH_PAGE_FOLDER ${PROJECT_BINARY_DIR}/web)
 file(MAKE_DIRECTORY ${GOUGH_PAGE_FOLDER})
 
-# The texts in double precision; web/core/live.c takes the place of src/simulate/simulate_double.c,
+# The texts in double precision; web/core/live.c takes the place of src/run/run_double.c,
 # and without wide registers nothing is made ready side by side.
 file(GLOB GOUGH_PAGE_CORE_SOURCES CONFIGURE_DEPENDS web/core/*.c
-    src/base/*.c src/kernel/*.c src/model/*.c src/dynamics/*.c src/integrate/*.c src/simulate/*.c)
-list(FILTER GOUGH_PAGE_CORE_SOURCES EXCLUDE REGEX "(_quad|_complex|crew|version|(simulate_double|ahead)[^/]*)\\.c$")
+    src/base/*.c src/kernel/*.c src/program/*.c src/plant/*.c src/model/*.c src/integrate/*.c src/run/*.c)
+list(FILTER GOUGH_PAGE_CORE_SOURCES EXCLUDE REGEX "(_quad|_complex|crew|version|(run_double|prefetch)[^/]*)\\.c$")
 file(GLOB GOUGH_PAGE_CORE_HEADERS CONFIGURE_DEPENDS web/core/*.h include/gough/*.h
-    src/base/*.h src/kernel/*.h src/model/*.h src/dynamics/*.h src/integrate/*.h src/system/*.h src/simulate/*.h)
+    src/base/*.h src/kernel/*.h src/program/*.h src/plant/*.h src/model/*.h src/integrate/*.h src/system/*.h src/run/*.h)
 
 # -Os is about as fast here as -O3, and a quarter smaller. Numbers beyond the integers saturate rather than trap. The stack of a
 # module is 64 KiB unless told; runs keep their steps on it. No entry: the page calls what web/core/live.h names.

@@ -9,7 +9,7 @@ endif()
 
 set(GOUGH_PAGE_SOURCE ${PROJECT_BINARY_DIR}/web/source)
 set(GOUGH_PAGE_TEMPLATE ${PROJECT_BINARY_DIR}/web/report.html)
-set(GOUGH_PAGE_PALETTE ${PROJECT_SOURCE_DIR}/src/report/palette.def)
+set(GOUGH_PAGE_PALETTE ${PROJECT_SOURCE_DIR}/src/figure/palette.def)
 file(GLOB GOUGH_PAGE_FILES CONFIGURE_DEPENDS web/src/*.js web/src/*.css)
 set(GOUGH_PAGE_PACKAGES package.json package-lock.json .npmrc)
 list(TRANSFORM GOUGH_PAGE_PACKAGES PREPEND ${PROJECT_SOURCE_DIR}/web/)

@@ -22,7 +22,7 @@ function core() {
 // names of colours; `--palette: day` in a style becomes a property of each colour.
 function palette() {
   const name = "virtual:palette";
-  const text = readFileSync(process.env.GOUGH_PALETTE ?? "../src/report/palette.def", "utf8");
+  const text = readFileSync(process.env.GOUGH_PALETTE ?? "../src/figure/palette.def", "utf8");
   const colours = [...text.matchAll(/^COLOUR\((\w+), "(#\w+)", "(#\w+)"\)$/gm)];
   const names = (what) =>
     new RegExp(`^${what}\\((.*)\\)$`, "m").exec(text)[1].split(", ");

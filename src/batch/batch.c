@@ -7,12 +7,12 @@
 
 #include "base/assert.h"
 #include "base/crew.h"
-#include "batch/width.h"
+#include "batch/lane_runs_table.h"
 #include "gough/sizes.h"
 #include "integrate/fixed.h"
-#include "model/appointments.h"
-#include "simulate/ahead.h"
-#include "simulate/simulate.h"
+#include "program/appointments.h"
+#include "run/prefetch.h"
+#include "run/run.h"
 
 /* groups that a thread walks together; steps of a block; records of its tape: at most 18 stages a step */
 enum { GROUPS = 32, BLOCK = 32, RECORDS = 18 * BLOCK + 8 };
@@ -24,7 +24,7 @@ gough_status gough_batch_options_init(gough_batch_options *options, size_t size)
     return GOUGH_OK;
 }
 
-int gough_batch_lanes(void) { return ahead_lanes(); }
+int gough_batch_lanes(void) { return prefetch_lanes(); }
 
 static const struct batch_width *width_of(int lanes) {
     switch (lanes) {

@@ -1,7 +1,7 @@
 /* What one lane does alone: groups of a single run, beginnings and ends as in gough_simulate(), recorded stages, adaptive runs. */
 #define NUMBER_DOUBLE
-#include "batch/group.h"
-#include "simulate/forward.h"
+#include "batch/lane_runs.h"
+#include "run/forward_run.h"
 
 const struct batch_width batch_width_1 = {1, (sizeof(group) + 63) / 64 * 64, group_begin,
                                           group_advance, group_finish};

@@ -3,10 +3,10 @@
 #ifndef GOUGH_BATCH_LOOKS_H
 #define GOUGH_BATCH_LOOKS_H
 
-#include "batch/width.h"
-#include "simulate/limits.h"
-#include "simulate/peak.h"
-#include "simulate/quadrature.h"
+#include "batch/lane_runs_table.h"
+#include "run/margins.h"
+#include "run/peak.h"
+#include "run/quadrature.h"
 
 /* columns of a look: of each leg |force|, |rate| and power, then the power that all legs deliver, the distance from the program
  * the size of the turn between them, and the largest |force|, |rate|, power and −power of any leg */

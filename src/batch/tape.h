@@ -3,8 +3,8 @@
 #ifndef GOUGH_BATCH_TAPE_H
 #define GOUGH_BATCH_TAPE_H
 
-#include "dynamics/layout.h"
 #include "gough/batch.h"
+#include "plant/layout.h"
 
 typedef struct {
     double time;

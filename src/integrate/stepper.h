@@ -2,8 +2,8 @@
 #ifndef GOUGH_INTEGRATE_STEPPER_H
 #define GOUGH_INTEGRATE_STEPPER_H
 
-#include "dynamics/layout.h"
 #include "kernel/number.h"
+#include "plant/layout.h"
 
 /* most unknowns of a system; arrays of this size live on the stack */
 enum { STEPPER_SIZE = STATE_SIZE };

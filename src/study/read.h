@@ -3,7 +3,7 @@
 #define STUDY_READ_H
 
 #include "study/build.h"
-#include "study/plan.h"
+#include "study/sweep_plan.h"
 
 /* What a study has allocated besides its model. */
 typedef struct study_memory {

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "study/check.h"
+#include "study/overrides.h"
 #include "study/read.h"
-#include "study/settings.h"
 #include "study/source.h"
 #include "study/where.h"
 

@@ -5,15 +5,15 @@
 
 #include "base/assert.h"
 #include "base/limits.h"
-#include "dynamics/forward.h"
-#include "dynamics/inverse.h"
-#include "dynamics/machine.h"
-#include "dynamics/program.h"
-#include "dynamics/state.h"
 #include "gough/random.h"
 #include "gough/simulate.h"
 #include "kernel/law.h"
 #include "kernel/real.h"
+#include "plant/forward.h"
+#include "plant/hexapod.h"
+#include "plant/inverse.h"
+#include "plant/program_motion.h"
+#include "plant/state.h"
 
 /* What the program and the disturbances are at one time. It depends on time alone, so that it may be prefetched, recorded and
  * replayed; nothing else may. */

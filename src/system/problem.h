@@ -4,7 +4,7 @@
 #define GOUGH_SYSTEM_PROBLEM_H
 
 #include "integrate/march.h"
-#include "model/appointments.h"
+#include "program/appointments.h"
 #include "system/system.h"
 
 /* what the steppers see of a system */

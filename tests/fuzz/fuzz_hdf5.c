@@ -1,7 +1,7 @@
 /* Any bytes behind the signature of HDF5 as a result file: they end in a table or in a message with the name of the file. */
 #define _POSIX_C_SOURCE 200809L
 #include "file.h"
-#include "result/result.h"
+#include "table/table.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

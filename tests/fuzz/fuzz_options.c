@@ -4,7 +4,6 @@
 
 #include "cli/common/option_values.h"
 #include "file.h"
-#include "report/sheet.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

@@ -2,8 +2,8 @@
  * they are read and merged, continued, or refused with a message. */
 #define _POSIX_C_SOURCE 200809L
 #include "file.h"
-#include "result/sweep_bytes.h"
-#include "result/sweep_part.h"
+#include "sweep/sweep_bytes.h"
+#include "sweep/sweep_part.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# The layout of the state (src/dynamics/layout.h) is the only place that knows how many numbers a state and its parts have: later
+# The layout of the state (src/plant/layout.h) is the only place that knows how many numbers a state and its parts have: later
 # parts add theirs there alone.
 set -euo pipefail
 cd "${SOURCE:-$(dirname "$0")/../..}"
-rooms=(src/dynamics src/integrate src/system src/simulate src/batch src/analyse web/core)
+rooms=(src/plant src/integrate src/system src/run src/batch src/linear src/floquet src/map src/tune web/core)
 digits='\[(12|24)\]|< *(12|24) *;|, *(12|24)\)'
 failed=0
 while IFS=: read -r file line text; do
     case $file in
-        src/dynamics/layout.h) continue ;;
+        src/plant/layout.h) continue ;;
         src/integrate/dop853_table.h) continue ;; # stages of the method
     esac
     [[ $text != *char* ]] || continue

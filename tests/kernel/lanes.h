@@ -1,10 +1,10 @@
 /* One right-hand side and one inverse dynamics of many poses over the number type of the including file: the same texts, plain
  * arrays of double outside. Poses come in blocks of NUMBER_WIDTH. */
-#include "dynamics/forward.h"
-#include "dynamics/inverse.h"
-#include "dynamics/machine.h"
-#include "dynamics/state.h"
 #include "kernel/law.h"
+#include "plant/forward.h"
+#include "plant/hexapod.h"
+#include "plant/inverse.h"
+#include "plant/state.h"
 #include "support/kernel.h"
 
 static inline void evaluate(const gough_machine *machine, int count, double (*state)[24],

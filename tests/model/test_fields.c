@@ -17,7 +17,7 @@ typedef struct {
     { offsetof(type, first), offsetof(type, last) + sizeof(((type *)NULL)->last) }
 
 /* Each byte is of one field, or of no input, or padding, which is shorter than a number. */
-static void expect_covered(gough_owner owner, size_t size, const range none[2]) {
+static void expect_covered(gough_owner owner, size_t size, const range none[3]) {
     size_t count, gap = 0;
     const gough_field *field = gough_fields(&count);
     bool *seen = calloc(size, sizeof *seen);
@@ -31,7 +31,7 @@ static void expect_covered(gough_owner owner, size_t size, const range none[2]) 
             seen[k] = true;
         }
     }
-    for (int r = 0; r < 2; r++)
+    for (int r = 0; r < 3; r++)
         for (size_t k = none[r].start; k < none[r].end; k++) {
             ck_assert_msg(!seen[k], "byte %zu is of a field and no input", k);
             seen[k] = true;
@@ -45,11 +45,12 @@ static void expect_covered(gough_owner owner, size_t size, const range none[2]) 
 
 /* Smaller members, which could hide in padding, are tested by tests/house/test_fields.sh. */
 START_TEST(fields_cover_their_structs_once) {
-    static const range of_model[2] = {
+    static const range of_model[3] = {
         RANGE(gough_model, machine.base_radius, machine.home_condition),
         RANGE(gough_model, motion.move, motion.samples.curvature)};
-    static const range of_simulation[2] = {RANGE(gough_simulation, summary, statistics)};
-    static const range of_move[2] = {{0, 0}};
+    static const range of_simulation[3] = {RANGE(gough_simulation, size, size),
+                                           RANGE(gough_simulation, summary, statistics)};
+    static const range of_move[3] = {{0, 0}};
 
     expect_covered(GOUGH_OWNER_MODEL, sizeof(gough_model), of_model);
     expect_covered(GOUGH_OWNER_SIMULATION, sizeof(gough_simulation), of_simulation);

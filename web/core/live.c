@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "simulate/forces_along.h"
-#include "simulate/forward.h"
+#include "run/forces_along.h"
+#include "run/forward_run.h"
 
 /* in place of simulate_double.c; the page has no quadruple precision, and live_begin() takes none */
 const struct simulate_table simulate_double = {walk_run, forward_run};

@@ -1,4 +1,4 @@
-// Colours of lines, from the table that figures of `gough plot` take theirs from too (src/report/palette.def), and the diverging
+// Colours of lines, from the table that figures of `gough plot` take theirs from too (src/figure/palette.def), and the diverging
 // scale of forces. Each is a property of the theme (style.css): darker by day, lighter at night.
 import { axes, legs, tables } from "virtual:palette";
 import { themed } from "./dom.js";

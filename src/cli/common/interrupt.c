@@ -1,5 +1,5 @@
 /* Ctrl-C, SIGTERM and SIGHUP: what is kept is said, and the process ends by the signal. Results are written complete or not at
- * all by other means (src/result/output.c), so that the handler has nothing to undo. */
+ * all by other means (src/table/output.c), so that the handler has nothing to undo. */
 #define _GNU_SOURCE
 #include <signal.h>
 #include <stdarg.h>

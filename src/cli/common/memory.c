@@ -1,7 +1,7 @@
 /* What the command does when memory runs out. Its libraries for YAML, HDF5, JSON and options do not all survive a failed
  * allocation, and some shorten their answer. So a small allocation that fails, whoever asked for it, ends the command with a
  * sentence and exit status 3; large ones return NULL to callers that can say what needs the memory. Ending at any time is safe:
- * files under way have no name yet (src/result/output.c). */
+ * files under way have no name yet (src/table/output.c). */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <stdlib.h>

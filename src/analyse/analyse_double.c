@@ -1,6 +1,0 @@
-/* Transition matrices one by one. */
-#define NUMBER_DOUBLE
-#include "analyse/propagate.h"
-
-const struct analyse_width analyse_width_1 = {
-    1, (sizeof(group) + 63) / 64 * 64, group_begin, group_advance, group_store, compose};

@@ -1,0 +1,107 @@
+/* A figure of tables: chosen kind, panels, gnuplot in a private folder, the picture written complete or not at all. */
+#define _XOPEN_SOURCE 700
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "figure/private_folder.h"
+#include "figure/sheet.h"
+#include "gough/sizes.h"
+
+gough_status gough_figure_init(gough_figure *figure, size_t size) {
+    if (size != sizeof *figure) return gough_size_refuse(figure, size);
+    *figure = (gough_figure){
+        .size = size, .kind = NULL, .title = NULL, .columns = NULL, .from = NAN, .to = NAN};
+    return GOUGH_OK;
+}
+
+static bool find_format(const char *path, sheet_format *format) {
+    static const char *const extensions[] = {
+        [SHEET_PNG] = ".png", [SHEET_SVG] = ".svg", [SHEET_PDF] = ".pdf"};
+    const size_t length = strlen(path);
+    for (int f = SHEET_PNG; f <= SHEET_PDF; f++) {
+        if (length > 4 && strcasecmp(path + length - 4, extensions[f]) == 0) {
+            *format = (sheet_format)f;
+            return true;
+        }
+    }
+    return false;
+}
+
+static gough_status finish_picture(char *bytes, size_t length, sheet_format format,
+                                   const char *path, gough_error *error) {
+    if (format == SHEET_PDF) sheet_blank_date(bytes, length);
+    if (format != SHEET_SVG) return gough_write_file(path, bytes, length, error);
+    char *named = sheet_name_fonts(bytes, &length);
+    if (named == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
+    const gough_status status = gough_write_file(path, named, length, error);
+    free(named);
+    return status;
+}
+
+/* Copies the picture that gnuplot left to where it is wanted. */
+static gough_status take_picture(const char *folder, sheet_format format, const char *path,
+                                 gough_error *error) {
+    char from[256];
+    snprintf(from, sizeof from, "%s/figure", folder);
+    FILE *file = fopen(from, "rb");
+    if (file == NULL)
+        return gough_fail(error, GOUGH_ERROR_FILE, "%s: gnuplot wrote no figure", path);
+    gough_status status = GOUGH_ERROR_FILE;
+    long length = -1;
+    if (fseek(file, 0, SEEK_END) == 0) length = ftell(file);
+    rewind(file);
+    char *bytes = length > 0 ? malloc((size_t)length) : NULL;
+    if (bytes != NULL && fread(bytes, 1, (size_t)length, file) == (size_t)length)
+        status = finish_picture(bytes, (size_t)length, format, path, error);
+    else
+        status = gough_fail(error, status, "%s: gnuplot wrote no figure", path);
+    free(bytes);
+    fclose(file);
+    return status;
+}
+
+gough_status sheet_draw(sheet_writer write, const void *content, const char *path,
+                        gough_error *error) {
+    sheet_format format;
+    if (!find_format(path, &format))
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%s: the name of a figure must end in .png, .svg or .pdf", path);
+    workshop shop;
+    gough_status status = workshop_open(&shop, error);
+    if (status != GOUGH_OK) return status;
+    status = write(content, format, shop.folder, error);
+    if (status == GOUGH_OK) status = sheet_run_gnuplot(shop.folder, error);
+    if (status == GOUGH_OK) status = take_picture(shop.folder, format, path, error);
+    workshop_close(&shop);
+    return status;
+}
+
+static gough_status write_sheet(const void *content, sheet_format format, const char *folder,
+                                gough_error *error) {
+    return sheet_write_script(content, format, folder, error);
+}
+
+gough_status gough_figure_draw(const gough_figure *figure, const gough_table *const *tables,
+                               const char *const *labels, size_t table_count, const char *path,
+                               gough_error *error) {
+    sheet_format format;
+    if (gough_size_check(figure->size, sizeof(gough_figure), "gough_figure", error) != GOUGH_OK)
+        return GOUGH_ERROR_INPUT;
+    if (!find_format(path, &format))
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%s: the name of a figure must end in .png, .svg or .pdf", path);
+    if (table_count == 0) return gough_fail(error, GOUGH_ERROR_INPUT, "no table to draw");
+
+    sheet *s = calloc(1, sizeof *s);
+    if (s == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
+    gough_status status = sheet_fill(s, figure, tables, labels, table_count, error);
+    if (status == GOUGH_OK) status = sheet_draw(write_sheet, s, path, error);
+    sheet_free_arrays(s);
+    free(s);
+    return status;
+}

@@ -1,0 +1,143 @@
+/* Floquet multipliers of the loop about its periodic motion: the program where its forces are fed forward, else the motion that the
+ * springs of the legs give. Theory: docs/theory/floquet.md. */
+#include <lapacke.h>
+#include <math.h>
+
+#include "floquet/orbit.h"
+#include "floquet/spectrum.h"
+#include "linear/mode.h"
+#include "program/program_valid.h"
+
+/* the steps' tolerance where none is given, and what double precision can be asked for */
+static const double usual_tolerance = 1e-13, least_tolerance = 1e-15, greatest_tolerance = 1e-3;
+
+/* error of the monodromy matrix, relative to its norm, in tolerances of the steps: hundreds of steps in 64 factors */
+static const double matrix_error = 100;
+
+enum { WORK = 34 * GOUGH_LINEAR };
+
+static gough_status check(const gough_period *period, double tolerance, gough_error *error) {
+    if (period->resting)
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "the program is at rest from t = %.9g, so it has no period and no multipliers; compute "
+            "the stability at rest in that pose (gough_stability_at_rest())",
+            period->start);
+    if (!(period->period > 0 && isfinite(period->period) && isfinite(period->start)))
+        return gough_fail(error, GOUGH_ERROR_INPUT, "a period must be positive and finite, not %g",
+                          period->period);
+    if (!(tolerance >= least_tolerance && tolerance <= greatest_tolerance))
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the tolerance of the steps must be between %g and %g, not %g",
+                          least_tolerance, greatest_tolerance, tolerance);
+    return GOUGH_OK;
+}
+
+static bool is_damped(const gough_control *control) {
+    for (int v = 0; v < GOUGH_LEGS; v++)
+        if (fabs(control->damping[v]) > 0) return true;
+    return false;
+}
+
+/* the matrix in the study's units */
+static void fill_matrix(const monodromy *m, gough_floquet *floquet) {
+    double product[MONODROMY_SIZE];
+
+    monodromy_product(m, product);
+    for (int i = 0; i < GOUGH_LINEAR; i++) {
+        for (int j = 0; j < GOUGH_LINEAR; j++)
+            floquet->monodromy[i][j] = product[j * GOUGH_LINEAR + i] * m->unit[i] / m->unit[j];
+    }
+}
+
+static void fill_multipliers(const monodromy *m, const spectrum *s, gough_floquet *floquet) {
+    floquet->growth = 0;
+    for (int k = 0; k < GOUGH_LINEAR; k++) {
+        gough_multiplier *multiplier = &floquet->multiplier[k];
+        double complex shape[6];
+        for (int i = 0; i < 6; i++) shape[i] = s->vector[k][i] * m->unit[i];
+        multiplier->value[0] = creal(s->value[k]);
+        multiplier->value[1] = cimag(s->value[k]);
+        mode_of(m->loop.machine, shape, &multiplier->mode);
+        floquet->growth = fmax(floquet->growth, cabs(s->value[k]));
+    }
+    floquet->stable = floquet->growth <= 1 + GOUGH_GROWTH_LIMIT;
+}
+
+/* (floquet-9): multipliers within c of 1, less the singular values of M - 1 below c. An error of M of the relative size e moves
+ * the multipliers of a defective pair by up to the root of e times the norm of M, which is c. */
+static gough_status find_drift(const monodromy *m, const spectrum *s, gough_floquet *floquet,
+                               gough_error *error) {
+    double a[MONODROMY_SIZE], none[1], sigma[GOUGH_LINEAR], work[WORK], norm = 0;
+
+    monodromy_product(m, a);
+    for (int i = 0; i < MONODROMY_SIZE; i++) norm += a[i] * a[i];
+    for (int i = 0; i < GOUGH_LINEAR; i++) a[i * (GOUGH_LINEAR + 1)] -= 1;
+    if (LAPACKE_dgesvd_work(LAPACK_COL_MAJOR, 'N', 'N', GOUGH_LINEAR, GOUGH_LINEAR, a, GOUGH_LINEAR,
+                            sigma, none, 1, none, 1, work, WORK) != 0)
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "the deviations grow beyond the range of numbers within one period, so "
+                          "there are no multipliers");
+    const double near = sqrt(norm * matrix_error * fmax(m->tolerance, usual_tolerance));
+    floquet->drifting = 0;
+    for (int k = 0; k < GOUGH_LINEAR; k++)
+        floquet->drifting += (cabs(s->value[k] - 1) <= near) - (sigma[k] <= near);
+    if (floquet->drifting < 0) floquet->drifting = 0;
+    floquet->stable = floquet->stable && floquet->drifting == 0;
+    return GOUGH_OK;
+}
+
+/* (floquet-5): without damping the determinant is 1 and multipliers come in pairs; with it Liouville's formula is left */
+static void fill_defects(const monodromy *m, const spectrum *s, gough_floquet *floquet) {
+    const bool damped = is_damped(m->loop.control);
+
+    floquet->determinant = exp(s->log_determinant);
+    floquet->determinant_defect = fabs(expm1(s->log_determinant - (damped ? m->trace : 0)));
+    floquet->pair_defect = damped ? NAN : spectrum_pair_defect(s);
+}
+
+static gough_status go_round(monodromy *m, gough_state *state, gough_error *error) {
+    gough_acceleration acceleration;
+    gough_status status;
+    double y[MOTION];
+
+    if (m->loop.control->feedforward) {
+        gough_program(m->loop.machine, m->loop.motion, m->start, state, &acceleration);
+        return monodromy_of_program(m, error);
+    }
+    status = orbit_find(m, y, error);
+    if (status == GOUGH_OK) monodromy_fold(m->loop.machine, y, state);
+    return status;
+}
+
+gough_status gough_floquet_multipliers(const gough_model *model, const gough_period *period,
+                                       double tolerance, gough_floquet *floquet,
+                                       gough_error *error) {
+    const double asked = fabs(tolerance) <= 0 ? usual_tolerance : tolerance;
+    gough_period found;
+    gough_status status;
+    monodromy m;
+    spectrum s;
+
+    status = motion_check(&model->motion, error);
+    if (status != GOUGH_OK) return status;
+    if (period == NULL) {
+        status = gough_motion_period(&model->motion, &found, error);
+        if (status != GOUGH_OK) return status;
+        period = &found;
+    }
+    status = check(period, asked, error);
+    if (status != GOUGH_OK) return status;
+    monodromy_begin(&m, model, period, asked);
+    status = go_round(&m, &floquet->state, error);
+    if (status == GOUGH_OK) status = spectrum_of(&m, &s, error);
+    if (status != GOUGH_OK) return status;
+
+    floquet->start = m.start;
+    floquet->period = m.period;
+    floquet->steps = m.steps;
+    fill_matrix(&m, floquet);
+    fill_multipliers(&m, &s, floquet);
+    fill_defects(&m, &s, floquet);
+    return find_drift(&m, &s, floquet, error);
+}

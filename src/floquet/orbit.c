@@ -1,0 +1,174 @@
+/* A state that comes back after a period, by Newton's method with the monodromy matrix as derivative; where that fails, from
+ * stiffer and damped legs, whose motion is nearer to the program, to those asked for. Theory: docs/theory/floquet.md. */
+#define NUMBER_DOUBLE
+#include "floquet/orbit.h"
+
+#include <lapacke.h>
+#include <string.h>
+
+#include "kernel/real.h"
+#include "plant/state.h"
+
+enum { N = GOUGH_LINEAR, MOST_STEPS = 15 };
+
+/* Newton's step below which the state is found; and below which it may stay where rounding stops the steps from shrinking. In
+ * tolerances of the stepper, in the units of ξ. */
+static const double closed = 10, nearly_closed = 1e3;
+
+/* a first step longer than this, in the same units, could lead to another motion than the one meant; and so could later ones that
+ * do not become shorter at least by this factor */
+static const double farthest = 0.5, shrinks = 0.8;
+
+/* The way from legs (1 + STIFFER) times as stiff and with damping 2√(GM) to those asked for: at most so many motions on it, and the
+ * least progress from one to the next. */
+enum { STIFFER = 3, MOST_MOTIONS = 24 };
+static const double least_progress = 1e-3;
+
+/* of the steps on this way */
+static const double rough_tolerance = 1e-9;
+
+/* e ← exp(θ) e, Rodrigues' formula; below 1e-4 sin x/x by its series, exact to rounding */
+static vector turned(vector theta, vector e) {
+    const double square = dot(theta, theta), x = real_root(square);
+    const double a = x < 1e-4 ? 1 - square / 6 : real_sin(x) / x;
+    const double half = x < 1e-4 ? 0.5 - square / 48 : real_sin(x / 2) / x;
+
+    return add(
+        e, add(scale(a, cross(theta, e)), scale(2 * half * half, cross(theta, cross(theta, e)))));
+}
+
+/* the state y changed by ξ */
+static void change(const double y[MOTION], const double xi[N], double out[MOTION]) {
+    coordinates x = coordinates_load(y), rate = coordinates_load(y + COORDINATES);
+    const vector theta = vector_load(xi + 3);
+    const vector omega = add(triad_angular_velocity(&x.q, &rate.q), vector_load(xi + 9));
+
+    x.rho = add(x.rho, vector_load(xi));
+    x.q = (triad){turned(theta, x.q.i), turned(theta, x.q.j), turned(theta, x.q.k)};
+    rate = (coordinates){add(rate.rho, vector_load(xi + 6)), triad_rate(&x.q, omega)};
+    coordinates_project(&x, &rate);
+    coordinates_store(&x, out);
+    coordinates_store(&rate, out + COORDINATES);
+}
+
+/* ξ from y to z, in the units of m; of the rotation between them, its axis times the sine of its angle */
+static void difference(const monodromy *m, const double y[MOTION], const double z[MOTION],
+                       double xi[N]) {
+    const coordinates x = coordinates_load(y), rate = coordinates_load(y + COORDINATES);
+    const coordinates u = coordinates_load(z), other = coordinates_load(z + COORDINATES);
+    const vector turn = add(add(cross(x.q.i, u.q.i), cross(x.q.j, u.q.j)), cross(x.q.k, u.q.k));
+
+    vector_store(subtract(u.rho, x.rho), xi);
+    vector_store(scale(0.5, turn), xi + 3);
+    vector_store(subtract(other.rho, rate.rho), xi + 6);
+    vector_store(subtract(angular_velocity_of(&u, &other), angular_velocity_of(&x, &rate)), xi + 9);
+    for (int i = 0; i < N; i++) xi[i] /= m->unit[i];
+}
+
+/* one way round from y: what is missing to closure; false where the way ends before */
+static bool go_round(monodromy *m, const double y[MOTION], double missing[N], gough_error *error) {
+    double after[MOTION];
+
+    memcpy(after, y, sizeof after);
+    if (monodromy_of_motion(m, after, error) != GOUGH_OK) return false;
+    difference(m, y, after, missing);
+    return true;
+}
+
+/* (floquet-7): Newton's step (1 − Φ) ξ = missing, in the units of m; returns its size, INFINITY where there is none */
+static double newton_step(const monodromy *m, const double missing[N], double xi[N]) {
+    double a[MONODROMY_SIZE], largest = 0;
+    lapack_int pivot[N];
+
+    monodromy_product(m, a);
+    for (int i = 0; i < MONODROMY_SIZE; i++) a[i] = (i % (N + 1) == 0 ? 1 : 0) - a[i];
+    memcpy(xi, missing, sizeof(double[N]));
+    if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, N, 1, a, N, pivot, xi, N) != 0) return INFINITY;
+    for (int i = 0; i < N; i++)
+        if (!(fabs(xi[i]) <= largest)) largest = fabs(xi[i]);
+    return largest <= largest ? largest : INFINITY;
+}
+
+/* Newton's method from y, each step shorter than the one before it; whether it came to a motion that closes */
+static bool close_motion(monodromy *m, double y[MOTION], gough_error *error) {
+    double missing[N], xi[N], before = farthest / shrinks;
+
+    for (int step = 0; step < MOST_STEPS; step++) {
+        double length;
+        if (!go_round(m, y, missing, error)) return false;
+        length = newton_step(m, missing, xi);
+        if (length <= closed * m->tolerance) return true;
+        if (!(length <= shrinks * before)) return length <= nearly_closed * m->tolerance;
+        for (int i = 0; i < N; i++) xi[i] *= m->unit[i];
+        change(y, xi, y);
+        before = length;
+    }
+    return false;
+}
+
+/* (floquet-8): the legs at `share` of the way from those asked for, at 0 */
+static gough_control eased(const monodromy *m, const gough_control *asked, double share) {
+    gough_control control = *asked;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        const double G = asked->stiffness[v];
+        control.stiffness[v] = G * (1 + STIFFER * share);
+        control.damping[v] += share * 2 * sqrt(G * m->loop.machine->load.mass);
+    }
+    return control;
+}
+
+/* from eased legs to those asked for, in steps half as long where they fail; y begins at the program */
+static bool ease(monodromy *m, const gough_control *asked, double y[MOTION]) {
+    const double tolerance = m->tolerance;
+    double held = 1, share = 1, begin[MOTION];
+    bool found = false;
+    gough_error why;
+
+    for (int motion = 0; motion < MOST_MOTIONS; motion++) {
+        const gough_control control = eased(m, asked, share);
+        m->loop.control = &control;
+        m->tolerance = share > 0 ? fmax(tolerance, rough_tolerance) : tolerance;
+        memcpy(begin, y, sizeof begin);
+        if (close_motion(m, y, &why)) {
+            found = true;
+            held = share;
+            if (!(share > 0)) break;
+            share = share > 0.02 ? share / 3 : 0;
+        } else {
+            if (!found || held - share < least_progress) break;
+            memcpy(y, begin, sizeof begin);
+            share = (held + share) / 2;
+        }
+    }
+    m->loop.control = asked;
+    m->tolerance = tolerance;
+    return found && !(held > 0);
+}
+
+gough_status orbit_find(monodromy *m, double y[MOTION], gough_error *error) {
+    const gough_control *asked = m->loop.control;
+    gough_acceleration acceleration;
+    gough_error why = {.message = ""};
+    double stiffness = 0;
+    gough_state state;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) stiffness += asked->stiffness[v];
+    if (!(stiffness > 0))
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "without feed-forward and stiffness the legs have no force; give "
+                          "control.stiffness, or set control.feedforward to program");
+    gough_program(m->loop.machine, m->loop.motion, m->start, &state, &acceleration);
+    monodromy_unfold(m->loop.machine, &state, y);
+    if (close_motion(m, y, &why)) return GOUGH_OK;
+    if (why.status == GOUGH_ERROR_INPUT)
+        return gough_fail(error, GOUGH_ERROR_INPUT, "%s", why.message);
+
+    monodromy_unfold(m->loop.machine, &state, y);
+    if (ease(m, asked, y)) return GOUGH_OK;
+    return gough_fail(
+        error, GOUGH_ERROR_NUMERICAL,
+        "without feed-forward no periodic motion was found near the program: the legs are too weak "
+        "to carry the load along it, or it excites the platform at a natural frequency; increase "
+        "control.stiffness, add control.damping, or set control.feedforward to program");
+}

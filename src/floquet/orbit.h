@@ -1,0 +1,11 @@
+/* The periodic motion of a loop whose program forces are not fed forward. Theory: docs/theory/floquet.md. */
+#ifndef GOUGH_FLOQUET_ORBIT_H
+#define GOUGH_FLOQUET_ORBIT_H
+
+#include "floquet/monodromy.h"
+
+/* (floquet-7): finds the state y at the beginning of the period that comes back after it, with the factors of its deviations in m.
+ * GOUGH_ERROR_NUMERICAL: none was found near the program. */
+gough_status orbit_find(monodromy *m, double y[MOTION], gough_error *error);
+
+#endif

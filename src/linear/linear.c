@@ -1,0 +1,113 @@
+/* Linearisation for callers: checks around the complex equations. Theory: docs/theory/stability.md. */
+#include "linear/linear.h"
+
+#include "base/limits.h"
+#include "plant/rotation_valid.h"
+#include "program/program_valid.h"
+
+#include <math.h>
+#include <string.h>
+
+static gough_status check_condition(const gough_machine *machine, double t,
+                                    const gough_state *program, gough_error *error) {
+    double condition;
+
+    gough_conditioning(machine, program, &condition, NULL);
+    if (condition <= greatest_condition) return GOUGH_OK;
+    return gough_fail(
+        error, GOUGH_ERROR_NUMERICAL,
+        "at t = %.9g the program is in a singular pose or nearly so (condition %.3g): no leg "
+        "forces can hold the load there; choose a motion that avoids it",
+        t, fabs(condition));
+}
+
+static gough_status check_legs(const gough_machine *machine, double t, const gough_state *state,
+                               const char *whose, gough_error *error) {
+    double length[GOUGH_LEGS];
+
+    gough_leg_kinematics(machine, state, NULL, length, NULL, NULL);
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        if (length[v] > leg_no_length * machine->base_radius) continue;
+        return gough_fail(
+            error, GOUGH_ERROR_NUMERICAL,
+            "at t = %.9g leg %d of the %s has no length, so the motion has no derivative there", t,
+            v + 1, whose);
+    }
+    return GOUGH_OK;
+}
+
+static gough_status check_matrix(double t, linear_matrix matrix, gough_error *error) {
+    for (int i = 0; i < GOUGH_LINEAR; i++) {
+        for (int j = 0; j < GOUGH_LINEAR; j++) {
+            if (isfinite(matrix[i][j])) continue;
+            return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                              "at t = %.9g the derivatives of the motion are not finite", t);
+        }
+    }
+    return GOUGH_OK;
+}
+
+void linear_inertia(const gough_machine *machine, const gough_state *state, double inertia[3][3]) {
+    memset(inertia, 0, sizeof(double[3][3]));
+    for (int a = 0; a < 3; a++) {
+        const double moment =
+            machine->second_moments[(a + 1) % 3] + machine->second_moments[(a + 2) % 3];
+        double e[3] = {0, 0, 0};
+        for (int r = 0; r < 3; r++) {
+            for (int c = 0; c < 3; c++)
+                e[r] += state->rotation[r][c] * machine->principal_axes[c][a];
+        }
+        for (int r = 0; r < 3; r++) {
+            for (int c = 0; c < 3; c++) inertia[r][c] += moment * e[r] * e[c];
+        }
+    }
+}
+
+gough_status linear_check(const linear_loop *loop, double t, const gough_state *state,
+                          linear_matrix matrix, const char *wrong, gough_error *error) {
+    const gough_machine *machine = loop->machine;
+    gough_acceleration none;
+    gough_state program;
+    gough_status status;
+
+    if (wrong != NULL) {
+        return gough_fail(error, GOUGH_ERROR_INPUT, "%s is not finite at t = %.9g", wrong, t);
+    }
+    gough_program(machine, loop->motion, t, &program, &none);
+    status = check_legs(machine, t, &program, "program", error);
+    if (status == GOUGH_OK && loop->control->feedforward) {
+        status = check_condition(machine, t, &program, error);
+    }
+    if (status == GOUGH_OK && state != NULL) {
+        status = check_legs(machine, t, state, "pose", error);
+    }
+    return status == GOUGH_OK ? check_matrix(t, matrix, error) : status;
+}
+
+size_t gough_linear_size(const gough_model *model) {
+    (void)model; /* no part has states of its own */
+    return GOUGH_LINEAR;
+}
+
+gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
+                             size_t size, double *matrix, gough_error *error) {
+    const linear_loop loop = {&model->machine, &model->motion, &model->control};
+    const gough_status status = motion_check(&model->motion, error);
+    linear_matrix found;
+    const char *wrong;
+
+    if (status != GOUGH_OK) return status;
+    if (size != gough_linear_size(model)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the matrix of the linearised loop has %zu rows, not %zu",
+                          gough_linear_size(model), size);
+    }
+    if (state != NULL && !is_rotation(state->rotation)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the rotation of the state is not a rotation matrix: its columns must be "
+                          "orthonormal to 1e-6 and right-handed");
+    }
+    wrong = linear_complex.matrix(&loop, t, state, found);
+    memcpy(matrix, found, sizeof found);
+    return linear_check(&loop, t, state, found, wrong, error);
+}

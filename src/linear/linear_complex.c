@@ -1,0 +1,170 @@
+/* The run's own equations over complex numbers: an imaginary step of 1e-30 along each of the twelve directions that the
+ * constraints (1.2) leave free comes out as a column of the linearised system, exact to rounding.
+ * Theory: docs/theory/stability.md. */
+#define NUMBER_COMPLEX
+#include "linear/linear.h"
+
+#include "system/system.h"
+
+/* far below the rounding of any real part, far above the least double */
+static const double imaginary_step = 1e-30;
+
+static const gough_disturbance undisturbed;
+
+static void begin(struct system *r, const linear_loop *loop, const gough_simulation *options) {
+    const system_lane lane = {loop->machine, loop->control, &undisturbed, 0};
+
+    system_begin(r, loop->motion, options, &lane);
+}
+
+static gough_simulation unstabilised(void) {
+    gough_simulation options = gough_simulation_default();
+
+    options.constraints = GOUGH_NONE;
+    return options;
+}
+
+/* ρ, i, j, k and rates of a top's state */
+static void state_of_top(const hexapod *h, const gough_state *state, coordinates *x,
+                         coordinates *rate) {
+    const vector none = {0, 0, 0};
+    const triad R = {
+        {state->rotation[0][0], state->rotation[1][0], state->rotation[2][0]},
+        {state->rotation[0][1], state->rotation[1][1], state->rotation[2][1]},
+        {state->rotation[0][2], state->rotation[1][2], state->rotation[2][2]},
+    };
+
+    *x = coordinates_of_top(h, none, vector_of(state->position), &R);
+    *rate = rates_of_top(h, x, vector_of(state->velocity), vector_of(state->angular_velocity));
+}
+
+static vector unit_vector(int axis) { return (vector){axis == 0, axis == 1, axis == 2}; }
+
+static vector imaginary(vector v) {
+    return (vector){cimag(v.x) / imaginary_step, cimag(v.y) / imaginary_step,
+                    cimag(v.z) / imaginary_step};
+}
+
+/* the state displaced by an imaginary step in one of δr, δθ, δv, δω: δe = δθ × e, δė = δω × e + ω × δe */
+static void displace(int direction, coordinates *x, coordinates *rate) {
+    const vector step = scale(I * imaginary_step, unit_vector(direction % 3));
+    const vector omega = triad_angular_velocity(&x->q, &rate->q);
+    triad turned;
+
+    switch (direction / 3) {
+    case 0:
+        x->rho = add(x->rho, step);
+        break;
+    case 1:
+        turned = triad_rate(&x->q, step);
+        x->q = (triad){add(x->q.i, turned.i), add(x->q.j, turned.j), add(x->q.k, turned.k)};
+        rate->q = triad_rate(&x->q, omega);
+        break;
+    case 2:
+        rate->rho = add(rate->rho, step);
+        break;
+    default:
+        rate->q = triad_rate(&x->q, add(omega, step));
+    }
+}
+
+/* (stab-13): δṙ = δv, δθ̇ = δω + ω × δθ, and δv̇, δω̇ from the equations of motion */
+static void column(struct system *r, double t, coordinates x, coordinates rate, int direction,
+                   linear_matrix matrix) {
+    const vector omega = triad_angular_velocity(&x.q, &rate.q);
+    const vector unit = unit_vector(direction % 3), none = {0, 0, 0};
+    const int kind = direction / 3;
+    const vector turning = kind == 1 ? cross(omega, unit) : kind == 3 ? unit : none;
+    number y[STATE_SIZE], change[STATE_SIZE], out[GOUGH_LINEAR];
+    coordinates a;
+
+    displace(direction, &x, &rate);
+    coordinates_store(&x, y);
+    coordinates_store(&rate, y + COORDINATES);
+    system_rates(r, t, y, change);
+    a = coordinates_load(change + COORDINATES);
+
+    vector_store(kind == 2 ? unit : none, out);
+    vector_store(turning, out + 3);
+    vector_store(imaginary(a.rho), out + 6);
+    vector_store(imaginary(angular_velocity_of(&x, &a)), out + 9);
+    for (int i = 0; i < GOUGH_LINEAR; i++) matrix[i][direction] = creal(out[i]);
+}
+
+static void columns(struct system *r, double t, const coordinates *x, const coordinates *rate,
+                    linear_matrix matrix) {
+    for (int direction = 0; direction < GOUGH_LINEAR; direction++)
+        column(r, t, *x, *rate, direction, matrix);
+}
+
+static const char *complex_matrix(const linear_loop *loop, double t, const gough_state *state,
+                                  linear_matrix matrix) {
+    const gough_simulation options = unstabilised();
+    struct system r;
+    coordinates x, rate;
+
+    begin(&r, loop, &options);
+    if (state == NULL) {
+        const wanted *s = system_wanted(&r, t);
+        x = s->x[0], rate = s->x[1];
+    } else {
+        state_of_top(&r.h, state, &x, &rate);
+    }
+    columns(&r, t, &x, &rate, matrix);
+    return r.fault.what;
+}
+
+static const char *complex_along(const linear_loop *loop, const double *t, size_t count,
+                                 linear_matrix *matrix) {
+    const gough_simulation options = unstabilised();
+    struct system r;
+
+    begin(&r, loop, &options);
+    for (size_t k = 0; k < count && r.fault.what == NULL; k++) {
+        const wanted *s = system_wanted(&r, t[k]);
+        const coordinates x = s->x[0], rate = s->x[1];
+        columns(&r, t[k], &x, &rate, matrix[k]);
+    }
+    return r.fault.what;
+}
+
+static const char *complex_accelerations(const linear_loop *loop, double t,
+                                         const gough_state *state, double acceleration[6],
+                                         double force[GOUGH_LEGS]) {
+    const gough_simulation options = unstabilised();
+    number y[STATE_SIZE], out[6];
+    coordinates x, rate;
+    signals m;
+    struct system r;
+
+    begin(&r, loop, &options);
+    state_of_top(&r.h, state, &x, &rate);
+    coordinates_store(&x, y);
+    coordinates_store(&rate, y + COORDINATES);
+    system_signals(&r, t, y, &m);
+    vector_store(m.acceleration.rho, out);
+    vector_store(angular_velocity_of(&x, &m.acceleration), out + 3);
+    for (int i = 0; i < 6; i++) acceleration[i] = creal(out[i]);
+    for (int v = 0; v < LEGS; v++) force[v] = creal(m.force[v]);
+    return r.fault.what;
+}
+
+static const char *complex_flow(const linear_loop *loop, double t, const double y[MOTION],
+                                double rate[MOTION], linear_matrix matrix) {
+    const gough_simulation options = unstabilised();
+    number z[STATE_SIZE], change[STATE_SIZE];
+    coordinates x, v;
+    struct system r;
+
+    begin(&r, loop, &options);
+    for (int i = 0; i < r.states; i++) z[i] = y[i];
+    system_rates(&r, t, z, change);
+    for (int i = 0; i < r.states; i++) rate[i] = creal(change[i]);
+    x = coordinates_load(z);
+    v = coordinates_load(z + COORDINATES);
+    columns(&r, t, &x, &v, matrix);
+    return r.fault.what;
+}
+
+const struct linear_complex linear_complex = {complex_matrix, complex_along, complex_accelerations,
+                                              complex_flow};

@@ -1,0 +1,63 @@
+/* One row of the stability map: what threads work on. Theory: docs/theory/floquet.md. */
+#ifndef GOUGH_MAP_MAP_ROW_H
+#define GOUGH_MAP_MAP_ROW_H
+
+#include "gough/map.h"
+#include "map/scan.h"
+#include "map/transition.h"
+
+/* what is common to all rows */
+typedef struct map_job {
+    const gough_model *model;
+    const gough_map_options *options; /* with its defaults filled in */
+    gough_map *map;
+    const struct analyse_width *width;
+    size_t parts; /* most of any row */
+    double finer; /* steps of each part are this many times those of transition_divide() */
+    /* a part of the row's work is done; nonzero stops */
+    int (*report)(const struct map_job *job, double part);
+    void *context;
+} map_job;
+
+/* What a thread has of its own, and of the row it is at. */
+typedef struct {
+    const map_job *job;
+    size_t index;
+    gough_model model; /* the study as it is in this row */
+    gough_period period;
+    double component[GOUGH_COMPONENTS]; /* where it rests, if it does */
+    bool damped;
+    symplectic form;
+    division d;
+    transitions bare, complete; /* D = 0; D as it is, where it is not 0 */
+    double (*factor)[MATRIX];   /* Φ over each part, for one stiffness */
+    void *scratch;
+    double *node; /* stiffnesses to look at */
+    size_t nodes, places, room;
+    size_t meetings;
+    double reported;
+} map_worker;
+
+/* Bytes of one worker and all that belongs to it. */
+size_t map_worker_size(const map_job *job);
+map_worker *map_worker_begin(const map_job *job, void *memory);
+
+/* The study as it is in a row, its period, and how the period is divided. */
+gough_status map_row_begin(map_worker *w, size_t index, gough_error *error);
+
+/* How far Φ of the row changes when its steps are halved, relative to its largest element. */
+gough_status map_row_accuracy(map_worker *w, double finer, double *change, gough_error *error);
+
+/* steps in a period */
+size_t map_row_steps(const map_worker *w, double finer);
+
+/* No values yet. */
+void map_row_clear(const map_job *job, size_t index);
+
+/* All of a row: points, intervals, and what it says of itself. Returns nonzero if stopped. */
+int map_row_find(map_worker *w, size_t index);
+
+/* most stiffnesses a row looks at besides the grid */
+enum { MAP_MOST_NODES = 1 << 16, MAP_MOST_PLACES = 1 << 13 };
+
+#endif

@@ -1,0 +1,113 @@
+/* One row of a table from one moment of a run, for scalar number types. */
+#ifndef GOUGH_RUN_ROW_H
+#define GOUGH_RUN_ROW_H
+
+#include "plant/roll_pitch_yaw.h"
+#include "system/system.h"
+
+static inline void row_vector(vector v, real *value, int column) {
+    value[column] = v.x, value[column + 1] = v.y, value[column + 2] = v.z;
+}
+
+static inline void row_pose(const hexapod *h, const coordinates *x, real *value, int position,
+                            int angles) {
+    vector point;
+    triad R;
+
+    top_of_coordinates(h, x, &point, &R);
+    row_vector(point, value, position);
+    rotation_angles(&R, value + angles);
+}
+
+/* velocities or accelerations of the top frame: of its origin, and angular */
+static inline void row_rates(const hexapod *h, const coordinates *x, const coordinates *rate,
+                             real *value, int linear, int angular) {
+    vector point;
+    triad ignored;
+
+    top_of_coordinates(h, rate, &point, &ignored);
+    row_vector(point, value, linear);
+    row_vector(triad_angular_velocity(&x->q, &rate->q), value, angular);
+}
+
+/* to (−π, π] */
+static inline real row_wrapped(real angle) {
+    while (angle > REAL_PI) angle = angle - 2 * REAL_PI;
+    while (angle <= -REAL_PI) angle = angle + 2 * REAL_PI;
+    return angle;
+}
+
+static inline void row_deviation(const struct system *r, const wanted *s, real *value) {
+    real program[6];
+
+    row_pose(&r->h, &s->x[0], program, 0, 3);
+    for (int c = 0; c < 3; c++) {
+        value[GOUGH_EX + c] = value[GOUGH_X + c] - program[c];
+        value[GOUGH_EROLL + c] = row_wrapped(value[GOUGH_ROLL_ANGLE + c] - program[3 + c]);
+    }
+}
+
+static inline void row_reactions(const struct system *r, const wanted *s, const signals *m,
+                                 int simulated, real *value) {
+    const number zero = number_of(0);
+    const vector turn = simulated ? s->turn : (vector){zero, zero, zero};
+    const triad Q = legs_generalised(&r->h, &m->g, &m->x.q, m->force, turn);
+
+    body_reactions(&r->h.load, &m->x.q, &m->rate.q, &Q, value + GOUGH_RXX);
+}
+
+/* Fills a row. simulated: with deviation and drift, which the forces of a program do not have.
+ * conditioned: with the condition number, half of the work; else 0 stands there. */
+static inline void row_fill(const struct system *r, const wanted *s, real t, const signals *m,
+                            int simulated, int conditioned, real drift, real value[GOUGH_COLUMNS]) {
+    for (int c = 0; c < GOUGH_COLUMNS; c++) value[c] = (real)NAN;
+    value[GOUGH_T] = t;
+    row_pose(&r->h, &m->x, value, GOUGH_X, GOUGH_ROLL_ANGLE);
+    row_rates(&r->h, &m->x, &m->rate, value, GOUGH_VX, GOUGH_WX);
+    row_rates(&r->h, &m->x, &m->acceleration, value, GOUGH_AX, GOUGH_ALX);
+    for (int v = 0; v < LEGS; v++) {
+        value[GOUGH_L + v] = m->g.length[v];
+        value[GOUGH_DL + v] = m->g.rate[v];
+        value[GOUGH_F + v] = m->force[v];
+        value[GOUGH_P + v] = m->force[v] * m->g.rate[v];
+    }
+    value[GOUGH_CONDITION] = conditioned ? legs_condition(&r->h, &m->x, &m->g) : 0;
+    if (simulated) {
+        row_deviation(r, s, value);
+        value[GOUGH_DRIFT] = drift;
+    }
+    if (r->options->reactions) row_reactions(r, s, m, simulated, value);
+}
+
+/* whether every number that the row should have is finite */
+static inline int row_finite(const struct system *r, int simulated,
+                             const real value[GOUGH_COLUMNS]) {
+    for (int c = 0; c < GOUGH_COLUMNS; c++) {
+        if (!gough_column_filled(c, simulated, r->options->reactions)) continue;
+        if (!real_finite(value[c])) return 0;
+    }
+    return 1;
+}
+
+/* takes a row, or a moment between rows, into a summary */
+static inline void row_sum(const real value[GOUGH_COLUMNS], gough_summary *summary,
+                           const gough_machine *machine, int is_row) {
+    gough_row row = {.quad = NULL};
+
+    for (int c = 0; c < GOUGH_COLUMNS; c++) row.value[c] = (double)value[c];
+    gough_summary_look(summary, machine, &row, is_row);
+}
+
+/* hands the row on; nonzero: the sink asks to stop */
+static inline int row_send(const real value[GOUGH_COLUMNS], gough_sink sink, void *context) {
+    gough_row row = {.quad = NULL};
+
+    if (sink == NULL) return 0;
+    for (int c = 0; c < GOUGH_COLUMNS; c++) row.value[c] = (double)value[c];
+#if defined(NUMBER_QUAD)
+    row.quad = value;
+#endif
+    return sink(context, &row);
+}
+
+#endif

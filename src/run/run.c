@@ -1,0 +1,252 @@
+/* The public face of a run: options with defaults and checks, the choice of precision. */
+#include "gough/simulate.h"
+
+#include <math.h>
+
+#include "gough/sizes.h"
+#include "model/places.h"
+#include "program/program_valid.h"
+#include "run/prefetch.h"
+#include "run/run.h"
+
+/* more rows than this are a mistake, not a study */
+static const double most_rows = 1e8;
+
+/* more fixed steps than this take days, and near 2^53 the times of two steps are one number */
+static const double most_steps = 1e12;
+
+/* knots of the noise, which are whole numbers of 64 bits */
+static const double most_knots = 1e12;
+
+/* relative slack for one time dividing another, as both are decimals in binary */
+static const double division_slack = 1e-9;
+
+static const char *const method_names[GOUGH_METHODS] = {"dop853",  "rk4",     "rattle2",
+                                                        "rattle4", "rattle6", "rattle8"};
+
+const char *gough_method_name(int method) {
+    return method >= 0 && method < GOUGH_METHODS ? method_names[method] : NULL;
+}
+
+gough_status gough_simulation_init(gough_simulation *simulation, size_t size) {
+    size_t count;
+    const gough_place *place = gough_places(&count);
+
+    if (size != sizeof *simulation) return gough_size_refuse(simulation, size);
+    *simulation = (gough_simulation){.size = size};
+    for (size_t i = 0; i < count; i++)
+        if (place[i].owner == GOUGH_OWNER_SIMULATION) gough_place_reset(&place[i], simulation);
+    return GOUGH_OK;
+}
+
+static gough_status check_size(const gough_simulation *s, gough_error *error) {
+    return gough_size_check(s->size, sizeof(gough_simulation), "gough_simulation", error);
+}
+
+static bool positive(double x) { return x > 0 && isfinite(x); }
+
+static gough_status check_times(const gough_simulation *s, gough_error *error) {
+    if (!positive(s->duration)) {
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.duration",
+                              "simulation.duration must be a finite number > 0, not %.9g",
+                              s->duration);
+    }
+    if (!positive(s->output_step)) {
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.output_step",
+                              "simulation.output_step must be a finite number > 0, not %.9g",
+                              s->output_step);
+    }
+    if (!(s->max_step >= 0) || !isfinite(s->max_step)) {
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "simulation.max_step",
+            "simulation.max_step must be a finite number > 0, or 0 for no limit, not "
+            "%.9g",
+            s->max_step);
+    }
+    if (s->duration / s->output_step > most_rows) {
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.output_step",
+                              "simulation.output_step %.9g gives more than 1e8 rows in a duration "
+                              "of %.9g; choose a longer one",
+                              s->output_step, s->duration);
+    }
+    return GOUGH_OK;
+}
+
+static gough_status check_step(const gough_simulation *s, gough_error *error) {
+    const double ratio = s->output_step / s->step;
+
+    if (s->max_step > 0 && s->step > s->max_step * (1 + division_slack)) {
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.step",
+                              "simulation.step %.9g is longer than simulation.max_step %.9g",
+                              s->step, s->max_step);
+    }
+
+    if (!positive(s->step)) {
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.step",
+                              "simulation.step must be a finite number > 0 for the method %s",
+                              gough_method_name((int)s->method));
+    }
+    if (ratio < 1 - division_slack || fabs(ratio - round(ratio)) > division_slack * ratio) {
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "simulation.step",
+            "simulation.step %.9g does not divide simulation.output_step %.9g; the "
+            "nearest that does is %.17g",
+            s->step, s->output_step, s->output_step / fmax(1, round(ratio)));
+    }
+    if (!(s->duration / s->step <= most_steps)) {
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.step",
+                              "simulation.step %.9g gives more than 1e12 steps in a duration of "
+                              "%.9g; choose a longer one",
+                              s->step, s->duration);
+    }
+    return GOUGH_OK;
+}
+
+static gough_status check_tolerance(const gough_simulation *s, gough_error *error) {
+    const double least = s->precision == GOUGH_QUADRUPLE ? 1e-30 : 1e-15;
+
+    if (!(s->tolerance >= least && s->tolerance <= 0.1)) {
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "simulation.tolerance",
+            "simulation.tolerance must be between %g and 0.1 in %s precision, not %.9g", least,
+            s->precision == GOUGH_QUADRUPLE ? "quadruple" : "double", s->tolerance);
+    }
+    return GOUGH_OK;
+}
+
+static gough_status check_constraints(const gough_simulation *s, gough_error *error) {
+    if (s->constraints != GOUGH_BAUMGARTE) return GOUGH_OK;
+    for (int i = 0; i < 2; i++) {
+        if (!(s->baumgarte[i] >= 0) || !isfinite(s->baumgarte[i])) {
+            return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.constraints",
+                                  "simulation.constraints.baumgarte takes two finite numbers >= 0, "
+                                  "alpha and beta");
+        }
+    }
+    if (s->method >= GOUGH_RATTLE2) {
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "simulation.constraints",
+            "simulation.constraints: the method %s keeps the constraints by "
+            "construction and takes no Baumgarte terms; use dop853 or rk4 with them",
+            gough_method_name((int)s->method));
+    }
+    return GOUGH_OK;
+}
+
+static gough_status check_samples(const gough_motion *motion, const gough_simulation *s,
+                                  gough_error *error) {
+    const gough_samples *samples = &motion->samples;
+    double first, last;
+
+    if (motion->kind != GOUGH_MOTION_SAMPLES) return GOUGH_OK;
+    first = samples->time[0];
+    last = samples->time[samples->count - 1];
+    if (motion->scaled) first /= motion->frequency, last /= motion->frequency;
+    if (first > 0 || last < s->duration * (1 - division_slack)) {
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.duration",
+                              "simulation.duration: the run from 0 to %.9g extends beyond the "
+                              "recorded motion, which covers %.9g to %.9g",
+                              s->duration, first, last);
+    }
+    return GOUGH_OK;
+}
+
+gough_status gough_simulation_check(const gough_model *model, const gough_simulation *simulation,
+                                    gough_error *error) {
+    const gough_noise *noise = &model->disturbance.noise;
+    const bool noisy = noise->leg_force > 0 || noise->force > 0 || noise->moment > 0;
+
+    if (check_size(simulation, error) != GOUGH_OK) return GOUGH_ERROR_INPUT;
+    if (noisy && !(simulation->duration / noise->interval <= most_knots)) {
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "disturbance.noise.interval",
+                              "disturbance.noise.interval %.9g gives more than 1e12 knots in a run "
+                              "of %.9g; choose a longer one",
+                              noise->interval, simulation->duration);
+    }
+    return simulate_check(&model->motion, simulation, error);
+}
+
+gough_status simulate_check(const gough_motion *motion, const gough_simulation *simulation,
+                            gough_error *error) {
+    const gough_simulation *s = simulation;
+    gough_status status = check_size(s, error);
+
+    if (status == GOUGH_OK) status = check_times(s, error);
+    if (status != GOUGH_OK) return status;
+    if (gough_method_name((int)s->method) == NULL) {
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.method",
+                              "simulation.method: %d is not a method", (int)s->method);
+    }
+    if (s->precision != GOUGH_DOUBLE && s->precision != GOUGH_QUADRUPLE) {
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.precision",
+                              "simulation.precision: %d is neither double nor quadruple precision",
+                              (int)s->precision);
+    }
+    if (s->constraints != GOUGH_PROJECTION && s->constraints != GOUGH_NONE &&
+        s->constraints != GOUGH_BAUMGARTE) {
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.constraints",
+                              "simulation.constraints: %d is neither projection nor none nor "
+                              "Baumgarte's stabilisation",
+                              (int)s->constraints);
+    }
+    status = motion_check(motion, error);
+    if (status != GOUGH_OK) return status;
+    if (s->method == GOUGH_DOP853 && fpclassify(s->step) == FP_ZERO) {
+        status = check_tolerance(s, error);
+    } else {
+        status = check_step(s, error);
+    }
+    if (status == GOUGH_OK) status = check_constraints(s, error);
+    if (status == GOUGH_OK) status = check_samples(motion, s, error);
+    return status;
+}
+
+const struct simulate_table *simulate_table_of(gough_precision precision) {
+    if (precision == GOUGH_QUADRUPLE) return &simulate_quad;
+#if defined(__x86_64__)
+    if (prefetch_lanes() == 8) return &simulate_double_8;
+    if (prefetch_lanes() == 4) return &simulate_double_4;
+#endif
+    return &simulate_double;
+}
+
+/* an end that is the input's fault is its error's sentence too */
+static gough_status finish(gough_status status, const gough_end *end, gough_error *error) {
+    if (status == GOUGH_OK) return status;
+    return gough_fail(error, status, "%s", end->message);
+}
+
+gough_status gough_forces(const gough_model *model, const gough_simulation *simulation,
+                          gough_sink sink, void *context, gough_crossing_sink crossings,
+                          void *crossings_context, gough_end *end, gough_error *error) {
+    const gough_status checked = gough_simulation_check(model, simulation, error);
+
+    *end = (gough_end){.cause = GOUGH_END_DONE};
+    if (check_size(simulation, error) != GOUGH_OK) return GOUGH_ERROR_INPUT;
+    if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
+    if (checked != GOUGH_OK) return checked;
+    if (simulation->summary) gough_summary_begin(simulation->summary);
+    const gough_status status =
+        simulate_table_of(simulation->precision)
+            ->forces(model, simulation, sink, context, crossings, crossings_context, end);
+    if (simulation->summary) gough_summary_end(simulation->summary);
+    return finish(status, end, error);
+}
+
+gough_status gough_simulate(const gough_model *model, const gough_simulation *simulation,
+                            gough_sink sink, void *context, gough_end *end, gough_error *error) {
+    const gough_status checked = gough_simulation_check(model, simulation, error);
+
+    *end = (gough_end){.cause = GOUGH_END_DONE};
+    if (check_size(simulation, error) != GOUGH_OK) return GOUGH_ERROR_INPUT;
+    if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
+    if (checked != GOUGH_OK) return checked;
+    const simulate_parts parts = {&model->motion,  &model->machine,
+                                  &model->control, &model->disturbance,
+                                  &model->initial, model->disturbance.noise.run};
+    if (simulation->summary) gough_summary_begin(simulation->summary);
+    const gough_status status =
+        simulate_table_of(simulation->precision)->simulate(&parts, simulation, sink, context, end);
+    if (simulation->summary) gough_summary_end(simulation->summary);
+    return finish(status, end, error);
+}

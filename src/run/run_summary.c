@@ -1,0 +1,380 @@
+/* A run in a few numbers: what you need to size a leg. From rows alone, peaks are those of the rows and time integrals of fourth
+ * order in their spacing; from looks at the motion between them, peaks and integrals are those of the motion. */
+#define NUMBER_DOUBLE
+#include <math.h>
+#include <string.h>
+
+#include "gough/dynamics.h"
+#include "gough/simulate.h"
+#include "run/peak.h"
+#include "run/quadrature.h"
+
+/* columns of the window: time, then per leg the square of the force and the power */
+enum { WINDOW = QUADRATURE_ROWS, SQUARE = 1, POWER = 1 + GOUGH_LEGS };
+
+/* columns of the window of looks: time, six quantities of each leg, three of the whole machine */
+enum {
+    LOOK_LENGTH = 1,
+    LOOK_RATE = LOOK_LENGTH + GOUGH_LEGS,
+    LOOK_FORCE = LOOK_RATE + GOUGH_LEGS,
+    LOOK_POWER = LOOK_FORCE + GOUGH_LEGS,
+    LOOK_BASE = LOOK_POWER + GOUGH_LEGS,
+    LOOK_TOP = LOOK_BASE + GOUGH_LEGS,
+    LOOK_CONDITION = LOOK_TOP + GOUGH_LEGS,
+    LOOK_POSITION,
+    LOOK_HALF, /* sine of half the angle, which lanes follow too */
+    LOOK_COLUMNS
+};
+_Static_assert(LOOK_COLUMNS == sizeof((gough_summary *)0)->look_[0] / sizeof(double), "window");
+
+void gough_summary_begin(gough_summary *summary) {
+    memset(summary, 0, sizeof *summary);
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        leg->length_min = leg->force_min = leg->power_min = INFINITY;
+        leg->length_max = leg->force_max = leg->power_max = -INFINITY;
+    }
+    summary->position_deviation = summary->angle_deviation = NAN;
+    summary->drift = NAN;
+}
+
+/* larger of the two; a NaN stands for nothing yet on the left, and is passed over on the right */
+static double larger(double a, double b) { return b > a || isnan(a) ? b : a; }
+
+static double angle_between(const double a[3], const double b[3]) {
+    const double c[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                         a[0] * b[1] - a[1] * b[0]};
+
+    return atan2(sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]),
+                 a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+
+/* leg v from base to top in a pose, base axes; and the same seen from the top */
+static void leg_vector(const gough_machine *machine, const gough_state *state, int v,
+                       double base_axes[3], double top_axes[3]) {
+    for (int r = 0; r < 3; r++) {
+        base_axes[r] = state->position[r] - machine->platform.base[v][r];
+        for (int c = 0; c < 3; c++) {
+            base_axes[r] += state->rotation[r][c] * machine->platform.top[v][c];
+        }
+    }
+    for (int c = 0; c < 3; c++) {
+        top_axes[c] = 0;
+        for (int r = 0; r < 3; r++) top_axes[c] += state->rotation[r][c] * base_axes[r];
+    }
+}
+
+static void find_swing(const gough_machine *machine, const double *value,
+                       double at_base[GOUGH_LEGS], double at_top[GOUGH_LEGS]) {
+    const gough_state home = gough_state_home(machine);
+    gough_state state = home;
+
+    for (int c = 0; c < 3; c++) state.position[c] = value[GOUGH_X + c];
+    gough_rotation_from_angles(value + GOUGH_ROLL_ANGLE, state.rotation);
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        double base[3], top[3], base_home[3], top_home[3];
+        leg_vector(machine, &state, v, base, top);
+        leg_vector(machine, &home, v, base_home, top_home);
+        at_base[v] = angle_between(base, base_home);
+        at_top[v] = angle_between(top, top_home);
+    }
+}
+
+/* deviation in position, and in angle: the program's angles are those of the row less their deviation */
+static void find_deviation(const double *value, double *position, double *angle) {
+    double program[3], a[3][3], b[3][3], trace = 0, s[3] = {0, 0, 0};
+
+    *position = *angle = NAN;
+    if (isnan(value[GOUGH_EX])) return;
+    *position = sqrt(value[GOUGH_EX] * value[GOUGH_EX] + value[GOUGH_EY] * value[GOUGH_EY] +
+                     value[GOUGH_EZ] * value[GOUGH_EZ]);
+    for (int c = 0; c < 3; c++) {
+        program[c] = value[GOUGH_ROLL_ANGLE + c] - value[GOUGH_EROLL + c];
+    }
+    gough_rotation_from_angles(value + GOUGH_ROLL_ANGLE, a);
+    gough_rotation_from_angles(program, b);
+    for (int c = 0; c < 3; c++) {
+        for (int r = 0; r < 3; r++) trace += a[r][c] * b[r][c];
+        s[0] += a[1][c] * b[2][c] - a[2][c] * b[1][c];
+        s[1] += a[2][c] * b[0][c] - a[0][c] * b[2][c];
+        s[2] += a[0][c] * b[1][c] - a[1][c] * b[0][c];
+    }
+    *angle = atan2(sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]), trace - 1);
+}
+
+/* peaks up to a moment, whose swing and deviation are given */
+static void take_peaks(gough_summary *summary, const double *value,
+                       const double at_base[GOUGH_LEGS], const double at_top[GOUGH_LEGS],
+                       double position, double angle) {
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        leg->length_min = fmin(leg->length_min, value[GOUGH_L + v]);
+        leg->length_max = fmax(leg->length_max, value[GOUGH_L + v]);
+        leg->speed = fmax(leg->speed, fabs(value[GOUGH_DL + v]));
+        leg->force_min = fmin(leg->force_min, value[GOUGH_F + v]);
+        leg->force_max = fmax(leg->force_max, value[GOUGH_F + v]);
+        leg->power_min = fmin(leg->power_min, value[GOUGH_P + v]);
+        leg->power_max = fmax(leg->power_max, value[GOUGH_P + v]);
+        leg->swing_base = fmax(leg->swing_base, at_base[v]);
+        leg->swing_top = fmax(leg->swing_top, at_top[v]);
+    }
+    if (value[GOUGH_CONDITION] > summary->condition) {
+        summary->condition = value[GOUGH_CONDITION];
+        summary->condition_time = value[GOUGH_T];
+    }
+    if (isnan(position)) return;
+    summary->position_deviation = larger(summary->position_deviation, position);
+    summary->angle_deviation = larger(summary->angle_deviation, angle);
+    summary->drift = larger(summary->drift, value[GOUGH_DRIFT]);
+}
+
+static void count_row(gough_summary *summary, double t) {
+    if (summary->rows == 0) summary->first_time = t;
+    summary->last_time = t;
+    summary->rows++;
+}
+
+/* ---- rows alone ---- */
+
+/* adds ∫ over one interval of the window, h · Σ weight · value, to the legs' squares and energies */
+static void add_interval(gough_summary *summary, double h, const double weight[WINDOW]) {
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        double square = 0, power = 0;
+        for (int i = 0; i < WINDOW; i++) {
+            square += weight[i] * summary->window_[i][SQUARE + v];
+            power += weight[i] * summary->window_[i][POWER + v];
+        }
+        summary->square_[v] += h * square;
+        summary->leg[v].energy += h * power;
+    }
+}
+
+static void add_to_window(gough_summary *summary, const double *value) {
+    double *newest = summary->window_[WINDOW - 1];
+
+    memmove(summary->window_[0], summary->window_[1], (WINDOW - 1) * sizeof summary->window_[0]);
+    newest[0] = value[GOUGH_T];
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        newest[SQUARE + v] = value[GOUGH_F + v] * value[GOUGH_F + v];
+        newest[POWER + v] = value[GOUGH_P + v];
+    }
+    if (summary->rows < WINDOW) return;
+    const double h = (newest[0] - summary->window_[0][0]) / (WINDOW - 1);
+    if (summary->rows == WINDOW) add_interval(summary, h, quadrature_first);
+    add_interval(summary, h, quadrature_middle);
+}
+
+void gough_summary_add(gough_summary *summary, const gough_machine *machine, const gough_row *row) {
+    const double *value = row->value;
+    double at_base[GOUGH_LEGS], at_top[GOUGH_LEGS], position, angle;
+
+    count_row(summary, value[GOUGH_T]);
+    find_swing(machine, value, at_base, at_top);
+    find_deviation(value, &position, &angle);
+    take_peaks(summary, value, at_base, at_top, position, angle);
+    add_to_window(summary, value);
+}
+
+static void end_rows(gough_summary *summary) {
+    if (summary->rows >= WINDOW) {
+        add_interval(summary,
+                     (summary->window_[WINDOW - 1][0] - summary->window_[0][0]) / (WINDOW - 1),
+                     quadrature_last);
+    } else if (summary->rows >= 2) {
+        /* too few rows for a cubic: the trapezium between the two or three there are */
+        for (size_t i = WINDOW - summary->rows; i + 1 < WINDOW; i++) {
+            double weight[WINDOW] = {0, 0, 0, 0};
+            weight[i] = weight[i + 1] = 0.5;
+            add_interval(summary, summary->window_[i + 1][0] - summary->window_[i][0], weight);
+        }
+    }
+}
+
+/* ---- looks at the motion, rows among them ---- */
+
+/* adds ∫ from look a to the next of the polynomial through the last `count` looks */
+static void integrate(gough_summary *summary, const double time[WINDOW], int count, int a) {
+    double weight[WINDOW];
+
+    if (count == WINDOW && a == 1) {
+        quadrature_weigh_middle(time, weight);
+    } else {
+        quadrature_weigh(time, count, a, weight);
+    }
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        for (int i = WINDOW - count; i < WINDOW; i++) {
+            const double force = summary->look_[i][LOOK_FORCE + v];
+            summary->square_[v] += weight[i] * force * force;
+            summary->leg[v].energy += weight[i] * summary->look_[i][LOOK_POWER + v];
+        }
+    }
+}
+
+/* an interval between two looks: its polynomial as quadrature_fit() makes it, once it is wanted */
+typedef struct {
+    double c[WINDOW][WINDOW], time[WINDOW], h; /* h: from look a to the next */
+    int count, a;
+    bool made;
+} interval;
+
+/* Whether a column turns between the two looks. Where looks in the middle of four do not turn, peak_between() finds nothing. */
+static bool turns(const gough_summary *summary, const interval *f, int column) {
+    const double(*look)[LOOK_COLUMNS] = summary->look_;
+
+    if (f->count < WINDOW || f->a != 1) return true;
+    return (look[1][column] - look[0][column]) * (look[3][column] - look[2][column]) < 0;
+}
+
+/* the extreme of a column between the two looks, and where it is: 0 for the value at look a, where there is none */
+static double extreme_of(const gough_summary *summary, interval *f, int column, double *s) {
+    double y[WINDOW];
+
+    *s = 0;
+    if (!turns(summary, f, column)) return summary->look_[f->a][column];
+    if (!f->made) f->h = quadrature_fit(f->time, f->count, f->a, f->c);
+    f->made = true;
+    for (int i = 0; i < WINDOW; i++) y[i] = summary->look_[i][column];
+    const double value = peak_between(y, (const double(*)[WINDOW])f->c, f->count, f->a, s);
+    if (!(*s > 0 && isfinite(value))) *s = 0;
+    return *s > 0 ? value : y[f->a];
+}
+
+/* Extremes between the two looks; the looks themselves are among the peaks already. */
+static void take_extremes(gough_summary *summary, interval *f) {
+    double s, x;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        x = extreme_of(summary, f, LOOK_LENGTH + v, &s);
+        if (s > 0) leg->length_min = fmin(leg->length_min, x);
+        if (s > 0) leg->length_max = fmax(leg->length_max, x);
+        x = extreme_of(summary, f, LOOK_FORCE + v, &s);
+        if (s > 0) leg->force_min = fmin(leg->force_min, x);
+        if (s > 0) leg->force_max = fmax(leg->force_max, x);
+        x = extreme_of(summary, f, LOOK_POWER + v, &s);
+        if (s > 0) leg->power_min = fmin(leg->power_min, x);
+        if (s > 0) leg->power_max = fmax(leg->power_max, x);
+        x = extreme_of(summary, f, LOOK_RATE + v, &s);
+        if (s > 0) leg->speed = fmax(leg->speed, fabs(x));
+        x = extreme_of(summary, f, LOOK_BASE + v, &s);
+        if (s > 0) leg->swing_base = fmax(leg->swing_base, x);
+        x = extreme_of(summary, f, LOOK_TOP + v, &s);
+        if (s > 0) leg->swing_top = fmax(leg->swing_top, x);
+    }
+    x = extreme_of(summary, f, LOOK_POSITION, &s);
+    if (x > summary->position_deviation) summary->position_deviation = x;
+    x = 2 * asin(fmin(1, extreme_of(summary, f, LOOK_HALF, &s)));
+    if (x > summary->angle_deviation) summary->angle_deviation = x;
+    x = extreme_of(summary, f, LOOK_CONDITION, &s);
+    if (x > summary->condition) {
+        summary->condition = x;
+        summary->condition_time = summary->look_[f->a][0] + s * f->h;
+    }
+}
+
+/* integrals and extremes from look a to the next, by the polynomial through the last `count` looks */
+static void sum_up(gough_summary *summary, int count, int a) {
+    interval f = {.count = count, .a = a, .h = 0, .made = false};
+
+    for (int i = 0; i < WINDOW; i++) f.time[i] = summary->look_[i][0];
+    integrate(summary, f.time, count, a);
+    if (count >= 3) take_extremes(summary, &f);
+}
+
+/* where the last interval has no look after it */
+static void sum_up_last(gough_summary *summary) {
+    const int count = summary->looks_ < WINDOW ? (int)summary->looks_ : WINDOW;
+
+    if (count == 3) sum_up(summary, 3, 1);
+    if (count >= 2) sum_up(summary, count, WINDOW - 2);
+}
+
+/* how far a leg's length goes between two rows beyond both of them, and how fast its rate changes */
+static void watch_rows(gough_summary *summary, bool is_row) {
+    const double *newest = summary->look_[WINDOW - 1], *before = summary->look_[WINDOW - 2];
+
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        const double length = newest[LOOK_LENGTH + v];
+        double *range = summary->between_[v];
+        if (summary->looks_ > 1) {
+            const double change = newest[LOOK_RATE + v] - before[LOOK_RATE + v];
+            summary->acceleration_ =
+                fmax(summary->acceleration_, fabs(change) / (newest[0] - before[0]));
+        }
+        range[0] = fmin(range[0], length);
+        range[1] = fmax(range[1], length);
+        if (!is_row) continue;
+        if (summary->rows > 1) {
+            const double low = fmin(range[2], length), high = fmax(range[2], length);
+            const double beyond = fmax(low - range[0], range[1] - high);
+            if (beyond > summary->between_rows) {
+                summary->between_rows = beyond;
+                summary->between_leg = v + 1;
+            }
+        }
+        range[0] = range[1] = range[2] = length;
+    }
+}
+
+void gough_summary_look(gough_summary *summary, const gough_machine *machine, const gough_row *row,
+                        bool is_row) {
+    const double *value = row->value;
+    double *newest = summary->look_[WINDOW - 1], *at_base, *at_top, angle;
+
+    if (is_row) count_row(summary, value[GOUGH_T]);
+    if (summary->looks_ > 0 &&
+        !(value[GOUGH_T] - newest[0] > quadrature_same_time * fabs(value[GOUGH_T]))) {
+        if (is_row) watch_rows(summary, true);
+        return; /* seen already */
+    }
+    if (summary->span_ <= 0 && summary->looks_ == 0) summary->origin_ = value[GOUGH_T];
+    summary->span_ = value[GOUGH_T] - summary->origin_;
+    memmove(summary->look_[0], summary->look_[1], (WINDOW - 1) * sizeof summary->look_[0]);
+    newest[0] = value[GOUGH_T];
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        newest[LOOK_LENGTH + v] = value[GOUGH_L + v];
+        newest[LOOK_RATE + v] = value[GOUGH_DL + v];
+        newest[LOOK_FORCE + v] = value[GOUGH_F + v];
+        newest[LOOK_POWER + v] = value[GOUGH_P + v];
+        newest[LOOK_BASE + v] = newest[LOOK_TOP + v] = NAN;
+    }
+    at_base = newest + LOOK_BASE;
+    at_top = newest + LOOK_TOP;
+    if (!summary->brief_ && !isnan(value[GOUGH_X])) find_swing(machine, value, at_base, at_top);
+    newest[LOOK_CONDITION] = value[GOUGH_CONDITION];
+    find_deviation(value, &newest[LOOK_POSITION], &angle);
+    newest[LOOK_HALF] = sin(angle / 2);
+    take_peaks(summary, value, at_base, at_top, newest[LOOK_POSITION], angle);
+    summary->looks_++;
+    watch_rows(summary, is_row);
+    if (summary->looks_ == WINDOW) sum_up(summary, WINDOW, 0);
+    if (summary->looks_ >= WINDOW) sum_up(summary, WINDOW, 1);
+}
+
+void gough_summary_corner(gough_summary *summary) {
+    if (summary->looks_ < 2) return;
+    sum_up_last(summary);
+    summary->looks_ = 1;
+}
+
+void gough_summary_end(gough_summary *summary) {
+    const bool looked = summary->looks_ > 0;
+    const double span = looked ? summary->span_ : summary->last_time - summary->first_time;
+
+    if (looked) {
+        sum_up_last(summary);
+    } else {
+        end_rows(summary);
+    }
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        const double newest = fmax(fabs(leg->force_min), fabs(leg->force_max));
+        leg->rms_force = span > 0 ? sqrt(fmax(0, summary->square_[v] / span)) : newest;
+    }
+    if (summary->between_leg == 0 || !(summary->acceleration_ > 0)) return;
+    /* chords of a curve with this curvature miss it by at most a hundredth of the stroke */
+    double stroke = 0;
+    for (int v = 0; v < GOUGH_LEGS; v++)
+        stroke = fmax(stroke, summary->leg[v].length_max - summary->leg[v].length_min);
+    summary->drawing_step = sqrt(0.08 * stroke / summary->acceleration_);
+}

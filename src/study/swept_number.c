@@ -1,0 +1,210 @@
+/* From the path of a swept key to the key of the table, and to its place in the tree. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/sweep_plan.h"
+#include "study/swept_number.h"
+#include "study/value.h"
+
+/* What a value of some shape is made of: how many numbers, at which depth of lists. */
+typedef struct makeup {
+    bool number, formula;
+    bool alone;     /* may be one number */
+    size_t list[2]; /* elements of its list and of the lists in it; 0: none */
+} makeup;
+
+static makeup makeup_of(gough_shape shape) {
+    switch (shape) {
+    case GOUGH_SHAPE_NUMBER:
+        return (makeup){.number = true, .alone = true};
+    case GOUGH_SHAPE_PAIR:
+        return (makeup){.number = true, .list = {2}};
+    case GOUGH_SHAPE_VECTOR:
+        return (makeup){.number = true, .list = {3}};
+    case GOUGH_SHAPE_GRAVITY:
+        return (makeup){.number = true, .alone = true, .list = {3}};
+    case GOUGH_SHAPE_NUMBER_OR_SIX:
+        return (makeup){.number = true, .alone = true, .list = {GOUGH_LEGS}};
+    case GOUGH_SHAPE_POINTS:
+        return (makeup){.number = true, .list = {GOUGH_LEGS, 3}};
+    case GOUGH_SHAPE_INERTIA:
+        return (makeup){.number = true, .list = {3, 3}};
+    case GOUGH_SHAPE_FORMULA:
+        return (makeup){.formula = true, .alone = true};
+    case GOUGH_SHAPE_FORMULA_OR_SIX:
+        return (makeup){.formula = true, .alone = true, .list = {GOUGH_LEGS}};
+    case GOUGH_SHAPE_FORMULA_VECTOR:
+        return (makeup){.formula = true, .list = {3}};
+    default:
+        return (makeup){.number = false};
+    }
+}
+
+static bool is_mapping(gough_shape shape) {
+    return shape == GOUGH_SHAPE_MAPPING || shape == GOUGH_SHAPE_CONSTRAINTS ||
+           shape == GOUGH_SHAPE_SMOOTH || shape == GOUGH_SHAPE_MOVES;
+}
+
+/* The next part of a path, cut off; NULL at its end. */
+static char *take_part(char **rest) {
+    char *part = *rest;
+    char *dot = part ? strchr(part, '.') : NULL;
+    if (dot) *dot = '\0';
+    *rest = dot ? dot + 1 : NULL;
+    return part;
+}
+
+/* The number of a list's element, from 1; 0 for anything else. */
+static size_t number_of(const char *part) {
+    const size_t length = strlen(part);
+    if (length == 0 || length > 6 || part[0] == '0' || strspn(part, "0123456789") != length)
+        return 0;
+    return (size_t)strtol(part, NULL, 10);
+}
+
+/* The paths that can vary, without those of lists' elements. */
+static const char *nearest_path(study_arena *arena, const char *path) {
+    size_t keys, count = 0;
+    const gough_key *key = gough_study_keys(&keys);
+    const char **known = study_arena_take(arena, keys * sizeof *known);
+    for (size_t i = 0; known && i < keys; i++) {
+        const makeup made = makeup_of(key[i].shape);
+        if ((made.number || made.formula) && strncmp(key[i].path, "sweep.", 6) != 0)
+            known[count++] = key[i].path;
+    }
+    return study_nearest(path, known, count);
+}
+
+/* Follows the mappings of a path to the key of a value; what is left are numbers of elements. */
+static const gough_key *walk_keys(char **rest) {
+    const gough_key *key = NULL;
+    const char *parent = "";
+    while (*rest && (!key || is_mapping(key->shape))) {
+        char *part = take_part(rest);
+        if (key && key->shape == GOUGH_SHAPE_MOVES) {
+            if (number_of(part) == 0) return NULL;
+            parent = "motion.moves.N";
+            part = take_part(rest);
+        }
+        key = part ? study_key_find(parent, part) : NULL;
+        if (!key) return NULL;
+        parent = key->path;
+    }
+    return key;
+}
+
+static bool say_unknown(study_messages *messages, study_node *node, const char *path) {
+    const char *nearest = nearest_path(messages->arena, path);
+    study_node_say(
+        messages, node, study_node_place(node, true), "`%s` is not a key of a study; %s%s%s", path,
+        nearest ? "did you mean `" : "a path such as ",
+        nearest ? nearest : "control.stiffness or load.mass", nearest ? "`?" : " was expected");
+    return false;
+}
+
+static bool say_no_number(study_messages *messages, study_node *node, const char *path,
+                          const gough_key *key, const makeup *made) {
+    const char *type = key->type;
+    if (made->list[0])
+        study_node_say(messages, node, study_node_place(node, true),
+                       "`%s` is not one number but %s: vary its elements, numbered from 1, as in "
+                       "`%s.%s`",
+                       path, type, key->path, made->list[1] ? "1.1" : "1");
+    else
+        study_node_say(messages, node, study_node_place(node, true),
+                       "`%s` is not a number (%s) and cannot vary", path, type);
+    return false;
+}
+
+/* Whether the elements that a path names can be of such a value. */
+static bool check_elements(char *rest, const makeup *made, size_t *depth) {
+    for (*depth = 0; rest; ++*depth) {
+        const size_t number = number_of(take_part(&rest));
+        if (*depth == 2 || number == 0 || number > made->list[*depth]) return false;
+    }
+    return true;
+}
+
+/* The node that a path leads to in the tree; the last one met where it leads nowhere, with what is left in *rest. */
+static study_node *walk_tree(study_node *root, char **rest, char **missing) {
+    study_node *node = root;
+    *missing = NULL;
+    while (*rest) {
+        char *part = take_part(rest);
+        study_node *next = node->kind == STUDY_LIST ? study_node_item(node, number_of(part) - 1)
+                                                    : study_node_child(node, part);
+        if (!next) {
+            *missing = part;
+            return node;
+        }
+        node = next;
+    }
+    return node;
+}
+
+/* Elements vary only in lists that the study gives; a number alone may be left out of the file. */
+static bool check_place(study_messages *messages, study_node *root, study_node *node,
+                        const char *path, const gough_key *key, size_t depth) {
+    char *copy = study_arena_copy(messages->arena, path, strlen(path)), *rest = copy, *missing;
+    if (!copy) return false;
+    const bool move = strncmp(path, "motion.moves.", 13) == 0;
+    const study_node *found = walk_tree(root, &rest, &missing);
+    if (!missing && found->kind != STUDY_SCALAR && depth > 0) {
+        study_node_say(messages, node, study_node_place(node, true),
+                       "`%s` is a list in this study; vary an element of it, as in `%s.1`", path,
+                       path);
+        return false;
+    }
+    if (!missing || (depth == 0 && !move)) return true;
+    if (depth == 0 && found->parent && !found->key && found->kind == STUDY_MAPPING) return true;
+    study_node_say(messages, node, study_node_place(node, true),
+                   "`%s`: the study has no list `%s` with such an element; add it to the study",
+                   path, move ? "motion.moves" : key->path);
+    return false;
+}
+
+bool study_target_find(study_messages *messages, study_node *root, study_axis *axis) {
+    const char *path = axis->key.path;
+    char *copy = study_arena_copy(messages->arena, path, strlen(path)), *rest = copy;
+    if (!copy) return false;
+    static const gough_bound any = {"", -INFINITY, INFINITY, false};
+    const gough_key *key = walk_keys(&rest);
+    if (!key || strncmp(path, "sweep", 5) == 0) return say_unknown(messages, axis->node, path);
+    const makeup made = makeup_of(key->shape);
+    size_t depth;
+    if (!made.number && !made.formula) return say_no_number(messages, axis->node, path, key, &made);
+    if (!check_elements(rest, &made, &depth)) return say_unknown(messages, axis->node, path);
+    if (depth == 0 && !made.alone) return say_no_number(messages, axis->node, path, key, &made);
+    const bool free = depth > 0 && key->shape == GOUGH_SHAPE_GRAVITY;
+    axis->bound = made.formula ? NULL : free ? &any : &key->bound;
+    axis->key.unit = key->unit;
+    axis->touches = key->place.part | key->place.also;
+    return check_place(messages, root, axis->node, path, key, depth);
+}
+
+static study_node *make_child(study_arena *arena, study_node *parent, const char *name,
+                              study_kind kind) {
+    study_node *child = study_node_new(arena, kind, parent->place);
+    study_node *key = study_node_new(arena, STUDY_SCALAR, parent->place);
+    if (!child || !key) return NULL;
+    key->text = name;
+    key->length = strlen(name);
+    child->key = key;
+    study_node_append(parent, child);
+    return child;
+}
+
+study_node *study_plan_target(study_arena *arena, study_node *root, const study_axis *axis,
+                              bool *made) {
+    char *rest = study_arena_copy(arena, axis->key.path, strlen(axis->key.path)), *missing;
+    if (!rest) return NULL;
+    study_node *node = walk_tree(root, &rest, &missing);
+    *made = missing != NULL;
+    while (node && missing) {
+        node->kind = STUDY_MAPPING;
+        node = make_child(arena, node, missing, rest ? STUDY_MAPPING : STUDY_SCALAR);
+        missing = take_part(&rest);
+    }
+    return node;
+}

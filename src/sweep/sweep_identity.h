@@ -1,0 +1,22 @@
+/* What a sweep's records depend on besides the text of its study, and which columns a sweep can have. */
+#ifndef GOUGH_SWEEP_SWEEP_IDENTITY_H
+#define GOUGH_SWEEP_SWEEP_IDENTITY_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "gough/sweep.h"
+
+/* Digest of the keys and of the values that they take. value: scratch, a number for each key. */
+uint64_t sweep_plan_digest(const gough_sweep *sweep, double *value);
+
+/* Digest of numbers that this build computes for the study. */
+uint64_t sweep_numerics_digest(const gough_study *study);
+
+/* The unit of a key, in words of the table of keys, as a label of tables; without dimensions only degrees are left. */
+const char *sweep_unit_label(const char *unit, bool dimensionless);
+
+/* Whether a study has a number of that path, with that unit. */
+bool sweep_column_known(const char *path, const char *label, bool dimensionless);
+
+#endif

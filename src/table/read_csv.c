@@ -1,0 +1,208 @@
+/* CSV in: a header row of names, then rows of as many numbers. Every error has its place, file:line:column, both from 1.
+ * A byte-order mark, CRLF and quoted names are accepted; numbers are read the same in every locale. */
+#define _POSIX_C_SOURCE 200809L
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "gough/text.h"
+#include "table/table.h"
+
+enum { COLUMN_CAP = 4096, NAME_CAP = 200 };
+
+typedef struct reader {
+    const char *path;
+    const char *at, *end;   /* what is left of the text */
+    const char *line_begin; /* of the line `at` stands in */
+    size_t line;            /* its number, from 1 */
+    gough_error *error;
+} reader;
+
+/* A stretch of the text: a line without its end, or a cell without the blanks around it. */
+typedef struct piece {
+    const char *begin, *end;
+} piece;
+
+static gough_status fail_at(const reader *r, const char *place, const char *sentence) {
+    return gough_fail(r->error, GOUGH_ERROR_INPUT, "%s:%zu:%zu: %s", r->path, r->line,
+                      (size_t)(place - r->line_begin) + 1, sentence);
+}
+
+/* Takes the next line, without LF or CRLF. */
+static piece take_line(reader *r) {
+    r->line_begin = r->at;
+    const size_t left = (size_t)(r->end - r->at);
+    const char *line_end = left > 0 ? memchr(r->at, '\n', left) : NULL;
+    piece line = {r->at, line_end != NULL ? line_end : r->end};
+    r->at = line_end != NULL ? line_end + 1 : r->end;
+    r->line++;
+    if (line.end > line.begin && line.end[-1] == '\r') line.end--;
+    return line;
+}
+
+/* Takes the cell before the next comma from a line; `line->begin` moves behind the comma, or is NULL after the last. */
+static piece take_cell(piece *line) {
+    const size_t left = (size_t)(line->end - line->begin);
+    const char *comma = left > 0 ? memchr(line->begin, ',', left) : NULL;
+    piece cell = {line->begin, comma != NULL ? comma : line->end};
+    line->begin = comma != NULL ? comma + 1 : NULL;
+    while (cell.begin < cell.end && (*cell.begin == ' ' || *cell.begin == '\t')) cell.begin++;
+    while (cell.begin < cell.end && (cell.end[-1] == ' ' || cell.end[-1] == '\t')) cell.end--;
+    return cell;
+}
+
+static size_t count_cells(piece line) {
+    size_t count = 1;
+    for (const char *at = line.begin; at < line.end; at++) count += *at == ',';
+    return count;
+}
+
+static bool is_word(piece cell, const char *word) {
+    if (cell.begin < cell.end && (*cell.begin == '-' || *cell.begin == '+')) cell.begin++;
+    const size_t length = (size_t)(cell.end - cell.begin);
+    return length == strlen(word) && strncasecmp(cell.begin, word, length) == 0;
+}
+
+/* Whether a cell is a decimal number, and nothing else. */
+static bool is_decimal(piece cell, double *value) {
+    const size_t length = (size_t)(cell.end - cell.begin);
+    return length > 0 && gough_decimal_read(cell.begin, length, value) == length;
+}
+
+/* A decimal number, or nan or inf as tables of gough have them. */
+static gough_status read_number(const reader *r, piece cell, double *value) {
+    if (cell.begin == cell.end)
+        return fail_at(r, cell.begin, "a number is missing (write nan for a missing value)");
+    if (is_word(cell, "nan")) {
+        *value = NAN;
+        return GOUGH_OK;
+    }
+    if (is_word(cell, "inf") || is_word(cell, "infinity")) {
+        *value = *cell.begin == '-' ? -INFINITY : INFINITY;
+        return GOUGH_OK;
+    }
+    if (!is_decimal(cell, value)) {
+        const size_t length = (size_t)(cell.end - cell.begin);
+        char shown[32], sentence[100];
+        const size_t whole = gough_text_show(cell.begin, length, shown, sizeof shown);
+        snprintf(sentence, sizeof sentence, "'%s%s' is not a number", shown,
+                 whole < sizeof shown ? "" : "...");
+        return fail_at(r, cell.begin, sentence);
+    }
+    if (isinf(*value))
+        return fail_at(r, cell.begin, "this number is too large for double precision");
+    return GOUGH_OK;
+}
+
+/* How a run ended, as a word: its number in gough_cause; -1 for any other text. */
+static int read_cause(piece cell) {
+    for (int cause = GOUGH_END_DONE; cause <= GOUGH_END_INVALID; cause++)
+        if (is_word(cell, gough_cause_name((gough_cause)cause))) return cause;
+    return -1;
+}
+
+/* Whether a name is UTF-8 without control characters. */
+static bool is_clean_text(piece text) {
+    unsigned code = 0;
+    for (const char *at = text.begin; at < text.end;) {
+        const size_t size = gough_character_read(at, (size_t)(text.end - at), &code);
+        if (size == 0 || code < 0x20 || code == 0x7f) return false;
+        at += size;
+    }
+    return true;
+}
+
+static gough_status read_name(const reader *r, gough_table *table, size_t column, piece cell) {
+    const char *place = cell.begin;
+    if (cell.end - cell.begin >= 2 && *cell.begin == '"' && cell.end[-1] == '"') {
+        cell.begin++;
+        cell.end--;
+    }
+    const size_t length = (size_t)(cell.end - cell.begin);
+    double number;
+    if (length == 0) return fail_at(r, place, "a column has no name");
+    if (length > NAME_CAP) return fail_at(r, place, "this column's name is too long");
+    if (!is_clean_text(cell))
+        return fail_at(r, place, "this column's name is not printable text in UTF-8");
+    if (memchr(cell.begin, ';', length) != NULL)
+        return fail_at(r, place, "columns must be separated by commas, not semicolons");
+    if (is_decimal(cell, &number))
+        return fail_at(r, place, "the first row must name the columns (t,x,y,...), not be numbers");
+
+    table->name[column] = strndup(cell.begin, length);
+    if (table->name[column] == NULL)
+        return gough_fail(r->error, GOUGH_ERROR_FILE, "%s: out of memory", r->path);
+    for (size_t c = 0; c < column; c++) {
+        if (strcmp(table->name[c], table->name[column]) == 0)
+            return fail_at(r, place, "an earlier column has the same name");
+    }
+    return GOUGH_OK;
+}
+
+static gough_status read_header(reader *r, gough_table *table) {
+    piece line = take_line(r);
+    const size_t columns = count_cells(line);
+    /* a row takes two bytes a number; so memory is bounded by the length of the text */
+    const size_t row_cap = (size_t)(r->end - r->at) / (2 * columns) + 1;
+    if (columns > COLUMN_CAP) return fail_at(r, line.begin, "more than 4096 columns");
+    if (!result_table_shape(table, columns, row_cap))
+        return gough_fail(r->error, GOUGH_ERROR_FILE, "%s: out of memory", r->path);
+    for (size_t c = 0; c < columns; c++) {
+        const gough_status status = read_name(r, table, c, take_cell(&line));
+        if (status != GOUGH_OK) return status;
+    }
+    return GOUGH_OK;
+}
+
+static gough_status read_row(const reader *r, gough_table *table, piece line) {
+    const size_t cells = count_cells(line);
+    if (cells != table->columns) {
+        char sentence[100];
+        snprintf(sentence, sizeof sentence, "this row has %zu number%s, but there are %zu columns",
+                 cells, cells == 1 ? "" : "s", table->columns);
+        return fail_at(r, line.begin, sentence);
+    }
+    for (size_t c = 0; c < cells; c++) {
+        const piece cell = take_cell(&line);
+        double *value = &table->value[c][table->rows];
+        const int cause = strcmp(table->name[c], "end_cause") == 0 ? read_cause(cell) : -1;
+        if (cause >= 0) {
+            *value = cause;
+            continue;
+        }
+        const gough_status status = read_number(r, cell, value);
+        if (status != GOUGH_OK) return status;
+    }
+    return GOUGH_OK;
+}
+
+static gough_status read_rows(reader *r, gough_table *table) {
+    table->rows = 0;
+    while (r->at < r->end) {
+        const piece line = take_line(r);
+        if (line.begin == line.end) {
+            const reader here = *r;
+            while (r->at < r->end && (*r->at == '\n' || *r->at == '\r')) r->at++;
+            if (r->at < r->end) return fail_at(&here, line.begin, "an empty row");
+            break;
+        }
+        const gough_status status = read_row(r, table, line);
+        if (status != GOUGH_OK) return status;
+        table->rows++;
+    }
+    return GOUGH_OK;
+}
+
+gough_status result_read_csv(const char *path, const char *text, size_t length, gough_table *table,
+                             gough_error *error) {
+    reader r = {path, text, text + length, text, 0, error};
+    if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) r.at += 3;
+    if (r.at == r.end)
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%s:1:1: the file is empty; a table begins with a row of column names",
+                          path);
+    const gough_status status = read_header(&r, table);
+    return status == GOUGH_OK ? read_rows(&r, table) : status;
+}

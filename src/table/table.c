@@ -1,0 +1,159 @@
+/* The table that a run fills row by row, in memory: conversion to the units of the output, angles to degrees. */
+#define _DEFAULT_SOURCE /* _SC_PHYS_PAGES */
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "table/table.h"
+
+/* 180/π */
+#if defined(__SIZEOF_FLOAT128__)
+#define QUAD_DEGREES (__extension__ 57.29577951308232087679815481410517033Q)
+#else
+#define QUAD_DEGREES 57.29577951308232087679815481410517033L
+#endif
+
+/* A table takes at most this part of the machine's memory, lest a study of many rows starve everyone else. */
+enum { MEMORY_SHARE = 4 };
+
+static char *copy_text(const char *text) {
+    const size_t size = strlen(text) + 1;
+    char *copy = malloc(size);
+    if (copy != NULL) memcpy(copy, text, size);
+    return copy;
+}
+
+/* √(length/g) beyond the double that `units` holds: each step of Newton doubles the digits, 16 to 32 to all. The double itself
+ * where the unit of time is not the machine's, as in tables that keep the study's own units: there it is exactly 1. */
+static gough_quad unit_of_time(const gough_units *units, double length, double gravity) {
+    gough_quad time = units->time;
+    const bool own = !(units->length < 1 || units->length > 1 || time < 1 || time > 1);
+    if (own || !(fabs(units->time * units->time * gravity / length - 1.0) <= 1e-15)) return time;
+    for (int step = 0; step < 2; step++)
+        time += ((gough_quad)length / gravity - time * time) / (2 * time);
+    return time;
+}
+
+static gough_quad power_of(gough_quad base, int exponent) {
+    gough_quad power = 1;
+    for (int i = 0; i < abs(exponent); i++) power *= base;
+    return exponent < 0 ? 1 / power : power;
+}
+
+result_scale result_scale_of(const gough_units *units, double base_radius, double gravity) {
+    return (result_scale){units->length, units->mass, unit_of_time(units, base_radius, gravity)};
+}
+
+/* 1/(length^l mass^m time^t), and 180/π for angles. */
+gough_quad result_factor(const result_scale *scale, int length, int mass, int time, int angle) {
+    const gough_quad unit =
+        power_of(scale->length, length) * power_of(scale->mass, mass) * power_of(scale->time, time);
+    return (angle != 0 ? QUAD_DEGREES : 1) / unit;
+}
+
+gough_result *gough_result_new(const gough_study *study, const char *verb,
+                               const gough_units *units) {
+    gough_result *result = calloc(1, sizeof *result);
+    if (result == NULL) return NULL;
+    const bool simulated = strcmp(verb, "simulate") == 0;
+    result->verb = simulated ? "simulate" : "forces";
+    result->units = *units;
+    const gough_machine *machine = &study->model->machine;
+    const result_scale scale =
+        result_scale_of(units, machine->base_radius, machine->gravity_magnitude);
+    result->time = scale.time;
+    for (int c = 0; c < GOUGH_COLUMNS; c++) {
+        if (!gough_column_filled(c, simulated, study->simulation.reactions)) continue;
+        const gough_column_info *info = gough_column(c);
+        result->quad_factor[result->columns] =
+            result_factor(&scale, info->length, info->mass, info->time, info->angle);
+        result->factor[result->columns] = (double)result->quad_factor[result->columns];
+        result->column[result->columns++] = c;
+    }
+
+    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
+    const size_t memory = pages > 0 && page > 0 ? (size_t)pages * (size_t)page : SIZE_MAX;
+    const size_t cell =
+        sizeof(double) + (study->simulation.precision == GOUGH_QUADRUPLE ? sizeof(gough_quad) : 0);
+    result->row_limit = memory / MEMORY_SHARE / ((size_t)result->columns * cell);
+
+    const gough_simulation *simulation = &study->simulation;
+    const bool fixed = simulation->step > 0;
+    result->tolerance = simulated && !fixed ? simulation->tolerance : NAN;
+    result->step = simulated && fixed ? simulation->step / (double)scale.time : NAN;
+    result->end.time = NAN;
+    result->title = copy_text(study->title);
+    result->text = copy_text(study->text);
+    if (result->title == NULL || result->text == NULL) {
+        gough_result_free(result);
+        return NULL;
+    }
+    return result;
+}
+
+/* Room for twice the rows. On failure the table stays as it was. */
+static bool grow(gough_result *result) {
+    const size_t capacity = result->capacity == 0 ? 512 : 2 * result->capacity;
+    for (int i = 0; i < result->columns; i++) {
+        double *value = realloc(result->value[i], capacity * sizeof *value);
+        if (value == NULL) return false;
+        result->value[i] = value;
+        if (!result->in_quad) continue;
+        gough_quad *quad = realloc(result->quad[i], capacity * sizeof *quad);
+        if (quad == NULL) return false;
+        result->quad[i] = quad;
+    }
+    result->capacity = capacity;
+    return true;
+}
+
+int gough_result_add(void *context, const gough_row *row) {
+    gough_result *result = context;
+    if (result->rows == 0 && result->capacity == 0) result->in_quad = row->quad != NULL;
+    if (result->rows >= result->row_limit) return 1;
+    if (result->rows == result->capacity && !grow(result)) return 1;
+
+    const size_t r = result->rows;
+    for (int i = 0; i < result->columns; i++) {
+        const int c = result->column[i];
+        if (result->in_quad) {
+            const gough_quad value = row->quad != NULL ? row->quad[c] : (gough_quad)row->value[c];
+            result->quad[i][r] = value * result->quad_factor[i];
+            result->value[i][r] = (double)result->quad[i][r];
+        } else {
+            result->value[i][r] = row->value[c] * result->factor[i];
+        }
+    }
+    result->rows++;
+    return 0;
+}
+
+void gough_result_set_end(gough_result *result, const gough_end *end) {
+    result->end = *end;
+    result->end.time = end->time / (double)result->time;
+}
+
+bool gough_result_column_at(const gough_result *result, int index, gough_result_column *column) {
+    if (index < 0 || index >= result->columns) return false;
+    const gough_column_info *info = gough_column(result->column[index]);
+    *column = (gough_result_column){.name = info->name,
+                                    .long_name = info->long_name,
+                                    .value = result->value[index],
+                                    .rows = result->rows};
+    result_unit_label(result->column[index], result->units.dimensionless, column->unit);
+    return true;
+}
+
+void gough_result_free(gough_result *result) {
+    if (result == NULL) return;
+    for (int i = 0; i < result->columns; i++) {
+        free(result->value[i]);
+        free(result->quad[i]);
+    }
+    free(result->title);
+    free(result->text);
+    free(result);
+}

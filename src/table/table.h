@@ -1,0 +1,97 @@
+/* What the files of this room share: the table being filled, and the output that is complete or absent. */
+#ifndef GOUGH_TABLE_TABLE_H
+#define GOUGH_TABLE_TABLE_H
+
+#include "gough/result.h"
+
+enum { RESULT_UNIT_SIZE = 24 };
+
+/* Filled columns only, each an array that grows by doubling. `quad` is used where the first row came in 33 digits. */
+struct gough_result {
+    char *title, *text;
+    const char *verb;
+    gough_units units;
+    gough_quad time; /* unit of the output in 33 digits */
+    int columns;
+    int column[GOUGH_COLUMNS];    /* enum gough_column of each filled column */
+    double factor[GOUGH_COLUMNS]; /* from units of the run to those of the output */
+    gough_quad quad_factor[GOUGH_COLUMNS];
+    size_t rows, capacity, row_limit;
+    bool in_quad;
+    double *value[GOUGH_COLUMNS];
+    gough_quad *quad[GOUGH_COLUMNS];
+    gough_end end;
+    double tolerance, step; /* as in gough_table */
+};
+
+/* Factor from units of the run to those of the output for length^l mass^m time^t angle^a, correctly rounded: angles in degrees.
+ * base_radius, gravity: of the machine, for a unit of time √(R_b/g) beyond the double that `units` holds. */
+typedef struct result_scale {
+    gough_quad length, mass, time;
+} result_scale;
+result_scale result_scale_of(const gough_units *units, double base_radius, double gravity);
+gough_quad result_factor(const result_scale *scale, int length, int mass, int time, int angle);
+
+/* Label of a column's unit: "1", "degree", "m/s", "N m", … */
+void result_unit_label(int column, bool dimensionless, char label[RESULT_UNIT_SIZE]);
+
+/* ---- output, complete or absent (output.c) ------------------------------------------------------------------- */
+
+typedef struct result_output {
+    const char *path; /* as the user gave it, for messages */
+    char *final;      /* what will be renamed over; NULL: written in place (stdout, device, FIFO) */
+    char *beside;     /* the file being written in the same folder; NULL: it has no name yet */
+    int file;
+    bool standard;
+    size_t held;
+    char buffer[1 << 16];
+} result_output;
+
+gough_status result_output_open(result_output *output, const char *path, gough_error *error);
+gough_status result_output_add(result_output *output, const void *bytes, size_t length,
+                               gough_error *error);
+/* Flushes, syncs, closes and renames, each checked. The output is closed in every case. */
+gough_status result_output_finish(result_output *output, gough_error *error);
+/* Closes and removes what was written so far. */
+void result_output_abandon(result_output *output);
+
+/* ---- formats -------------------------------------------------------------------------------------------------- */
+
+gough_status result_write_csv(const gough_result *result, const char *path, gough_error *error);
+gough_status result_write_hdf5(const gough_result *result, const char *path, gough_error *error);
+
+/* A file of columns of any kind. */
+typedef struct result_column {
+    const char *name, *unit, *long_name;
+    bool whole;        /* whole numbers, stored as such */
+    const char *flags; /* NULL, or words for the numbers from 0, separated by spaces */
+    int flag_count;
+} result_column;
+typedef struct result_attribute {
+    const char *name, *text; /* text NULL: a number */
+    double number;
+} result_attribute;
+typedef struct result_file {
+    const result_column *column; /* the first is the dimension of the others */
+    int columns;
+    size_t rows;
+    const result_attribute *attribute;
+    int attributes;
+    const double *(*values)(void *context,
+                            int column); /* valid until the next call; NULL: they cannot be had */
+    void *context;
+} result_file;
+/* Puts the attributes "tolerance" and "step" of a run, each if it is not NaN, into an array with room for both.
+ * @return how many there are */
+int result_put_steps(double tolerance, double step, result_attribute *attribute);
+gough_status result_write_hdf5_file(const result_file *file, const char *path, gough_error *error);
+
+/* Readers fill a table whose fields are all zero; the caller frees it, also after an error. */
+gough_status result_read_csv(const char *path, const char *text, size_t length, gough_table *table,
+                             gough_error *error);
+gough_status result_read_hdf5(const char *path, gough_table *table, gough_error *error);
+
+/* Makes room for the columns and rows of a table; false when memory is out. */
+bool result_table_shape(gough_table *table, size_t columns, size_t rows);
+
+#endif
