@@ -4,10 +4,11 @@
 #ifndef GOUGH_GOUGH_H
 #define GOUGH_GOUGH_H
 
-#include "gough/analyse.h"
 #include "gough/batch.h"
 #include "gough/dynamics.h"
 #include "gough/fields.h"
+#include "gough/floquet.h"
+#include "gough/linear.h"
 #include "gough/map.h"
 #include "gough/model.h"
 #include "gough/names.h"

@@ -10,7 +10,7 @@
 #ifndef GOUGH_MAP_H
 #define GOUGH_MAP_H
 
-#include "gough/analyse.h"
+#include "gough/floquet.h"
 
 #ifdef __cplusplus
 extern "C" {

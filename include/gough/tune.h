@@ -8,7 +8,7 @@
 #ifndef GOUGH_TUNE_H
 #define GOUGH_TUNE_H
 
-#include "gough/analyse.h"
+#include "gough/floquet.h"
 #include "gough/batch.h"
 #include "gough/map.h"
 

@@ -3,6 +3,7 @@
 #ifndef GOUGH_FLOQUET_MONODROMY_H
 #define GOUGH_FLOQUET_MONODROMY_H
 
+#include "gough/floquet.h"
 #include "linear/linear.h"
 
 /* Parts of the period: in each of them even fast growth is moderate, so that determinant and small multipliers keep their

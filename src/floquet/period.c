@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "floquet/formula_rates.h"
-#include "gough/analyse.h"
+#include "gough/floquet.h"
 #include "kernel/real.h"
 #include "program/angles.h"
 #include "program/program.h"

@@ -2,7 +2,7 @@
 #ifndef GOUGH_LINEAR_EQUILIBRIUM_H
 #define GOUGH_LINEAR_EQUILIBRIUM_H
 
-#include "gough/analyse.h"
+#include "gough/linear.h"
 
 /* The pose asked for, `component` from home (NULL: home), and what the loop makes of it. With feed-forward `rest` is a program
  * that stands there. Without, it stands where the springs of the legs and gravity balance, (stab-14). Fails in a singular pose

@@ -2,7 +2,7 @@
 #ifndef GOUGH_LINEAR_LINEAR_H
 #define GOUGH_LINEAR_LINEAR_H
 
-#include "gough/analyse.h"
+#include "gough/linear.h"
 #include "plant/layout.h"
 
 /* A closed loop without disturbances. */

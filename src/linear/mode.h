@@ -5,7 +5,7 @@
 
 #include <complex.h>
 
-#include "gough/analyse.h"
+#include "gough/linear.h"
 
 /* Shares, name and normed shape of a displacement (δr, δθ), base axes, of any size and phase, (stab-16). A displacement that is
  * zero or not finite gives the name "none" and shares of 0. */

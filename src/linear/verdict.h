@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "gough/analyse.h"
+#include "gough/linear.h"
 #include "linear/symmetric.h"
 
 /* M̄ẍ + C ẋ + K x = 0 with symmetric K and C, C not negative; the mass matrix by rows. Fills growing, drifting, neutral,

@@ -3,7 +3,7 @@
 #ifndef GOUGH_MAP_LANE_MATRICES_TABLE_H
 #define GOUGH_MAP_LANE_MATRICES_TABLE_H
 
-#include "gough/analyse.h"
+#include "gough/linear.h"
 
 /* of a matrix; the points of G at which Φ is known, a multiple of every width; stages of a step */
 enum { MATRIX = GOUGH_LINEAR * GOUGH_LINEAR, NODES = 24, STAGES = 12 };

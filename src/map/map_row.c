@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/assert.h"
-#include "gough/analyse.h"
+#include "gough/floquet.h"
 
 /* phase of the fastest mode from one sample to the next */
 static const double sample_phase = 0.15;

@@ -3,6 +3,7 @@
 #ifndef GOUGH_MAP_TRANSITION_H
 #define GOUGH_MAP_TRANSITION_H
 
+#include "gough/floquet.h"
 #include "linear/linear.h"
 #include "map/lane_matrices_table.h"
 

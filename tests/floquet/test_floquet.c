@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "gough/analyse.h"
+#include "gough/floquet.h"
 #include "support/machines.h"
 #include "support/suite.h"
 

@@ -47,7 +47,8 @@ done < <(sed -n '/^| room |/,/^$/p' CONTRIBUTING.md | tail -n +3 | grep '^|')
 [[ ${drawn[*]} == "${rooms[*]}" ]] || fail "CONTRIBUTING.md draws ${drawn[*]}; the rooms are ${rooms[*]}"
 named=$(sed -n '/^| room |/,/^$/p' CONTRIBUTING.md)
 for header in include/gough/*.h; do
-    [[ $named == *"\`${header##*/}\`"* ]] || fail "CONTRIBUTING.md gives ${header##*/} to no room"
+    ! grep -q '^GOUGH_API\|^static inline\|^typedef' "$header" || # gathers others
+        [[ $named == *"\`${header##*/}\`"* ]] || fail "CONTRIBUTING.md gives ${header##*/} to no room"
 done
 for folder in tests/*/; do
     folder=$(basename "$folder")

@@ -2,7 +2,7 @@
 #ifndef TESTS_ANALYSE_DIFFERENCES_H
 #define TESTS_ANALYSE_DIFFERENCES_H
 
-#include "gough/analyse.h"
+#include "gough/linear.h"
 
 /* What gough_linearise() computes, from the nonlinear equations of a run over quadruple precision: states displaced by exact
  * rotations and rates, differences extrapolated. Good to 1e-20 or so of the equations at the state. */

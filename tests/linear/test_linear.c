@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "differences.h"
-#include "gough/analyse.h"
+#include "gough/linear.h"
 #include "support/machines.h"
 #include "support/suite.h"
 

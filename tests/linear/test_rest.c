@@ -2,7 +2,7 @@
  * machine. */
 #include <stdio.h>
 
-#include "gough/analyse.h"
+#include "gough/linear.h"
 #include "support/machines.h"
 #include "support/suite.h"
 

@@ -1,7 +1,7 @@
 /* The loop at rest against runs of the nonlinear equations: where they settle, and how they leave or come back to rest. */
 #include <complex.h>
 
-#include "gough/analyse.h"
+#include "gough/linear.h"
 #include "support/machines.h"
 #include "support/suite.h"
 

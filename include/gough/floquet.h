@@ -1,0 +1,72 @@
+/** @file floquet.h
+ *  Stability of the closed loop about a periodic program: its period, and Floquet multipliers. Theory: docs/theory/floquet.md.
+ *  In libgough-analyse. The linear state ξ is that of gough/linear.h. All functions may be called from several threads at once;
+ *  outputs must not overlap inputs; an error argument may be NULL.
+ */
+#ifndef GOUGH_FLOQUET_H
+#define GOUGH_FLOQUET_H
+
+#include "gough/linear.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The period of a program. */
+typedef struct gough_period {
+    bool resting; /**< the program comes to rest and has no period */
+    double
+        start; /**< time from which it is periodic within 1e-12: a start-up ramp has died out by then */
+    double period; /**< T; 0 if the program comes to rest */
+} gough_period;
+
+/** The period of a motion: the one given with it, or the common period of all sines of ωt and bounded terms in its formulas,
+ *  (floquet-2). It is verified on the program and both derivatives, (floquet-3), from the time when decaying exponentials and
+ *  ramps have died out. A program that comes to rest, as moves do, is reported as resting. Recorded motion needs its period
+ *  given; the last period of the record is used.
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, or not with the period given; the sentence names the component and the
+ *  difference, and suggests a remedy. Takes less than a millisecond. Allocates nothing. */
+GOUGH_API gough_status gough_motion_period(const gough_motion *motion, gough_period *period,
+                                           gough_error *error);
+
+/** One Floquet multiplier: the factor by which deviations grow in each period. */
+typedef struct gough_multiplier {
+    double value[2]; /**< μ */
+    gough_mode mode; /**< the mode at the beginning of the period */
+} gough_multiplier;
+
+/** The loop about a periodic motion. */
+typedef struct gough_floquet {
+    double start;  /**< time at which the chosen period begins */
+    double period; /**< T */
+    gough_state
+        state; /**< at its beginning: the program's, or without feed-forward that of the periodic motion found */
+    double monodromy[GOUGH_LINEAR][GOUGH_LINEAR]; /**< ξ after a period from ξ before */
+    gough_multiplier multiplier[GOUGH_LINEAR];    /**< by falling magnitude */
+    double growth;                                /**< largest |μ|: growth per period */
+    double determinant;                           /**< of the monodromy matrix */
+    double
+        determinant_defect; /**< |det − 1| if D = 0, else |det / exp ∫tr A − 1|, Liouville's formula */
+    double pair_defect; /**< largest |μ μ' − 1| over reciprocal pairs if D = 0; else NaN */
+    int drifting; /**< number of deviations that grow in proportion to time: multipliers 1 without an eigenvector of their own,
+                       (floquet-9) */
+    bool stable;  /**< no |μ| over 1 + 1e-7, and nothing drifts */
+    size_t steps; /**< number of integration steps in the period */
+} gough_floquet;
+
+/** Computes the multipliers over one period.
+ *  @param period     from gough_motion_period(); NULL: it is found here
+ *  @param tolerance  of the steps; 0: 1e-13
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, at rest (use gough_stability_at_rest()), or a tolerance outside
+ *  1e-15 … 1e-3; GOUGH_ERROR_NUMERICAL: the program passes a singular pose, more than 20000 steps a period, or without
+ *  feed-forward no periodic motion was found near the program, (floquet-8); do not use @p floquet then.
+ *  It takes about 20 ms for a period with a few oscillations of the platform, some tenths of a second without feed-forward.
+ *  Allocates nothing. */
+GOUGH_API gough_status gough_floquet_multipliers(const gough_model *model,
+                                                 const gough_period *period, double tolerance,
+                                                 gough_floquet *floquet, gough_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,106 @@
+/** @file linear.h
+ *  The closed loop linearised, exactly (complex steps through the equations, no differences), and its stability at rest.
+ *  Theory: docs/theory/stability.md. This part of the library needs LAPACK; it is libgough-analyse.
+ *
+ *  Linear state ξ = (δr, δθ, δv, δω), twelve numbers: displacement of the centre of mass, small rotation, and the changes of its
+ *  velocity and of the angular velocity, all in base axes and in the units of the model, angles in radians. Disturbances are not
+ *  part of the loop; here they are 0. All functions may be called from several threads at once; outputs must not overlap inputs;
+ *  an error argument may be NULL. `name`s are UTF-8.
+ */
+#ifndef GOUGH_LINEAR_H
+#define GOUGH_LINEAR_H
+
+#include "gough/dynamics.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { GOUGH_LINEAR = 12 };
+
+/** Growth, per √(R_b/g) at rest or per period, up to which a deviation does not count as growing: the error that round-off causes
+ *  in a multiplier on the unit circle. */
+#define GOUGH_GROWTH_LIMIT 1e-7
+
+/** Numbers of the deviation ξ of a model's closed loop: 12 today, more where parts of the loop have states of their own. */
+GOUGH_API size_t gough_linear_size(const gough_model *model);
+
+/** ξ̇ = matrix · ξ, the closed loop linearised about a state at time t, (stab-13).
+ *  @param state  about which it is linearised; NULL: the program's at t
+ *  @param size   gough_linear_size() of the model
+ *  @param[out] matrix  size × size numbers, row by row; rows: derivatives of ξ. The constant part, present about a state that is
+ *  not an equilibrium, is omitted
+ *  @return GOUGH_OK, GOUGH_ERROR_INPUT if a formula is not finite at t or the size is another, GOUGH_ERROR_NUMERICAL for a
+ *  singular pose of a program whose forces are fed forward, or a leg of zero length. Exact up to rounding. Allocates nothing. */
+GOUGH_API gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
+                                       size_t size, double *matrix, gough_error *error);
+
+enum { GOUGH_MODE_NAME = 32 };
+
+/** A mode: a pattern of small deviations. */
+typedef struct gough_mode {
+    char name
+        [GOUGH_MODE_NAME]; /**< "heave", "yaw", "sway–tilt" …: named after the motions with a share of its energy */
+    double shape
+        [6]
+        [2]; /**< δr, δθ as complex numbers, scaled so that the largest component is real and positive */
+    double share
+        [4]; /**< shares of sway (surge and sway), heave, tilt (roll and pitch) and yaw; sum 1 */
+} gough_mode;
+
+/** One eigenvalue: deviations vary as e^{λt}. */
+typedef struct gough_eigenvalue {
+    double value[2]; /**< λ: growth rate, angular frequency */
+    gough_mode mode; /**< its mode */
+} gough_eigenvalue;
+
+/** The stiffness above which a mode at rest does not grow. */
+typedef struct gough_threshold {
+    double
+        stiffness; /**< G, the same in all legs; 0: with constant leg forces alone the mode does not grow */
+    bool neutral;    /**< constant leg forces do not hold the mode either, but any G > 0 does */
+    gough_mode mode; /**< the mode at the threshold, (stab-10) */
+} gough_threshold;
+
+/** The loop at rest. */
+typedef struct gough_rest {
+    gough_state
+        state; /**< of equilibrium: where the loop rests; without feed-forward this is not the requested pose */
+    double force[GOUGH_LEGS];                  /**< leg forces there */
+    double matrix[GOUGH_LINEAR][GOUGH_LINEAR]; /**< of gough_linearise() */
+    double geometric[6][6]; /**< K_geo: stiffness of constant leg forces, on (δr, δθ), symmetric */
+    double legs[6][6];      /**< JᵀJ: stiffness of legs with G = 1 */
+    double
+        asymmetry; /**< largest element of |K − Kᵀ| over that of K, the stiffness computed: 0 up to rounding */
+    double
+        trace; /**< of the translational part of K_geo: if < 0, some mode grows without feedback */
+    double
+        trace_theorem; /**< −2Mg/h of (stab-5); NaN if the joints are not in two level planes h ≠ 0 apart */
+    gough_eigenvalue eigenvalue
+        [GOUGH_LINEAR]; /**< by falling growth rate, then by rising frequency; the positive one of a pair ±ω first */
+    gough_threshold threshold[6]; /**< by falling stiffness */
+    int growing; /**< how many eigenvalues grow, (stab-17); they are the first ones */
+    int neutral; /**< number of independent displacements on which no stiffness acts */
+    int drifting; /**< number of these on which no damping acts either: a velocity there never dies out. 0 if
+                         something grows */
+    gough_mode neutral_mode[6]; /**< the modes that drift; if none drifts, the neutral ones */
+    bool decaying;              /**< every small deviation dies out */
+    bool stable;   /**< nothing grows and nothing drifts: small deviations stay small */
+    double growth; /**< largest growth rate */
+} gough_rest;
+
+/** The loop at rest in a pose.
+ *
+ *  Without feed-forward the equilibrium is found by applying the load gradually, starting from the requested pose, (stab-14).
+ *  Without damping eigenvalues are exactly real or imaginary, (stab-15).
+ *  @param component  surge … yaw from home of the point `about` of the motion, radians; NULL: home
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: a component that is not finite; GOUGH_ERROR_NUMERICAL: singular pose, or no equilibrium
+ *  found without feed-forward (the sentence names the pose where the search began); do not use @p rest then. Allocates nothing. */
+GOUGH_API gough_status gough_stability_at_rest(const gough_model *model,
+                                               const double component[GOUGH_COMPONENTS],
+                                               gough_rest *rest, gough_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
