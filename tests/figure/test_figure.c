@@ -528,7 +528,7 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN(
-        "report/figure", 200, every_kind_is_drawn, the_kind_is_chosen_by_the_table,
+        "figure/figure", 200, every_kind_is_drawn, the_kind_is_chosen_by_the_table,
         every_format_is_complete_and_the_same_each_time, a_comma_locale_changes_no_byte,
         legs_that_coincide_are_one_line, tables_are_compared_by_their_labels,
         fonts_of_an_svg_have_substitutes, an_early_end_is_told, a_long_note_takes_several_lines,

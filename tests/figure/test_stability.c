@@ -230,7 +230,7 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN(
-        "report/stability", 60, one_axis_has_a_lane_for_each_mode,
+        "figure/stability", 60, one_axis_has_a_lane_for_each_mode,
         two_axes_name_tongues_and_thresholds, a_title_is_text_and_nothing_else,
         maps_of_rest_have_growth_rates, maps_without_anything_are_drawn,
         one_stiffness_and_other_endings_are_refused, a_tongue_between_grid_points_is_not_lost,

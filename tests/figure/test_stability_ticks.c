@@ -194,6 +194,6 @@ START_TEST(numbers_beside_maps_are_their_places) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("report/stability_ticks", 300, numbers_under_lines_of_growth_are_their_places,
+    return SUITE_RUN("figure/stability_ticks", 300, numbers_under_lines_of_growth_are_their_places,
                      numbers_beside_maps_are_their_places);
 }

@@ -193,7 +193,7 @@ START_TEST(degenerate_sweeps_are_drawn_or_refused) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("report/sweep", 60, one_key_is_a_line_of_two_panels, two_keys_are_a_map,
+    return SUITE_RUN("figure/sweep", 60, one_key_is_a_line_of_two_panels, two_keys_are_a_map,
                      cells_of_a_map_end_at_their_edges, a_grid_with_a_hole_is_no_map,
                      more_keys_are_shares_of_the_runs, degenerate_sweeps_are_drawn_or_refused);
 }

@@ -88,7 +88,7 @@ START_TEST(units_take_prefixes_and_superscripts) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("report/text", 10, no_quote_is_left,
+    return SUITE_RUN("figure/text", 10, no_quote_is_left,
                      line_ends_and_control_characters_are_replaced,
                      broken_utf8_is_replaced_and_sound_utf8_kept, long_text_is_cut_at_a_character,
                      lines_break_at_spaces, units_take_prefixes_and_superscripts);

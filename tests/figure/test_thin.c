@@ -102,7 +102,7 @@ START_TEST(an_abscissa_that_stands_still_or_falls_is_no_harm) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("report/thin", 10, short_lines_are_kept_whole, peaks_ends_and_order_are_kept,
+    return SUITE_RUN("figure/thin", 10, short_lines_are_kept_whole, peaks_ends_and_order_are_kept,
                      each_stretch_keeps_its_least_and_greatest, gaps_stay_gaps,
                      an_abscissa_that_stands_still_or_falls_is_no_harm);
 }

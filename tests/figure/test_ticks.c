@@ -397,7 +397,7 @@ START_TEST(any_range_has_numbers_and_they_are_true) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("report/ticks", 300, numbers_of_logarithmic_axes_are_their_places,
+    return SUITE_RUN("figure/ticks", 300, numbers_of_logarithmic_axes_are_their_places,
                      numbers_of_the_deviation_over_the_stiffness_are_their_places,
                      numbers_of_tuning_are_their_places, numbers_of_linear_axes_are_their_places,
                      a_machine_at_rest_has_lines_and_its_noise_is_none,

@@ -252,7 +252,7 @@ START_TEST(rotations_in_double_and_single_precision_are_taken) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("analyse/input", 60, runs_refuse_values_outside_their_enumerations,
+    return SUITE_RUN("linear/input", 60, runs_refuse_values_outside_their_enumerations,
                      runs_refuse_motions_without_their_moves_samples_and_factors,
                      analyses_refuse_a_kind_of_motion_and_an_axis_that_do_not_exist,
                      names_of_values_outside_their_enumerations_are_harmless,

@@ -158,7 +158,7 @@ START_TEST(runs_apply_the_law) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("dynamics/law", 60, the_law_is_that_of_each_leg_by_itself,
+    return SUITE_RUN("plant/law", 60, the_law_is_that_of_each_leg_by_itself,
                      the_forces_may_take_the_place_of_any_input,
                      without_feed_forward_program_forces_are_not_read,
                      what_is_not_a_number_stays_in_its_leg, runs_apply_the_law);

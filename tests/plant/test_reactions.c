@@ -221,7 +221,7 @@ START_TEST(a_force_at_the_centre_of_mass_has_no_reactions) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("dynamics/reactions", 60, the_base_carries_weight_load_and_inertia,
+    return SUITE_RUN("plant/reactions", 60, the_base_carries_weight_load_and_inertia,
                      reactions_close_the_equations_of_the_axes,
                      a_force_at_the_centre_of_mass_has_no_reactions);
 }

@@ -90,7 +90,7 @@ START_TEST(ends_are_worded_with_the_units_of_the_caller) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("simulate/columns", 60, a_run_fills_the_columns_that_it_is_said_to_fill,
+    return SUITE_RUN("run/columns", 60, a_run_fills_the_columns_that_it_is_said_to_fill,
                      columns_outside_the_enumeration_are_not_there,
                      ends_are_worded_with_the_units_of_the_caller);
 }

@@ -266,7 +266,7 @@ START_TEST(the_unit_of_every_key_has_a_label) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("result/sweep", 120, damaged_shards_are_refused, parts_of_any_length_go_on,
+    return SUITE_RUN("sweep/sweep", 120, damaged_shards_are_refused, parts_of_any_length_go_on,
                      forged_shards_are_refused, parts_are_tied_to_plan_and_numbers,
                      without_a_path_there_is_a_summary, the_unit_of_every_key_has_a_label);
 }

@@ -207,7 +207,7 @@ START_TEST(an_unknown_extension_is_named) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("result/csv", 60, every_bit_is_in_the_text,
+    return SUITE_RUN("table/csv", 60, every_bit_is_in_the_text,
                      header_names_the_columns_of_the_verb, numbers_read_back_bit_for_bit,
                      a_comma_locale_changes_no_byte, what_is_no_number_is_written_as_nan_and_inf,
                      a_quad_run_prints_36_digits, a_quad_run_has_a_quad_unit_of_time,

@@ -187,7 +187,7 @@ START_TEST(a_file_of_noise_behind_the_signature_is_refused) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("result/hdf5", 120, numbers_and_attributes_come_back,
+    return SUITE_RUN("table/hdf5", 120, numbers_and_attributes_come_back,
                      the_same_run_gives_the_same_bytes, a_table_without_rows_is_a_table,
                      a_long_study_is_kept_whole, hdf5_is_told_by_its_content,
                      a_truncated_file_is_refused, flipped_bytes_end_in_a_message_or_a_table,

@@ -217,7 +217,7 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN(
-        "result/output", 60, a_file_holds_what_was_written_and_nothing_stands_beside_it,
+        "table/output", 60, a_file_holds_what_was_written_and_nothing_stands_beside_it,
         a_missing_folder_is_named, a_folder_is_no_file,
         a_full_device_is_an_error_and_stays_a_device, the_null_device_takes_anything_and_stays,
         a_fifo_is_written_to, a_link_stays_a_link, a_disk_that_fills_up_leaves_no_file,

@@ -190,7 +190,7 @@ int main(void) {
     if (getcwd(here, sizeof here) == NULL || mkdtemp(folder) == NULL || chdir(folder) != 0)
         return EXIT_FAILURE;
     const int status = SUITE_RUN(
-        "result/read_csv", 60, accepts_what_other_programs_write,
+        "table/read_csv", 60, accepts_what_other_programs_write,
         the_first_line_is_named_as_such_behind_a_byte_order_mark, ragged_rows_have_their_place,
         text_in_a_number_has_its_place, a_wrong_header_has_its_place, too_many_columns_are_refused,
         memory_is_bounded_by_the_length_of_the_text, what_cannot_be_opened_is_an_error_of_files,

@@ -89,6 +89,6 @@ START_TEST(a_death_is_a_message) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("result/transfer", 30, a_table_comes_through, a_message_comes_through,
+    return SUITE_RUN("table/transfer", 30, a_table_comes_through, a_message_comes_through,
                      a_death_is_a_message);
 }

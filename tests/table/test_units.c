@@ -193,7 +193,7 @@ START_TEST(columns_are_those_of_every_table_in_order) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("result/units", 30, own_units_leave_numbers_and_turn_radians_into_degrees,
+    return SUITE_RUN("table/units", 30, own_units_leave_numbers_and_turn_radians_into_degrees,
                      dimensionless_numbers_are_those_worked_out_by_hand, si_units_are_named,
                      dimensionless_units_are_1_and_angles_stay_degrees,
                      own_units_are_asked_for_by_default, no_dimensionless_form_without_gravity,
