@@ -235,6 +235,26 @@ static gough_status write_picture(const void *content, sheet_format format, cons
                       folder, strerror(errno));
 }
 
+/* values of enumerations that the drawing relies on */
+static gough_status check_map(const gough_map_options *options, const gough_map *found,
+                              gough_error *error) {
+    if ((int)options->axis < GOUGH_MAP_NONE || options->axis > GOUGH_MAP_DAMPING)
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the second axis of the map: %d is neither amplitude nor frequency nor "
+                          "damping",
+                          (int)options->axis);
+    for (size_t row = 0; row < gough_map_rows(options); row++)
+        for (size_t i = 0; i < found->row[row].intervals; i++) {
+            const gough_interval *one = &found->interval[row * options->intervals + i];
+            if ((int)one->kind >= GOUGH_INTERVAL_STATIC && one->kind <= GOUGH_INTERVAL_COMBINATION)
+                continue;
+            return gough_fail(error, GOUGH_ERROR_INPUT,
+                              "row %zu of the map: %d is not a kind of interval", row + 1,
+                              (int)one->kind);
+        }
+    return GOUGH_OK;
+}
+
 gough_status gough_map_draw(const gough_map_options *options, const gough_map *found,
                             const gough_map_figure *figure, const char *path, gough_error *error) {
     field f;
@@ -244,6 +264,7 @@ gough_status gough_map_draw(const gough_map_options *options, const gough_map *f
         return GOUGH_ERROR_INPUT;
     if (options->stiffness.count < 2)
         return gough_fail(error, GOUGH_ERROR_INPUT, "a map of one stiffness cannot be drawn");
+    if (check_map(options, found, error) != GOUGH_OK) return GOUGH_ERROR_INPUT;
     if (field_make(&f, options, found))
         status = sheet_draw(write_picture, &(picture){figure, &f}, path, error);
     else

@@ -11,6 +11,7 @@
 #include "program/angles.h"
 #include "program/appointments.h"
 #include "program/program.h"
+#include "program/program_valid.h"
 
 /* parts of a cell; iterations of a root, more than any root takes */
 enum { RANGE_PARTS = 4, RANGE_ITERATIONS = 60 };
@@ -166,8 +167,10 @@ gough_status gough_motion_range(const gough_motion *motion, double duration, dou
                .bad = NAN};
     appointments when;
     double t = 0;
+    const gough_status checked = motion_check(motion, error);
 
     for (int c = 0; c < GOUGH_COMPONENTS; c++) least[c] = INFINITY, greatest[c] = -INFINITY;
+    if (checked != GOUGH_OK) return checked;
     appointments_begin(&when, motion, NULL, 0, duration, output_step);
     for (long long row = 1; t < duration && !isfinite(r.bad);) {
         const double stop = fmin((double)row * output_step, duration);

@@ -283,8 +283,9 @@ gough_status gough_tune_size(const gough_model *model, const gough_tuning_option
 static gough_status prepare(tune *t, const gough_simulation *simulation, bool feedforward,
                             gough_error *error) {
     const double share = share_of_error * t->options->deviation / t->model->machine.base_radius;
-    gough_status status;
+    gough_status status = gough_simulation_check(t->model, simulation, error);
 
+    if (status != GOUGH_OK) return status;
     t->simulation = *simulation;
     t->simulation.precision = GOUGH_DOUBLE;
     t->simulation.reactions = false;

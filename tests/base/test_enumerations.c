@@ -1,0 +1,320 @@
+/* Every public function that is given an enumeration, by itself or in a struct, refuses values outside it: GOUGH_ERROR_INPUT, a
+ * sentence, and the key of the study file if there is one. Functions without a status answer with what no value has. The table of
+ * this program is complete: tests/house/test_enumerations.sh compares it with the headers. */
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "gough/gough.h"
+#include "support/machines.h"
+#include "support/suite.h"
+
+static const int outside[] = {-1, 97, INT_MAX, INT_MIN};
+enum { OUTSIDE = sizeof outside / sizeof *outside };
+
+static gough_model model;
+static gough_simulation simulation;
+static gough_map_options axes;
+static gough_map map;
+static gough_error error;
+
+static void begin(void) {
+    static gough_map_point point[4];
+    static gough_map_row row[2];
+    static gough_interval interval[2];
+    memset(&model, 0, sizeof model);
+    paper_machine(&model.machine);
+    model.control.feedforward = true;
+    set_gains(&model, 10, 1);
+    set_formula(&model.motion.formula[GOUGH_HEAVE], "0.1*sin(t)");
+    simulation = gough_simulation_default();
+    simulation.duration = 0.1;
+    axes = gough_map_options_default();
+    axes.stiffness = (gough_map_range){10, 20, 2, false};
+    axes.intervals = 1;
+    axes.threads = 1;
+    memset(row, 0, sizeof row);
+    memset(interval, 0, sizeof interval);
+    row[0].intervals = row[1].intervals = 1;
+    map = (gough_map){point, row, interval};
+    error = (gough_error){.message = ""};
+}
+
+/* ---- the functions -------------------------------------------------------------------------------------------------- */
+
+static void *room(size_t bytes) {
+    void *memory = aligned_alloc(64, (bytes + 64) / 64 * 64);
+    ck_assert_ptr_nonnull(memory);
+    return memory;
+}
+
+static gough_status call_check(void) { return gough_simulation_check(&model, &simulation, &error); }
+
+static gough_status call_simulate(void) {
+    gough_end end;
+    return gough_simulate(&model, &simulation, NULL, NULL, &end, &error);
+}
+
+static gough_status call_forces(void) {
+    gough_end end;
+    return gough_forces(&model, &simulation, NULL, NULL, NULL, NULL, &end, &error);
+}
+
+static gough_status call_batch(void) {
+    gough_batch_options o = gough_batch_options_default();
+    o.lanes = o.threads = 1;
+    const gough_batch_run run = {&model.machine, &model.control, &model.disturbance, &model.initial,
+                                 1};
+    gough_outcome outcome;
+    void *memory = room(gough_batch_size(&o));
+    const gough_status status =
+        gough_batch(&model.motion, &simulation, &run, 1, &o, &outcome, memory, &error);
+    free(memory);
+    return status;
+}
+
+static gough_status call_range(void) {
+    double least[GOUGH_COMPONENTS], greatest[GOUGH_COMPONENTS];
+    return gough_motion_range(&model.motion, 1, 0.1, least, greatest, &error);
+}
+
+static gough_status call_period(void) {
+    gough_period period;
+    return gough_motion_period(&model.motion, &period, &error);
+}
+
+static gough_status call_linearise(void) {
+    double matrix[GOUGH_LINEAR * GOUGH_LINEAR];
+    return gough_linearise(&model, 0, NULL, GOUGH_LINEAR, matrix, &error);
+}
+
+static gough_status call_rest(void) {
+    static gough_rest rest;
+    return gough_stability_at_rest(&model, NULL, &rest, &error);
+}
+
+static gough_status call_floquet(void) {
+    static gough_floquet floquet;
+    return gough_floquet_multipliers(&model, NULL, 0, &floquet, &error);
+}
+
+static gough_status call_map_size(void) {
+    size_t bytes;
+    return gough_map_size(&model, &axes, &bytes, &error);
+}
+
+static gough_status call_map_find(void) {
+    gough_map_options good = axes;
+    size_t bytes;
+    good.axis = GOUGH_MAP_NONE;
+    ck_assert_int_eq(gough_map_size(&model, &good, &bytes, NULL), GOUGH_OK);
+    void *memory = room(bytes);
+    const gough_status status = gough_map_find(&model, &axes, &map, memory, &error);
+    free(memory);
+    return status;
+}
+
+static gough_status call_map_draw(void) {
+    const gough_map_figure figure = {.title = ""};
+    return gough_map_draw(&axes, &map, &figure, "no-such-folder/map.svg", &error);
+}
+
+static gough_tuning_options request(void) {
+    gough_tuning_options o = gough_tuning_options_default();
+    o.deviation = 0.01;
+    o.threads = 1;
+    return o;
+}
+
+static gough_status call_tune(void) {
+    static gough_tuning tuning;
+    static gough_tuning_point point[GOUGH_TUNING_POINTS];
+    const gough_tuning_options o = request();
+    gough_model *good = malloc(sizeof *good);
+    size_t bytes;
+    ck_assert_ptr_nonnull(good);
+    *good = model;
+    good->motion.kind = GOUGH_MOTION_FORMULAS;
+    ck_assert_int_eq(gough_tune_size(good, &o, &bytes, NULL), GOUGH_OK);
+    free(good);
+    void *memory = room(bytes);
+    const gough_status status =
+        gough_tune(&model, &simulation, true, &o, point, &tuning, memory, &error);
+    free(memory);
+    return status;
+}
+
+static gough_status call_damping(void) {
+    double damping;
+    return gough_damping_for_ratio(&model, 0.1, &damping, &error);
+}
+
+static int component;
+
+static gough_status call_low_pass(void) {
+    double time[5] = {0, 1, 2, 3, 4}, value[5 * GOUGH_COMPONENTS] = {0}, scratch[100];
+    ck_assert_uint_le(gough_samples_smooth_scratch(5), 100);
+    return gough_samples_low_pass(5, time, value, component, 0.1, scratch, &error);
+}
+
+static gough_status call_smooth(void) {
+    double time[5] = {0, 1, 2, 3, 4}, value[5 * GOUGH_COMPONENTS] = {0}, scratch[100], cutoff;
+    return gough_samples_smooth(5, time, value, component, 0.1, 1, &cutoff, scratch, &error);
+}
+
+static gough_status call_flat(void) {
+    gough_model *copy = malloc(sizeof *copy);
+    gough_simulation options;
+    const size_t count = gough_model_flat_size(&model);
+    double *flat = malloc(count * sizeof *flat);
+    ck_assert(copy && flat);
+    gough_model_flatten(&model, &simulation, flat);
+    const gough_status status = gough_model_unflatten(copy, &options, NULL, flat, count, &error);
+    free(flat);
+    free(copy);
+    return status;
+}
+
+/* ---- the values ------------------------------------------------------------------------------------------------------ */
+
+static void set_method(int value) { simulation.method = (gough_method)value; }
+static void set_precision(int value) { simulation.precision = (gough_precision)value; }
+static void set_constraints(int value) { simulation.constraints = (gough_constraints)value; }
+static void set_motion(int value) { model.motion.kind = (gough_motion_kind)value; }
+static void set_axis(int value) { axes.axis = (gough_map_axis)value; }
+static void set_interval(int value) { map.interval[0].kind = (gough_interval_kind)value; }
+static void set_component(int value) { component = value; }
+
+enum { ANY = 16 };
+static const struct {
+    const char *what, *key;
+    void (*set)(int value);
+    gough_status (*call[ANY])(void);
+} cases[] = {
+    {"method",
+     "simulation.method",
+     set_method,
+     {call_check, call_simulate, call_forces, call_batch, call_tune, call_flat}},
+    {"precision",
+     "simulation.precision",
+     set_precision,
+     {call_check, call_simulate, call_forces, call_batch, call_tune, call_flat}},
+    {"constraints",
+     "simulation.constraints",
+     set_constraints,
+     {call_check, call_simulate, call_forces, call_batch, call_tune, call_flat}},
+    {"motion",
+     "motion",
+     set_motion,
+     {call_check, call_simulate, call_forces, call_batch, call_range, call_period, call_linearise,
+      call_rest, call_floquet, call_tune, call_damping, call_flat}},
+    {"axis", NULL, set_axis, {call_map_size, call_map_find, call_map_draw}},
+    {"interval", NULL, set_interval, {call_map_draw}},
+    {"component", NULL, set_component, {call_low_pass, call_smooth}},
+};
+
+START_TEST(every_function_refuses_what_is_outside_an_enumeration) {
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        for (int f = 0; f < ANY && cases[k].call[f]; f++) {
+            for (int i = 0; i < OUTSIDE; i++) {
+                begin();
+                cases[k].set(outside[i]);
+                ck_assert_msg(cases[k].call[f]() == GOUGH_ERROR_INPUT, "%s %d, function %d",
+                              cases[k].what, outside[i], f);
+                ck_assert_msg(error.message[0] != '\0' && error.status == GOUGH_ERROR_INPUT,
+                              "%s %d, function %d", cases[k].what, outside[i], f);
+                if (cases[k].call[f] == call_flat) continue; /* which sees numbers only */
+                if (cases[k].key)
+                    ck_assert_msg(error.key && strcmp(error.key, cases[k].key) == 0,
+                                  "%s, function %d: the key is %s", cases[k].what, f,
+                                  error.key ? error.key : "missing");
+                else
+                    ck_assert_ptr_null(error.key);
+            }
+        }
+    }
+}
+END_TEST
+
+/* What a motion of no kind does to functions that have no status; and a row of a map, each of which has an error. */
+START_TEST(functions_without_a_status_give_what_is_not_finite) {
+    for (int i = 0; i < OUTSIDE; i++) {
+        double jets[GOUGH_COMPONENTS][3];
+        gough_acceleration a;
+        gough_state s;
+        size_t bytes;
+        begin();
+        set_motion(outside[i]);
+        gough_motion_evaluate(&model.motion, 1, jets);
+        for (int c = 0; c < GOUGH_COMPONENTS; c++)
+            for (int order = 0; order < 3; order++) ck_assert(isnan(jets[c][order]));
+        gough_program(&model.machine, &model.motion, 1, &s, &a);
+        for (int c = 0; c < 3; c++)
+            ck_assert(isnan(s.position[c]) && isnan(s.velocity[c]) && isnan(a.linear[c]) &&
+                      isnan(s.rotation[c][0]) && isnan(s.angular_velocity[c]) &&
+                      isnan(a.angular[c]));
+
+        ck_assert_uint_eq(gough_linear_size(&model), GOUGH_LINEAR);
+        ck_assert_int_eq(gough_map_size(&model, &axes, &bytes, NULL), GOUGH_OK);
+        void *memory = room(bytes);
+        ck_assert_int_eq(gough_map_find(&model, &axes, &map, memory, NULL), GOUGH_OK);
+        ck_assert_int_eq(map.row[0].error.status, GOUGH_ERROR_INPUT);
+        ck_assert_str_eq(map.row[0].error.key, "motion");
+        free(memory);
+    }
+}
+END_TEST
+
+START_TEST(names_of_what_is_outside_are_harmless) {
+    for (int i = 0; i < OUTSIDE; i++) {
+        const int value = outside[i];
+        gough_end end = {.cause = (gough_cause)value, .message = "as it was"};
+        gough_place place = {.owner = GOUGH_OWNER_MODEL, .kind = (gough_kind)value, .count = 1};
+        double number = 7;
+        ck_assert_str_eq(gough_cause_name((gough_cause)value), "unknown");
+        ck_assert_str_eq(gough_interval_kind_name((gough_interval_kind)value), "unknown");
+        ck_assert_str_eq(gough_tuning_binding_name((gough_tuning_binding)value), "unknown");
+        ck_assert_str_eq(gough_tuning_exception_name((gough_tuning_exception_kind)value),
+                         "unknown");
+        ck_assert_str_eq(gough_component_name(value), "");
+        ck_assert_ptr_null(gough_method_name(value));
+        ck_assert_ptr_null(gough_column(value));
+        ck_assert(!gough_column_filled(value, true, true));
+        gough_end_say(&end, " m", " m/s", " N", " s");
+        ck_assert_str_eq(end.message, "as it was");
+        gough_place_reset(&place, &number);
+        ck_assert(number >= 7 && number <= 7);
+        begin();
+        set_axis(value);
+        axes.second.count = 3;
+        ck_assert_uint_eq(gough_map_rows(&axes), 3);
+    }
+}
+END_TEST
+
+/* the file of a result names a cause outside its enumeration as unknown */
+START_TEST(a_result_names_no_cause_outside) {
+    gough_study study = {.title = "", .text = "", .name = "", .model = &model};
+    const gough_units units = {false, 1, 1, 1};
+    begin();
+    gough_result *result = gough_result_new(&study, "simulate", &units);
+    const gough_end end = {.cause = (gough_cause)97, .time = 1, .message = "ended"};
+    gough_table *table = NULL;
+    static const char path[] = "test-enumerations.h5";
+    ck_assert_ptr_nonnull(result);
+    gough_result_set_end(result, &end);
+    ck_assert_int_eq(gough_result_write(result, path, &error), GOUGH_OK);
+    ck_assert_int_eq(gough_table_read(path, &table, &error), GOUGH_OK);
+    ck_assert_str_eq(table->end_cause, "unknown");
+    remove(path);
+    gough_table_free(table);
+    gough_result_free(result);
+}
+END_TEST
+
+int main(void) {
+    return SUITE_RUN("base/enumerations", 120,
+                     every_function_refuses_what_is_outside_an_enumeration,
+                     functions_without_a_status_give_what_is_not_finite,
+                     names_of_what_is_outside_are_harmless, a_result_names_no_cause_outside);
+}
