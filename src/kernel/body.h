@@ -30,7 +30,7 @@ static inline vector body_acceleration(const body *b, vector F, vector gravity) 
 }
 
 /* (1.5), (body-4), with L the moment about the centre of mass along i, j, k */
-static inline triad triad_acceleration(const body *b, const triad *q, const triad *rate, vector L) {
+KERNEL_INLINE triad triad_acceleration(const body *b, const triad *q, const triad *rate, vector L) {
     const number two = number_of(2);
     const number ij = two * b->xy * dot(rate->i, rate->j), z = L.z * b->xy;
     const number jk = two * b->yz * dot(rate->j, rate->k), x = L.x * b->yz;

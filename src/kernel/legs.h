@@ -116,7 +116,7 @@ static inline vector push_moment(const push *p, const triad *q) {
     };
 }
 
-static inline push legs_push(const hexapod *h, const legs *g, const number u[LEGS]) {
+KERNEL_INLINE push legs_push(const hexapod *h, const legs *g, const number u[LEGS]) {
     push p = push_none();
 
     for (int v = 0; v < LEGS; v++) push_add(&p, h, v, u[v], g->n[v]);

@@ -7,9 +7,9 @@
 #include "program/angles.h"
 #include "program/program.h"
 
-/* whether an angle and its derivatives are 0 */
-static inline int jet_still(jet a) {
-    return jet_vanishes(a.v) && jet_vanishes(a.d) && jet_vanishes(a.dd);
+/* the sum of the magnitudes of a value and its derivatives: 0 where all of them are */
+static inline real jet_size(jet a) {
+    return real_magnitude(a.v) + real_magnitude(a.d) + real_magnitude(a.dd);
 }
 
 static inline real jet_order(jet a, int order) {
@@ -38,8 +38,8 @@ typedef struct {
 /* whether no angle moves, and R otherwise; `axes`: of motion_axes() */
 static inline int displacement_turn(const double *axes, const jet component[GOUGH_COMPONENTS],
                                     jet R[3][3]) {
-    if (jet_still(component[GOUGH_ROLL]) && jet_still(component[GOUGH_PITCH]) &&
-        jet_still(component[GOUGH_YAW])) {
+    if (jet_vanishes(jet_size(component[GOUGH_ROLL]) + jet_size(component[GOUGH_PITCH]) +
+                     jet_size(component[GOUGH_YAW]))) {
         return 1;
     }
     motion_rotation(axes, component, R);

@@ -109,6 +109,7 @@ static inline jet jet_tanh(jet a) {
  * exact to rounding for either sign of x; beyond 16 pow is the more accurate */
 static inline real real_raise(real x, real p) {
     const real size = real_magnitude(p);
+    if (jet_vanishes(p - 2)) return x * x; /* the most usual power: what follows, in short */
     if (!(size <= 16) || (real)(int)size < size) return real_pow(x, p);
     real product = 1, square = x;
     for (int n = (int)size; n > 0; n /= 2) {

@@ -153,7 +153,8 @@ static inline jet formula_binary(int code, int constant, jet x, jet y) {
 
 /* A compiled formula with its derivatives at `count` times; an empty one is 0. The compiler has bounded its stack, in which
  * each value is a row of times. */
-KERNEL_INLINE void formula_evaluate(const gough_formula *f, int count, const real *t, jet *out) {
+KERNEL_INLINE void formula_evaluate(const gough_formula *f, int count, const real *t,
+                                    formula_row *out) {
     formula_row stack[GOUGH_FORMULA_DEPTH + 1];
     formula_row *a = stack;
 
@@ -173,13 +174,13 @@ KERNEL_INLINE void formula_evaluate(const gough_formula *f, int count, const rea
             if (constant == FORMULA_BOTH_CONSTANT) FORMULA_EACH(jet_constant(FORMULA_A.v));
         }
     }
-    for (int k = 0; k < count; k++) out[k] = FORMULA_A;
+    for (int k = 0; k < count; k++) formula_put(out, k, FORMULA_A);
 }
 
 static inline jet formula_alone(const gough_formula *f, real t) {
-    jet x;
+    formula_row x;
     formula_evaluate(f, 1, &t, &x);
-    return x;
+    return formula_get(&x, 0);
 }
 
 /* at one time; an empty formula is 0 */
@@ -188,7 +189,8 @@ KERNEL_INLINE jet formula_jet(const gough_formula *f, real t) {
 }
 
 /* at `count` times */
-static inline void formula_jets(const gough_formula *f, int count, const real *t, jet *out) {
+static inline void formula_jets(const gough_formula *f, int count, const real *t,
+                                formula_row *out) {
     formula_evaluate(f, count, t, out);
 }
 
@@ -285,24 +287,36 @@ static inline void motion_components(const gough_motion *m, real t, jet out[GOUG
     for (int c = 0; c < GOUGH_COMPONENTS && m->scaled; c++) out[c] = motion_scaled(m, out[c]);
 }
 
-/* The same at `count` times. */
+/* The same at `count` times, a row of times for each component. */
 static inline void motion_components_at(const gough_motion *m, int count, const real *t,
-                                        jet out[][GOUGH_COMPONENTS]) {
+                                        formula_row out[GOUGH_COMPONENTS]) {
     const real unit = motion_angle_unit(m);
     real inner[FORMULA_TIMES];
-    jet component[FORMULA_TIMES];
-    if (m->kind != GOUGH_MOTION_FORMULAS) {
-        for (int k = 0; k < count; k++) motion_components(m, t[k], out[k]);
-        return;
+    for (int k = 0; k < count && m->kind != GOUGH_MOTION_FORMULAS; k++) {
+        jet component[GOUGH_COMPONENTS];
+        motion_components(m, t[k], component);
+        for (int c = 0; c < GOUGH_COMPONENTS; c++) formula_put(&out[c], k, component[c]);
     }
+    if (m->kind != GOUGH_MOTION_FORMULAS) return;
     for (int k = 0; k < count; k++) inner[k] = motion_time(m, t[k]);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
-        formula_jets(&m->formula[c], count, inner, component);
-        for (int k = 0; k < count; k++) {
-            if (c >= GOUGH_ROLL) component[k] = jet_scale(unit, component[k]);
-            out[k][c] = motion_scaled(m, component[k]);
+        formula_row *a = &out[c];
+        if (m->formula[c].count > 0) {
+            formula_jets(&m->formula[c], count, inner, a);
+            if (c >= GOUGH_ROLL) FORMULA_EACH(jet_scale(unit, FORMULA_A));
+            if (m->scaled) FORMULA_EACH(motion_scaled(m, FORMULA_A));
+        } else { /* the same at all times */
+            const jet still = jet_constant(0);
+            const jet all = motion_scaled(m, c >= GOUGH_ROLL ? jet_scale(unit, still) : still);
+            for (int k = 0; k < FORMULA_TIMES; k++) formula_put(a, k, all);
         }
     }
+}
+
+/* the components at time k of such rows */
+static inline void motion_components_of(const formula_row rows[GOUGH_COMPONENTS], int k,
+                                        jet component[GOUGH_COMPONENTS]) {
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) component[c] = formula_get(&rows[c], k);
 }
 
 #endif

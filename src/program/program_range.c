@@ -131,13 +131,15 @@ static bool range_resolved(const range *r, jet component[RANGE_PARTS + 1][GOUGH_
 
 static void range_cell(range *r, double from, double to, int halvings) {
     jet component[RANGE_PARTS + 1][GOUGH_COMPONENTS];
+    formula_row rows[GOUGH_COMPONENTS];
     double t[RANGE_PARTS + 1], before[3];
 
     for (int k = 0; k <= RANGE_PARTS; k++) t[k] = from + (to - from) * k / RANGE_PARTS;
     t[RANGE_PARTS] = to;
     memcpy(before, r->angle, sizeof before);
-    motion_components_at(r->motion, RANGE_PARTS + 1, t, component);
+    motion_components_at(r->motion, RANGE_PARTS + 1, t, rows);
     for (int k = 0; k <= RANGE_PARTS; k++) {
+        motion_components_of(rows, k, component[k]);
         range_turn_back(r, component[k]);
         range_near(r, component[k]);
     }

@@ -352,7 +352,7 @@ static inline int walk_expected(walk *a, const look *p, const look *q) {
     const real gravity = (real)a->r.lane[0].machine->gravity_magnitude;
     const real radius = (real)a->r.lane[0].machine->base_radius;
     const long long first = (long long)floor((double)(p->t / step)) + 1;
-    jet component[FORMULA_TIMES][GOUGH_COMPONENTS];
+    formula_row component[GOUGH_COMPONENTS];
     real t[FORMULA_TIMES];
 
     if (a->r.motion->kind != GOUGH_MOTION_FORMULAS) return 1;
@@ -361,7 +361,9 @@ static inline int walk_expected(walk *a, const look *p, const look *q) {
         while (count < FORMULA_TIMES && (real)k * step < q->t) t[count++] = (real)k++ * step;
         motion_components_at(a->r.motion, count, t, component);
         for (int i = 0; i < count; i++) {
-            const char *flaw = wanted_flaw(component[i]);
+            jet one[GOUGH_COMPONENTS];
+            motion_components_of(component, i, one);
+            const char *flaw = wanted_flaw(one);
             if (flaw) {
                 wanted_blame(&a->r, flaw, t[i]);
                 return 0;
@@ -374,7 +376,7 @@ static inline int walk_expected(walk *a, const look *p, const look *q) {
             const real arm = c < GOUGH_ROLL ? 1 : radius;
             const real round_off = 100 * REAL_EPSILON * real_magnitude(from->v) / (h * h);
             for (int i = 0; i < count; i++) {
-                const real dd = component[i][c].dd;
+                const real dd = component[c].dd[i];
                 const real wrong = dd - walk_quintic(one, two, (t[i] - p->t) / h) / (h * h);
                 if (arm * real_magnitude(dd) > a->swiftness)
                     a->swiftness = arm * real_magnitude(dd);

@@ -22,53 +22,100 @@ static inline void prefetch_begin(void *room, const gough_motion *motion,
     system_begin(room, motion, &unused, lane);
 }
 
-static inline void prefetch_put_vector(vector *v, int lane, real x, real y, real z) {
-    number_put(&v->x, lane, x);
-    number_put(&v->y, lane, y);
-    number_put(&v->z, lane, z);
+/* numbers of a program's rotation: three axes with two derivatives */
+enum { PREFETCH_TURN = 27 };
+
+/* The program at the times of a block, as rows of times: what lanes load at once. */
+typedef struct {
+    formula_row component[GOUGH_COMPONENTS];
+    double turn[PREFETCH_TURN][PREFETCH_TIMES];
+    int still[PREFETCH_TIMES]; /* no angle moves, and `turn` is not set */
+} prefetch_program;
+
+static inline number prefetch_load(const double *row) {
+    number x;
+
+    memcpy(&x, row, sizeof x);
+    return x;
 }
 
-/* displacement_of() for one lane */
-static inline void prefetch_put(displacement *d, int lane, const double *axes,
-                                const jet component[GOUGH_COMPONENTS]) {
-    jet R[3][3];
+static inline vector prefetch_vector(const double (*row)[PREFETCH_TIMES], int first) {
+    return (vector){prefetch_load(row[0] + first), prefetch_load(row[1] + first),
+                    prefetch_load(row[2] + first)};
+}
 
-    d->still = displacement_turn(axes, component, R);
-    for (int order = 0; order < 3; order++) {
-        prefetch_put_vector(&d->where[order], lane, jet_order(component[GOUGH_SURGE], order),
-                            jet_order(component[GOUGH_SWAY], order),
-                            jet_order(component[GOUGH_HEAVE], order));
-        if (d->still) continue;
-        vector *axis[3] = {&d->axes[order].i, &d->axes[order].j, &d->axes[order].k};
-        for (int c = 0; c < 3; c++) {
-            prefetch_put_vector(axis[c], lane, jet_order(R[0][c], order), jet_order(R[1][c], order),
-                                jet_order(R[2][c], order));
+/* fills the rows: from the formulas up to the block's count, and beyond it by repeating the last time */
+static inline void prefetch_evaluate(struct system *r, prefetch_block *b, prefetch_program *p) {
+    const double *axes = motion_axes(r->motion);
+    jet component[GOUGH_COMPONENTS], R[3][3];
+    double nothing[PREFETCH_TIMES] = {0}, size[PREFETCH_TIMES] = {0};
+
+    motion_components_at(r->motion, b->count, b->time, p->component);
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        for (int k = 0; k < b->count; k++) {
+            const jet x = formula_get(&p->component[c], k);
+            nothing[k] += 0 * (x.v + x.d + x.dd); /* NaN where one is not finite */
+            if (c >= GOUGH_ROLL) size[k] += jet_size(x);
         }
     }
+    for (int k = 0; k < b->count; k++) {
+        b->fault[k] = NULL;
+        p->still[k] = jet_vanishes(size[k]);
+        if (p->still[k] && jet_vanishes(nothing[k])) continue;
+        motion_components_of(p->component, k, component);
+        b->fault[k] = wanted_flaw(component);
+        p->still[k] = displacement_turn(axes, component, R);
+        for (int i = 0; i < 9 && !p->still[k]; i++) {
+            for (int order = 0; order < 3; order++)
+                p->turn[9 * order + i][k] = jet_order(R[i % 3][i / 3], order);
+        }
+    }
+    for (int k = b->count; k % NUMBER_WIDTH != 0; k++) {
+        const int last = b->count - 1;
+        for (int c = 0; c < GOUGH_COMPONENTS; c++)
+            formula_put(&p->component[c], k, formula_get(&p->component[c], last));
+        p->still[k] = p->still[last];
+        for (int i = 0; i < PREFETCH_TURN && !p->still[k]; i++) p->turn[i][k] = p->turn[i][last];
+    }
+}
+
+/* displacement_of() for the times from `first` on; 0 where only some of them turn the load */
+static inline int prefetch_displacement(const prefetch_program *p, int first, displacement *d) {
+    const formula_row *c = p->component;
+    int still = 0;
+
+    for (int i = 0; i < NUMBER_WIDTH; i++) still += p->still[first + i];
+    d->still = still == NUMBER_WIDTH;
+    d->where[0] = (vector){prefetch_load(c[0].v + first), prefetch_load(c[1].v + first),
+                           prefetch_load(c[2].v + first)};
+    d->where[1] = (vector){prefetch_load(c[0].d + first), prefetch_load(c[1].d + first),
+                           prefetch_load(c[2].d + first)};
+    d->where[2] = (vector){prefetch_load(c[0].dd + first), prefetch_load(c[1].dd + first),
+                           prefetch_load(c[2].dd + first)};
+    for (int order = 0; order < 3 && still == 0; order++) {
+        const double(*row)[PREFETCH_TIMES] = p->turn + (ptrdiff_t)9 * order;
+        d->axes[order] = (triad){prefetch_vector(row, first), prefetch_vector(row + 3, first),
+                                 prefetch_vector(row + 6, first)};
+    }
+    return still == 0 || d->still;
 }
 
 /* all lanes: a block has room for whole packs */
 static inline void prefetch_keep(double *where, number x) { memcpy(where, &x, sizeof x); }
 
-/* Times from `first` on, as many as there are lanes; lanes beyond repeat the last. 0 where the equations are not the same in all
- * lanes, since only some of the times turn the load. */
+/* Times from `first` on, as many as there are lanes. 0 where the equations are not the same in all lanes. */
 static inline int prefetch_pack(struct system *r, prefetch_block *b, int first,
-                                jet component[PREFETCH_TIMES][GOUGH_COMPONENTS]) {
-    const int left = b->count - first, count = left < NUMBER_WIDTH ? left : NUMBER_WIDTH;
+                                const prefetch_program *p) {
     number vertical = number_of(0);
     displacement d;
-    int still = 0;
     wanted s;
 
-    for (int i = 0; i < NUMBER_WIDTH; i++) {
-        const int at = first + (i < count ? i : count - 1);
-        prefetch_put(&d, i, motion_axes(r->motion), component[at]);
-        still += d.still;
-        if (!r->share) continue;
+    if (!prefetch_displacement(p, first, &d)) return 0;
+    for (int i = 0; i < NUMBER_WIDTH && r->share; i++) {
+        const int at = first + i < b->count ? first + i : b->count - 1;
         number_put(&vertical, i,
                    formula_jet(&r->lane[i].disturbance->vertical_force, b->time[at]).v);
     }
-    if (still != 0 && still != NUMBER_WIDTH) return 0;
 
     wanted_displacement(r, &d, &s);
     if (r->traits & NEEDS_RATES) legs_rates(&r->h, &s.x[1], &s.program);
@@ -84,13 +131,12 @@ static inline int prefetch_pack(struct system *r, prefetch_block *b, int first,
 }
 
 static inline void prefetch_fill(void *room, prefetch_block *b) {
-    jet component[PREFETCH_TIMES][GOUGH_COMPONENTS];
     struct system *r = room;
+    prefetch_program program;
 
-    motion_components_at(r->motion, b->count, b->time, component);
-    for (int k = 0; k < b->count; k++) b->fault[k] = wanted_flaw(component[k]);
+    prefetch_evaluate(r, b, &program);
     for (int first = 0; first < b->count; first += NUMBER_WIDTH) {
-        if (!prefetch_pack(r, b, first, component)) b->count = first;
+        if (!prefetch_pack(r, b, first, &program)) b->count = first;
     }
 }
 
