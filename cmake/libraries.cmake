@@ -7,10 +7,11 @@ file(GLOB GOUGH_HEADERS CONFIGURE_DEPENDS include/gough/*.h)
 file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
     src/base/*.c src/kernel/*.c src/program/*.c src/plant/*.c src/model/*.c src/integrate/*.c src/run/*.c src/batch/*.c)
 file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/linear/*.c src/floquet/*.c src/map/*.c src/tune/*.c)
-# The core does not show its inner functions: what the analysis needs of them is compiled into it again.
+# The core does not show its inner functions: what the others need of them is compiled into them again.
 list(APPEND GOUGH_ANALYSE_SOURCES src/program/appointments.c src/base/crew.c)
 file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS 
     src/study/*.c src/table/*.c src/sweep/*.c src/figure/*.c src/page/*.c)
+list(APPEND GOUGH_FILES_SOURCES src/base/crew.c)
 
 # What steps is worth more of the compiler's time; the bits stay.
 set_source_files_properties(src/batch/batch_double.c src/batch/batch_lanes_2.c src/run/run_double.c

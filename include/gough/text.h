@@ -5,6 +5,7 @@
 #ifndef GOUGH_TEXT_H
 #define GOUGH_TEXT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "gough/status.h"
@@ -39,6 +40,31 @@ GOUGH_API size_t gough_character_count(const char *text);
  *  @return its index, or -1 if none is near enough. Safe to call concurrently. */
 GOUGH_API int gough_word_nearest(const char *word, size_t length, const char *const *names,
                                  size_t count);
+
+/** A piece of a text: bytes from `begin` up to, but without, `end`. */
+typedef struct gough_piece {
+    const char *begin; /**< first byte */
+    const char *end;   /**< one past the last byte */
+} gough_piece;
+
+/** Takes the next line of a CSV text: up to LF or CR LF, which are not part of it, or up to the end of the text.
+ *  @param[in,out] rest  what is left of the text; after the call what follows the line
+ *  @param[out] line     the line; must not be @p rest
+ *  @return false, with nothing written, if nothing is left. Safe to call concurrently. */
+GOUGH_API bool gough_csv_line(gough_piece *rest, gough_piece *line);
+
+/** Takes the next cell of a CSV line: up to a comma or the end of the line, without blanks and tabs around it. A cell in double
+ *  quotes ends at the closing quote, and two quotes within it stand for one; the quotes are part of the cell.
+ *  @param[in,out] line  what is left of the line; after its last cell `begin` is NULL
+ *  @param[out] cell     the cell; must not be @p line
+ *  @return false, with nothing written, after the last cell. Safe to call concurrently. */
+GOUGH_API bool gough_csv_cell(gough_piece *line, gough_piece *cell);
+
+/** Whether nothing but line ends is left, as editors leave them at the end of a file. Safe to call concurrently. */
+GOUGH_API bool gough_csv_ended(gough_piece rest);
+
+/** Number of cells in a line that no cell was taken of. Safe to call concurrently. */
+GOUGH_API size_t gough_csv_count(gough_piece line);
 
 /** Room for any character as gough_character_show() writes it, with the terminating zero. */
 enum { GOUGH_SHOWN_CHARACTER = 12 };

@@ -2,7 +2,6 @@
 #define _GNU_SOURCE
 #include "base/crew.h"
 
-#include <pthread.h>
 #include <sched.h>
 
 #include "base/assert.h"
@@ -17,16 +16,28 @@ int crew_threads(int wanted) {
     return threads < 1 ? 1 : threads > CREW_MOST ? CREW_MOST : threads;
 }
 
-void crew_work(void *members, size_t size, int count, void *(*work)(void *member)) {
-    pthread_t thread[CREW_MOST];
+int crew_start(crew *c, void *members, size_t size, int count, void *(*work)(void *member)) {
     char *member = members;
-    int started = 1;
 
-    assert_true(count >= 1 && count <= CREW_MOST);
-    while (started < count &&
-           pthread_create(&thread[started], NULL, work, member + (size_t)started * size) == 0) {
-        started++;
+    assert_true(count >= 0 && count <= CREW_MOST);
+    c->count = 0;
+    while (c->count < count && pthread_create(&c->thread[c->count], NULL, work,
+                                              member + (size_t)c->count * size) == 0) {
+        c->count++;
     }
+    return c->count;
+}
+
+void crew_join(crew *c) {
+    for (int i = 0; i < c->count; i++) pthread_join(c->thread[i], NULL);
+    c->count = 0;
+}
+
+void crew_work(void *members, size_t size, int count, void *(*work)(void *member)) {
+    crew others;
+
+    assert_true(count >= 1);
+    crew_start(&others, (char *)members + size, size, count - 1, work);
     work(members); /* alone if need be */
-    for (int i = 1; i < started; i++) pthread_join(thread[i], NULL);
+    crew_join(&others);
 }

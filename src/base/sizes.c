@@ -6,6 +6,7 @@
 #include "gough/batch.h"
 #include "gough/report.h"
 #include "gough/sweep.h"
+#include "gough/text.h"
 #include "gough/tune.h"
 
 #define SIZE_OF(name)                                                                              \
@@ -50,6 +51,7 @@ static const struct {
     SIZE_OF(gough_outcome),
     SIZE_OF(gough_page_template),
     SIZE_OF(gough_period),
+    SIZE_OF(gough_piece),
     SIZE_OF(gough_place),
     SIZE_OF(gough_platform),
     SIZE_OF(gough_record),

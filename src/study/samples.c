@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gough/text.h"
 #include "study/record.h"
 #include "study/source.h"
 #include "study/value.h"
@@ -24,7 +25,7 @@ static const double PI = 3.14159265358979323846;
 typedef struct table {
     study_messages *messages;
     const study_source *source;
-    size_t at;           /* offset of the next line */
+    gough_piece rest;    /* of the text */
     int column[COLUMNS]; /* what the cells of a row are, in order */
     size_t columns;
     size_t rows;
@@ -33,40 +34,15 @@ typedef struct table {
     size_t errors;
 } table;
 
-typedef struct cell {
-    size_t begin, end; /* without blanks around */
-    bool last;
-} cell;
+static size_t length_of(gough_piece p) { return (size_t)(p.end - p.begin); }
 
-static void say(table *csv, size_t offset, const char *sentence) {
-    study_say(csv->messages, GOUGH_ERROR_INPUT, (study_place){csv->source, offset}, "%s", sentence);
+static study_place place_of(const table *csv, const char *at) {
+    return (study_place){csv->source, (size_t)(at - csv->source->text)};
+}
+
+static void say(table *csv, const char *at, const char *sentence) {
+    study_say(csv->messages, GOUGH_ERROR_INPUT, place_of(csv, at), "%s", sentence);
     csv->errors++;
-}
-
-/* End of the line that begins there, without its CR. */
-static size_t line_end(const table *csv, size_t begin) {
-    const char *text = csv->source->text;
-    const char *end = memchr(text + begin, '\n', csv->source->length - begin);
-    const size_t at = end ? (size_t)(end - text) : csv->source->length;
-    return at > begin && text[at - 1] == '\r' ? at - 1 : at;
-}
-
-static size_t next_line(const table *csv, size_t end) {
-    const char *text = csv->source->text;
-    if (end < csv->source->length && text[end] == '\r') end++;
-    return end < csv->source->length ? end + 1 : end;
-}
-
-static bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-static cell next_cell(const table *csv, size_t begin, size_t end, size_t *next) {
-    const char *text = csv->source->text;
-    const char *comma = memchr(text + begin, ',', end - begin);
-    cell found = {begin, comma ? (size_t)(comma - text) : end, !comma};
-    *next = found.end + 1;
-    while (found.begin < found.end && is_blank(text[found.begin])) found.begin++;
-    while (found.end > found.begin && is_blank(text[found.end - 1])) found.end--;
-    return found;
 }
 
 static const char *column_name(int column) {
@@ -80,37 +56,38 @@ static int column_of(const char *name) {
 }
 
 /* Whether the text is what a table looks like that has no header, or other separators; said for the whole row. */
-static bool say_no_header(table *csv, size_t begin, size_t end) {
-    const char *text = csv->source->text;
-    size_t next = begin, rest;
+static bool say_no_header(table *csv, gough_piece line) {
+    size_t rest;
     double value;
-    const cell head = next_cell(csv, begin, end, &next);
-    const size_t length = head.end - head.begin;
-    if (begin == end) {
-        say(csv, begin, "the first row must name the columns, as in t,heave");
-    } else if (study_decimal_read(text + head.begin, length, &value, &rest) == STUDY_DECIMAL) {
-        study_say(csv->messages, GOUGH_ERROR_INPUT, (study_place){csv->source, head.begin},
+    gough_piece head, left = line;
+    if (line.begin == line.end || !gough_csv_cell(&left, &head)) {
+        say(csv, line.begin, "the first row must name the columns, as in t,heave");
+    } else if (study_decimal_read(head.begin, length_of(head), &value, &rest) == STUDY_DECIMAL) {
+        study_say(csv->messages, GOUGH_ERROR_INPUT, place_of(csv, head.begin),
                   "the first row must name the columns, as in t,heave; found the number %s",
-                  study_quote(csv->messages->arena, text + head.begin, length));
+                  study_quote(csv->messages->arena, head.begin, length_of(head)));
         csv->errors++;
-    } else if (memchr(text + begin, ';', end - begin)) {
-        say(csv, begin, "columns are separated by commas, not by semicolons");
+    } else if (memchr(line.begin, ';', length_of(line))) {
+        say(csv, line.begin, "columns are separated by commas, not by semicolons");
     }
     return csv->errors > 0;
 }
 
 /* What the cell of the header names; -1, with what is wrong said, where it names nothing. */
-static int header_cell(table *csv, cell head) {
+static int header_cell(table *csv, gough_piece head) {
     study_arena *arena = csv->messages->arena;
-    const char *name = study_quote(arena, csv->source->text + head.begin, head.end - head.begin);
+    const char *place_at = head.begin;
+    if (length_of(head) >= 2 && *head.begin == '"' && head.end[-1] == '"')
+        head = (gough_piece){head.begin + 1, head.end - 1};
+    const char *name = study_quote(arena, head.begin, length_of(head));
     const char *names[COLUMNS];
     for (int c = 0; c < COLUMNS; c++) names[c] = column_name(c);
     const int column = column_of(name);
     const char *nearest = study_nearest(name, names, COLUMNS);
-    const study_place place = {csv->source, head.begin};
+    const study_place place = place_of(csv, place_at);
     for (size_t i = 0; column >= 0 && i < csv->columns; i++) {
         if (csv->column[i] != column) continue;
-        say(csv, head.begin, "this column appears twice");
+        say(csv, place_at, "this column appears twice");
         return -1;
     }
     if (column >= 0) return column;
@@ -129,18 +106,16 @@ static int header_cell(table *csv, cell head) {
 
 /* All columns that are wrong are named. */
 static bool read_header(table *csv) {
-    const size_t begin = csv->at, end = line_end(csv, begin);
+    gough_piece line = csv->rest, head;
     bool has_time = false;
-    csv->at = next_line(csv, end);
-    if (say_no_header(csv, begin, end)) return false;
-    cell head;
-    size_t next = begin;
-    do {
-        head = next_cell(csv, next, end, &next);
+    (void)gough_csv_line(&csv->rest, &line);
+    const char *begin = line.begin;
+    if (say_no_header(csv, line)) return false;
+    while (csv->errors < MOST_ERRORS && gough_csv_cell(&line, &head)) {
         const int column = header_cell(csv, head);
         has_time |= column == TIME;
         if (column >= 0) csv->column[csv->columns++] = column;
-    } while (!head.last && csv->errors < MOST_ERRORS);
+    }
     if (csv->errors) return false;
     if (!has_time) say(csv, begin, "the column t, the time, is missing");
     if (!csv->errors && csv->columns < 2)
@@ -148,10 +123,9 @@ static bool read_header(table *csv) {
     return csv->errors == 0;
 }
 
-static void say_cell(table *csv, cell there, study_decimal kind) {
-    const char *text = csv->source->text + there.begin;
-    const char *quote = study_quote(csv->messages->arena, text, there.end - there.begin);
-    const study_place place = {csv->source, there.begin};
+static void say_cell(table *csv, gough_piece there, study_decimal kind) {
+    const char *quote = study_quote(csv->messages->arena, there.begin, length_of(there));
+    const study_place place = place_of(csv, there.begin);
     csv->errors++;
     if (there.begin == there.end)
         study_say(csv->messages, GOUGH_ERROR_INPUT, place, "an empty cell; a number was expected");
@@ -162,7 +136,7 @@ static void say_cell(table *csv, cell there, study_decimal kind) {
 }
 
 /* A time that does not increase; where it is the one of the row before, the times may have too few decimals. */
-static void say_time(table *csv, size_t at) {
+static void say_time(table *csv, const char *at) {
     const double now = csv->time[csv->rows], before = csv->time[csv->rows - 1];
     const int decimals = -csv->digits[TIME].place;
     char advice[100] = "";
@@ -170,21 +144,21 @@ static void say_time(table *csv, size_t at) {
         snprintf(advice, sizeof advice,
                  "; if the times are rounded to %d decimal%s, record more digits", decimals,
                  decimals == 1 ? "" : "s");
-    study_say(csv->messages, GOUGH_ERROR_INPUT, (study_place){csv->source, at},
+    study_say(csv->messages, GOUGH_ERROR_INPUT, place_of(csv, at),
               "the time %.9g must be greater than %.9g in the row before%s", now, before, advice);
     csv->errors++;
 }
 
 /* Reads one row into its place; one with a wrong cell does not count. */
-static void read_row(table *csv, size_t begin, size_t end) {
+static void read_row(table *csv, gough_piece line) {
     double *value = csv->value + csv->rows * GOUGH_COMPONENTS;
     const size_t before = csv->errors;
-    size_t time_at = begin, count = 0, next = begin;
-    cell there;
-    do {
-        there = next_cell(csv, next, end, &next);
+    const char *time_at = line.begin;
+    size_t count = 0;
+    gough_piece there;
+    while (csv->errors < MOST_ERRORS && gough_csv_cell(&line, &there)) {
         if (count == csv->columns) {
-            study_say(csv->messages, GOUGH_ERROR_INPUT, (study_place){csv->source, there.begin},
+            study_say(csv->messages, GOUGH_ERROR_INPUT, place_of(csv, there.begin),
                       "this row has more cells than the %zu columns of the first row",
                       csv->columns);
             csv->errors++;
@@ -192,22 +166,21 @@ static void read_row(table *csv, size_t begin, size_t end) {
         }
         double number;
         size_t rest;
-        const study_decimal kind = study_decimal_read(csv->source->text + there.begin,
-                                                      there.end - there.begin, &number, &rest);
+        const study_decimal kind =
+            study_decimal_read(there.begin, length_of(there), &number, &rest);
         const int column = csv->column[count++];
         if (kind == STUDY_DECIMAL)
-            study_digits_take(&csv->digits[column], csv->source->text + there.begin,
-                              there.end - there.begin);
+            study_digits_take(&csv->digits[column], there.begin, length_of(there));
         if (kind != STUDY_DECIMAL)
             say_cell(csv, there, kind);
         else if (column == TIME)
             csv->time[csv->rows] = number, time_at = there.begin;
         else
             value[column] = number;
-    } while (!there.last && csv->errors < MOST_ERRORS);
+    }
     if (csv->errors > before) return;
     if (count < csv->columns) {
-        study_say(csv->messages, GOUGH_ERROR_INPUT, (study_place){csv->source, end},
+        study_say(csv->messages, GOUGH_ERROR_INPUT, place_of(csv, line.end),
                   "this row ends after %zu of %zu cells", count, csv->columns);
         csv->errors++;
     } else if (csv->rows > 0 && !(csv->time[csv->rows] > csv->time[csv->rows - 1])) {
@@ -218,29 +191,19 @@ static void read_row(table *csv, size_t begin, size_t end) {
     csv->rows++;
 }
 
-/* Whether nothing but line ends follows, as editors leave them at the end of a file. */
-static bool only_line_ends(const table *csv, size_t at) {
-    while (at < csv->source->length &&
-           (csv->source->text[at] == '\n' || csv->source->text[at] == '\r'))
-        at++;
-    return at == csv->source->length;
-}
-
 static void read_rows(table *csv) {
-    const size_t length = csv->source->length;
-    while (csv->at < length && csv->errors < MOST_ERRORS) {
-        const size_t begin = csv->at, end = line_end(csv, begin);
-        csv->at = next_line(csv, end);
-        if (begin == end && only_line_ends(csv, csv->at)) break;
-        if (begin == end)
-            say(csv, begin, "an empty line between the rows");
+    gough_piece line;
+    while (csv->errors < MOST_ERRORS && gough_csv_line(&csv->rest, &line)) {
+        if (line.begin == line.end && gough_csv_ended(csv->rest)) break;
+        if (line.begin == line.end)
+            say(csv, line.begin, "an empty line between the rows");
         else
-            read_row(csv, begin, end);
+            read_row(csv, line);
     }
     if (csv->errors >= MOST_ERRORS)
-        say(csv, csv->at, "too many errors; the rest of the file was not read");
+        say(csv, csv->rest.begin, "too many errors; the rest of the file was not read");
     else if (!csv->errors && csv->rows < 2)
-        say(csv, length, "at least two rows of numbers are needed");
+        say(csv, csv->rest.end, "at least two rows of numbers are needed");
 }
 
 static size_t count_lines(const study_source *source) {
@@ -294,20 +257,23 @@ static bool prepare(table *csv, study_recording *recording) {
     }
     const gough_status status = finish(csv, recording, scratch, &error);
     free(scratch);
-    if (status != GOUGH_OK) say(csv, 0, study_printable(csv->messages->arena, error.message));
+    if (status != GOUGH_OK)
+        say(csv, csv->source->text, study_printable(csv->messages->arena, error.message));
     return status == GOUGH_OK;
 }
 
 void study_samples_parse(study_messages *messages, const study_source *source,
                          study_recording *recording) {
-    table csv = {.messages = messages, .source = source};
+    table csv = {.messages = messages,
+                 .source = source,
+                 .rest = {source->text, source->text + source->length}};
     recording->memory = NULL;
     *recording->record = (gough_record){.remarks = 0};
-    if (source->length >= 3 && memcmp(source->text, "\xEF\xBB\xBF", 3) == 0) csv.at = 3;
+    if (source->length >= 3 && memcmp(source->text, "\xEF\xBB\xBF", 3) == 0) csv.rest.begin += 3;
     if (!read_header(&csv)) return;
     const size_t lines = count_lines(source);
     if (lines > MOST_ROWS + 2) {
-        say(&csv, 0, "more than 2 000 000 rows");
+        say(&csv, source->text, "more than 2 000 000 rows");
         return;
     }
     double *all = lay_out(&csv, lines);

@@ -12,10 +12,10 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/crew.h"
 #include "gough/sizes.h"
 
 enum {
-    MOST_THREADS = 256,
     MOST_PIECE = 256,     /* runs: what a thread's batch walks together in lanes of 8 */
     AHEAD = 4,            /* pieces for each thread in the window */
     PATIENCE = 100000000, /* ns between two looks at whether to stop */
@@ -28,7 +28,7 @@ typedef struct piece {
     gough_outcome outcome[MOST_PIECE];
 } piece;
 
-typedef struct crew {
+typedef struct workers {
     const gough_sweep *sweep;
     const gough_sweep_options *options;
     size_t first, last, size, pieces, window;
@@ -40,12 +40,11 @@ typedef struct crew {
     bool stopped;
     gough_status status;
     gough_error error;
-} crew;
+} workers;
 
 /* What one thread needs; parts that the sweep touches have room for each run of a piece. */
 typedef struct hand {
-    crew *crew;
-    pthread_t thread;
+    workers *all;
     gough_sweep_maker *maker;
     gough_machine *machine;
     gough_control *control;
@@ -71,10 +70,10 @@ static const unsigned OF_A_KIND = GOUGH_SWEEP_HEIGHT | GOUGH_SWEEP_MOTION | GOUG
 /* Whether two runs share program, home and options, and so can stand in one batch. */
 static bool same_kind(const hand *h, size_t a, size_t b) {
     size_t keys;
-    gough_sweep_keys(h->crew->sweep, &keys);
+    gough_sweep_keys(h->all->sweep, &keys);
     for (size_t k = 0; k < keys; k++) {
         const double x = h->value[a * keys + k], y = h->value[b * keys + k];
-        if (gough_sweep_touches(h->crew->sweep, k) & OF_A_KIND && (x < y || x > y)) return false;
+        if (gough_sweep_touches(h->all->sweep, k) & OF_A_KIND && (x < y || x > y)) return false;
     }
     return true;
 }
@@ -83,7 +82,7 @@ static bool same_kind(const hand *h, size_t a, size_t b) {
 static void order_by_kind(hand *h, size_t count) {
     bool listed[MOST_PIECE] = {false};
     size_t used = 0;
-    const bool kinds = (gough_sweep_touches(h->crew->sweep, (size_t)-1) & OF_A_KIND) != 0;
+    const bool kinds = (gough_sweep_touches(h->all->sweep, (size_t)-1) & OF_A_KIND) != 0;
     for (size_t i = 0; i < count; i++) {
         if (listed[i]) continue;
         for (size_t k = i; k < count; k++) {
@@ -119,7 +118,7 @@ static void keep_run(hand *h, const gough_study *study, size_t number, size_t n)
 
 static int look(void *context, size_t done) {
     (void)done;
-    crew *c = context;
+    workers *c = context;
     pthread_mutex_lock(&c->lock);
     const bool stopped = c->stopped;
     pthread_mutex_unlock(&c->lock);
@@ -129,7 +128,7 @@ static int look(void *context, size_t done) {
 static gough_status run_batch(hand *h, const gough_study *study, const size_t *which, size_t count,
                               gough_outcome *outcome, gough_error *error) {
     const gough_batch_options options = {
-        .lanes = h->crew->options->lanes, .threads = 1, .progress = look, .context = h->crew};
+        .lanes = h->all->options->lanes, .threads = 1, .progress = look, .context = h->all};
     const gough_status status = gough_batch(&study->model->motion, &study->simulation, h->run,
                                             count, &options, h->outcome, h->memory, error);
     for (size_t i = 0; i < count; i++) outcome[which[i]] = h->outcome[i];
@@ -163,9 +162,9 @@ static gough_status run_kind(hand *h, size_t first, size_t begin, size_t count, 
 static gough_status run_piece(hand *h, size_t first, size_t count, gough_outcome *outcome,
                               gough_error *error) {
     size_t keys;
-    gough_sweep_keys(h->crew->sweep, &keys);
+    gough_sweep_keys(h->all->sweep, &keys);
     for (size_t i = 0; i < count; i++)
-        gough_sweep_values(h->crew->sweep, first + i, &h->value[i * keys]);
+        gough_sweep_values(h->all->sweep, first + i, &h->value[i * keys]);
     order_by_kind(h, count);
     gough_status status = GOUGH_OK;
     for (size_t at = 0; at < count && status == GOUGH_OK;)
@@ -175,15 +174,15 @@ static gough_status run_piece(hand *h, size_t first, size_t count, gough_outcome
 
 /* ---- threads ----------------------------------------------------------------------------------------------------- */
 
-static size_t first_of(const crew *c, size_t number) { return c->first + number * c->size; }
+static size_t first_of(const workers *c, size_t number) { return c->first + number * c->size; }
 
-static size_t count_of(const crew *c, size_t number) {
+static size_t count_of(const workers *c, size_t number) {
     const size_t left = c->last + 1 - first_of(c, number);
     return left < c->size ? left : c->size;
 }
 
 /* The next piece to run, when there is room for it in the window; whether there is one. */
-static bool take_piece(crew *c, size_t *number) {
+static bool take_piece(workers *c, size_t *number) {
     while (!c->stopped && c->taken < c->pieces && c->taken >= c->written + c->window)
         pthread_cond_wait(&c->moved, &c->lock);
     if (c->stopped || c->taken == c->pieces) return false;
@@ -193,7 +192,7 @@ static bool take_piece(crew *c, size_t *number) {
 
 static void *work(void *context) {
     hand *h = context;
-    crew *c = h->crew;
+    workers *c = h->all;
     size_t number = 0;
     pthread_mutex_lock(&c->lock);
     while (take_piece(c, &number)) {
@@ -218,7 +217,7 @@ static void *work(void *context) {
 }
 
 /* Waits for a piece, or for some time; whether it is ready. Called with the lock. */
-static bool await(crew *c, size_t number) {
+static bool await(workers *c, size_t number) {
     const piece *p = &c->piece[number % c->window];
     struct timespec until;
     clock_gettime(CLOCK_MONOTONIC, &until);
@@ -231,7 +230,8 @@ static bool await(crew *c, size_t number) {
     return p->ready && p->number == number;
 }
 
-static bool hand_over(crew *c, size_t number, double *value, gough_sweep_sink sink, void *context) {
+static bool hand_over(workers *c, size_t number, double *value, gough_sweep_sink sink,
+                      void *context) {
     const piece *p = &c->piece[number % c->window];
     for (size_t i = 0; i < count_of(c, number); i++) {
         const size_t run = first_of(c, number) + i;
@@ -243,7 +243,7 @@ static bool hand_over(crew *c, size_t number, double *value, gough_sweep_sink si
 }
 
 /* The caller's part: rows in order, and a look now and then at whether to stop. */
-static void pass_on(crew *c, double *value, gough_sweep_sink sink, void *context) {
+static void pass_on(workers *c, double *value, gough_sweep_sink sink, void *context) {
     pthread_mutex_lock(&c->lock);
     while (c->written < c->pieces) {
         const bool ready = await(c, c->written);
@@ -279,13 +279,13 @@ static void release_hand(hand *h) {
     free(h->memory);
 }
 
-static bool equip_hand(hand *h, crew *c) {
+static bool equip_hand(hand *h, workers *c) {
     const gough_batch_options options = {.lanes = c->options->lanes, .threads = 1};
     const unsigned touches = gough_sweep_touches(c->sweep, (size_t)-1);
     const size_t runs = c->size, size = (gough_batch_size(&options) + 63) / 64 * 64;
     size_t keys;
     gough_sweep_keys(c->sweep, &keys);
-    h->crew = c;
+    h->all = c;
     h->maker = gough_sweep_maker_new(c->sweep);
     h->memory = aligned_alloc(64, size);
     h->value = calloc(runs * keys, sizeof *h->value);
@@ -302,7 +302,7 @@ static bool equip_hand(hand *h, crew *c) {
 }
 
 /* Runs of a piece: whole lanes, work for every thread, about half a second; adaptive runs go one by one. */
-static size_t piece_size(const crew *c, int threads) {
+static size_t piece_size(const workers *c, int threads) {
     const gough_simulation *s = &gough_sweep_study(c->sweep)->simulation;
     const size_t lanes = (size_t)(c->options->lanes > 0 ? c->options->lanes : gough_batch_lanes());
     if (!(s->step > 0)) return 1;
@@ -314,17 +314,16 @@ static size_t piece_size(const crew *c, int threads) {
     return (groups > 0 ? groups : 1) * lanes;
 }
 
-static gough_status start(crew *c, hand *hands, int threads, double *value, gough_sweep_sink sink,
-                          void *context) {
-    int started = 0;
-    while (started < threads && equip_hand(&hands[started], c) &&
-           pthread_create(&hands[started].thread, NULL, work, &hands[started]) == 0)
-        started++;
-    if (started > 0)
+static gough_status start(workers *c, hand *hands, int threads, double *value,
+                          gough_sweep_sink sink, void *context) {
+    crew hired;
+    int equipped = 0;
+    while (equipped < threads && equip_hand(&hands[equipped], c)) equipped++;
+    if (crew_start(&hired, hands, sizeof *hands, equipped, work) > 0)
         pass_on(c, value, sink, context);
     else
         c->status = gough_fail(&c->error, GOUGH_ERROR_FILE, "no thread could be started");
-    for (int i = 0; i < started; i++) pthread_join(hands[i].thread, NULL);
+    crew_join(&hired);
     for (int i = 0; i < threads; i++) release_hand(&hands[i]);
     return c->status;
 }
@@ -341,10 +340,10 @@ static gough_status check_lanes(const gough_sweep_options *options, gough_error 
 gough_status gough_sweep_run(const gough_sweep *sweep, const gough_sweep_options *options,
                              gough_sweep_sink sink, void *context, gough_error *error) {
     const int threads = gough_batch_threads(options->threads);
-    crew c = {.sweep = sweep,
-              .options = options,
-              .first = options->first ? options->first : 1,
-              .last = options->last ? options->last : gough_sweep_runs(sweep)};
+    workers c = {.sweep = sweep,
+                 .options = options,
+                 .first = options->first ? options->first : 1,
+                 .last = options->last ? options->last : gough_sweep_runs(sweep)};
     if (gough_size_check(options->size, sizeof(gough_sweep_options), "gough_sweep_options",
                          error) != GOUGH_OK)
         return GOUGH_ERROR_INPUT;

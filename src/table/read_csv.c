@@ -14,65 +14,39 @@ enum { COLUMN_CAP = 4096, NAME_CAP = 200 };
 
 typedef struct reader {
     const char *path;
-    const char *at, *end;   /* what is left of the text */
-    const char *line_begin; /* of the line `at` stands in */
+    gough_piece rest;       /* what is left of the text */
+    const char *line_begin; /* of the line that was taken last */
     size_t line;            /* its number, from 1 */
     gough_error *error;
 } reader;
-
-/* A stretch of the text: a line without its end, or a cell without the blanks around it. */
-typedef struct piece {
-    const char *begin, *end;
-} piece;
 
 static gough_status fail_at(const reader *r, const char *place, const char *sentence) {
     return gough_fail(r->error, GOUGH_ERROR_INPUT, "%s:%zu:%zu: %s", r->path, r->line,
                       (size_t)(place - r->line_begin) + 1, sentence);
 }
 
-/* Takes the next line, without LF or CRLF. */
-static piece take_line(reader *r) {
-    r->line_begin = r->at;
-    const size_t left = (size_t)(r->end - r->at);
-    const char *line_end = left > 0 ? memchr(r->at, '\n', left) : NULL;
-    piece line = {r->at, line_end != NULL ? line_end : r->end};
-    r->at = line_end != NULL ? line_end + 1 : r->end;
+/* Takes the next line; false after the last. */
+static bool take_line(reader *r, gough_piece *line) {
+    if (!gough_csv_line(&r->rest, line)) return false;
+    r->line_begin = line->begin;
     r->line++;
-    if (line.end > line.begin && line.end[-1] == '\r') line.end--;
-    return line;
+    return true;
 }
 
-/* Takes the cell before the next comma from a line; `line->begin` moves behind the comma, or is NULL after the last. */
-static piece take_cell(piece *line) {
-    const size_t left = (size_t)(line->end - line->begin);
-    const char *comma = left > 0 ? memchr(line->begin, ',', left) : NULL;
-    piece cell = {line->begin, comma != NULL ? comma : line->end};
-    line->begin = comma != NULL ? comma + 1 : NULL;
-    while (cell.begin < cell.end && (*cell.begin == ' ' || *cell.begin == '\t')) cell.begin++;
-    while (cell.begin < cell.end && (cell.end[-1] == ' ' || cell.end[-1] == '\t')) cell.end--;
-    return cell;
-}
-
-static size_t count_cells(piece line) {
-    size_t count = 1;
-    for (const char *at = line.begin; at < line.end; at++) count += *at == ',';
-    return count;
-}
-
-static bool is_word(piece cell, const char *word) {
+static bool is_word(gough_piece cell, const char *word) {
     if (cell.begin < cell.end && (*cell.begin == '-' || *cell.begin == '+')) cell.begin++;
     const size_t length = (size_t)(cell.end - cell.begin);
     return length == strlen(word) && strncasecmp(cell.begin, word, length) == 0;
 }
 
 /* Whether a cell is a decimal number, and nothing else. */
-static bool is_decimal(piece cell, double *value) {
+static bool is_decimal(gough_piece cell, double *value) {
     const size_t length = (size_t)(cell.end - cell.begin);
     return length > 0 && gough_decimal_read(cell.begin, length, value) == length;
 }
 
 /* A decimal number, or nan or inf as tables of gough have them. */
-static gough_status read_number(const reader *r, piece cell, double *value) {
+static gough_status read_number(const reader *r, gough_piece cell, double *value) {
     if (cell.begin == cell.end)
         return fail_at(r, cell.begin, "a number is missing (write nan for a missing value)");
     if (is_word(cell, "nan")) {
@@ -97,14 +71,14 @@ static gough_status read_number(const reader *r, piece cell, double *value) {
 }
 
 /* How a run ended, as a word: its number in gough_cause; -1 for any other text. */
-static int read_cause(piece cell) {
+static int read_cause(gough_piece cell) {
     for (int cause = GOUGH_END_DONE; cause <= GOUGH_END_INVALID; cause++)
         if (is_word(cell, gough_cause_name((gough_cause)cause))) return cause;
     return -1;
 }
 
 /* Whether a name is UTF-8 without control characters. */
-static bool is_clean_text(piece text) {
+static bool is_clean_text(gough_piece text) {
     unsigned code = 0;
     for (const char *at = text.begin; at < text.end;) {
         const size_t size = gough_character_read(at, (size_t)(text.end - at), &code);
@@ -114,7 +88,8 @@ static bool is_clean_text(piece text) {
     return true;
 }
 
-static gough_status read_name(const reader *r, gough_table *table, size_t column, piece cell) {
+static gough_status read_name(const reader *r, gough_table *table, size_t column,
+                              gough_piece cell) {
     const char *place = cell.begin;
     if (cell.end - cell.begin >= 2 && *cell.begin == '"' && cell.end[-1] == '"') {
         cell.begin++;
@@ -142,30 +117,34 @@ static gough_status read_name(const reader *r, gough_table *table, size_t column
 }
 
 static gough_status read_header(reader *r, gough_table *table) {
-    piece line = take_line(r);
-    const size_t columns = count_cells(line);
+    gough_piece line, cell;
+    if (!take_line(r, &line))
+        return gough_fail(r->error, GOUGH_ERROR_INPUT,
+                          "%s:1:1: the file is empty; a table begins with a row of column names",
+                          r->path);
+    const size_t columns = gough_csv_count(line);
     /* a row takes two bytes a number; so memory is bounded by the length of the text */
-    const size_t row_cap = (size_t)(r->end - r->at) / (2 * columns) + 1;
+    const size_t row_cap = (size_t)(r->rest.end - r->rest.begin) / (2 * columns) + 1;
     if (columns > COLUMN_CAP) return fail_at(r, line.begin, "more than 4096 columns");
     if (!result_table_shape(table, columns, row_cap))
         return gough_fail(r->error, GOUGH_ERROR_FILE, "%s: out of memory", r->path);
-    for (size_t c = 0; c < columns; c++) {
-        const gough_status status = read_name(r, table, c, take_cell(&line));
+    for (size_t c = 0; gough_csv_cell(&line, &cell); c++) {
+        const gough_status status = read_name(r, table, c, cell);
         if (status != GOUGH_OK) return status;
     }
     return GOUGH_OK;
 }
 
-static gough_status read_row(const reader *r, gough_table *table, piece line) {
-    const size_t cells = count_cells(line);
+static gough_status read_row(const reader *r, gough_table *table, gough_piece line) {
+    const size_t cells = gough_csv_count(line);
+    gough_piece cell;
     if (cells != table->columns) {
         char sentence[100];
         snprintf(sentence, sizeof sentence, "this row has %zu number%s, but there are %zu columns",
                  cells, cells == 1 ? "" : "s", table->columns);
         return fail_at(r, line.begin, sentence);
     }
-    for (size_t c = 0; c < cells; c++) {
-        const piece cell = take_cell(&line);
+    for (size_t c = 0; gough_csv_cell(&line, &cell); c++) {
         double *value = &table->value[c][table->rows];
         const int cause = strcmp(table->name[c], "end_cause") == 0 ? read_cause(cell) : -1;
         if (cause >= 0) {
@@ -179,15 +158,11 @@ static gough_status read_row(const reader *r, gough_table *table, piece line) {
 }
 
 static gough_status read_rows(reader *r, gough_table *table) {
+    gough_piece line;
     table->rows = 0;
-    while (r->at < r->end) {
-        const piece line = take_line(r);
-        if (line.begin == line.end) {
-            const reader here = *r;
-            while (r->at < r->end && (*r->at == '\n' || *r->at == '\r')) r->at++;
-            if (r->at < r->end) return fail_at(&here, line.begin, "an empty row");
-            break;
-        }
+    while (take_line(r, &line)) {
+        if (line.begin == line.end && gough_csv_ended(r->rest)) break;
+        if (line.begin == line.end) return fail_at(r, line.begin, "an empty row");
         const gough_status status = read_row(r, table, line);
         if (status != GOUGH_OK) return status;
         table->rows++;
@@ -197,12 +172,8 @@ static gough_status read_rows(reader *r, gough_table *table) {
 
 gough_status result_read_csv(const char *path, const char *text, size_t length, gough_table *table,
                              gough_error *error) {
-    reader r = {path, text, text + length, text, 0, error};
-    if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) r.at += 3;
-    if (r.at == r.end)
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "%s:1:1: the file is empty; a table begins with a row of column names",
-                          path);
+    reader r = {path, {text, text + length}, text, 0, error};
+    if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) r.rest.begin += 3;
     const gough_status status = read_header(&r, table);
     return status == GOUGH_OK ? read_rows(&r, table) : status;
 }

@@ -1,0 +1,52 @@
+/* Lines and cells of CSV: where each begins and ends. What they mean is the business of their readers. */
+#include <string.h>
+
+#include "gough/text.h"
+
+static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+bool gough_csv_line(gough_piece *rest, gough_piece *line) {
+    const size_t left = (size_t)(rest->end - rest->begin);
+    if (left == 0) return false;
+    const char *feed = memchr(rest->begin, '\n', left);
+    *line = (gough_piece){rest->begin, feed ? feed : rest->end};
+    rest->begin = feed ? feed + 1 : rest->end;
+    if (line->end > line->begin && line->end[-1] == '\r') line->end--;
+    return true;
+}
+
+/* Past the closing quote of a cell that begins with a quote; where there is none, the cell is not quoted. */
+static const char *after_quotes(const char *at, const char *end) {
+    for (const char *next = at + 1; next < end; next++) {
+        if (*next != '"') continue;
+        if (next + 1 < end && next[1] == '"')
+            next++;
+        else
+            return next + 1;
+    }
+    return at;
+}
+
+bool gough_csv_cell(gough_piece *line, gough_piece *cell) {
+    const char *from = line->begin, *end = line->end;
+    if (!from) return false;
+    while (from < end && is_blank(*from)) from++;
+    const char *at = from < end && *from == '"' ? after_quotes(from, end) : from;
+    const char *comma = at < end ? memchr(at, ',', (size_t)(end - at)) : NULL;
+    *cell = (gough_piece){from, comma ? comma : end};
+    line->begin = comma ? comma + 1 : NULL;
+    while (cell->end > cell->begin && is_blank(cell->end[-1])) cell->end--;
+    return true;
+}
+
+bool gough_csv_ended(gough_piece rest) {
+    while (rest.begin < rest.end && (*rest.begin == '\n' || *rest.begin == '\r')) rest.begin++;
+    return rest.begin == rest.end;
+}
+
+size_t gough_csv_count(gough_piece line) {
+    gough_piece cell;
+    size_t count = 0;
+    while (gough_csv_cell(&line, &cell)) count++;
+    return count;
+}
