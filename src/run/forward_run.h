@@ -38,7 +38,7 @@ static inline real forward_first_step(forward *d, const real *size, real toleran
 /* makes the stages of the step from t0 ready */
 static inline void forward_prefetch(forward *d) {
     if (d->prefetched == NULL) return;
-    prefetched_clear(d->prefetched);
+    prefetched_clear(d->prefetched, 0);
     for (int row = 1; row < DOP853_STAGES; row++) {
         prefetched_announce(d->prefetched, d->m.t0 + dop853_c[row] * d->m.h);
     }
@@ -53,7 +53,7 @@ static inline void forward_look_far(forward *d, long long k, int part) {
     if (d->r.options->method == GOUGH_DOP853) forward_prefetch(d);
     if (d->prefetched == NULL || d->r.options->method != GOUGH_RK4 || k % TOGETHER != 0) return;
     if (part > 0) return;
-    prefetched_clear(d->prefetched);
+    prefetched_clear(d->prefetched, 0);
     for (long long i = k; i < k + TOGETHER; i++) {
         const real t = (real)i * h;
         prefetched_announce(d->prefetched, t + h / 2);

@@ -112,7 +112,7 @@ static inline void forward_look(forward *d, real t, const number *y) {
     signals m;
 
     if (summary == NULL) return;
-    const wanted *s = system_whole(&d->r, t);
+    const wanted *s = system_posed(&d->r, t);
     system_signals(&d->r, t, y, &m);
     row_fill(&d->r, s, t, &m, 1, !summary->brief_, d->drift, value);
     if (row_finite(&d->r, 1, value)) row_sum(value, summary, d->r.lane[0].machine, 0);
@@ -121,7 +121,7 @@ static inline void forward_look(forward *d, real t, const number *y) {
 /* sends the row that is due, from a state; GOUGH_OK to go on */
 static inline gough_status forward_row(forward *d, const number *y) {
     const real t = (real)d->row * (real)d->r.options->output_step;
-    const wanted *s = system_whole(&d->r, t);
+    const wanted *s = system_posed(&d->r, t);
     real value[GOUGH_COLUMNS];
     signals m;
 
@@ -173,9 +173,33 @@ static inline int forward_broken(forward *d, real theta, const elimination *e,
     return limits_broken(margin, 0, MARGINS);
 }
 
+/* whether the summary is to see the step at its eighths, rows being too far apart to serve */
+static inline int forward_looks_between(const forward *d) {
+    return d->r.options->summary != NULL && d->dense != NULL &&
+           !(FORWARD_LOOKS * (real)d->r.options->output_step < d->m.h);
+}
+
+/* makes the stages ready that dense output, looks and rows inside the step ask for */
+static inline void forward_prefetch_inside(forward *d) {
+    const real step = d->r.options->output_step;
+
+    if (d->prefetched == NULL) return;
+    prefetched_clear(d->prefetched, 1);
+    prefetched_announce(d->prefetched, d->t);
+    for (int row = DOP853_STAGES + 1; row < 16; row++)
+        prefetched_announce(d->prefetched, d->m.t0 + dop853_c[row] * d->m.h);
+    for (int part = 1; part < FORWARD_LOOKS && forward_looks_between(d); part++)
+        prefetched_announce(d->prefetched, d->m.t0 + (real)part / FORWARD_LOOKS * d->m.h);
+    for (long long i = d->row; i < d->rows && (real)i * step < d->t; i++)
+        prefetched_announce(d->prefetched, (real)i * step);
+    prefetched_ready(d->prefetched);
+    d->r.valid = 0; /* the stage at the end of the step comes with the program's pose now */
+}
+
 /* makes the dense output of the step, once */
 static inline void forward_prepare(forward *d) {
     if (d->dense == NULL || d->prepared) return;
+    forward_prefetch_inside(d);
     dop853_prepare(d->dense, system_rates, &d->r, d->r.states, d->m.t0, d->m.h, d->y0, d->raw);
     d->prepared = 1;
 }
@@ -279,8 +303,7 @@ static inline gough_status forward_begin(forward *d) {
 /* Looks at the eighths of the step before t, for the summary, where rows are too far apart to serve. Steps of a fixed length are
  * short beside the motion, and are examined at their ends. */
 static inline void forward_between(forward *d, int *part, real t) {
-    if (d->r.options->summary == NULL || d->dense == NULL) return;
-    if (FORWARD_LOOKS * (real)d->r.options->output_step < d->m.h) return;
+    if (!forward_looks_between(d)) return;
     for (; *part < FORWARD_LOOKS && d->m.t0 + (real)*part / FORWARD_LOOKS * d->m.h < t; (*part)++) {
         number y[STATE_SIZE];
         forward_prepare(d);

@@ -4,6 +4,7 @@
 #define GOUGH_RUN_PREFETCH_H
 
 #include "gough/model.h"
+#include "plant/layout.h"
 
 /* times of a block; bytes for the lanes' own memory */
 enum { PREFETCH_TIMES = 16, PREFETCH_ROOM = 32 * 1024 };
@@ -17,6 +18,8 @@ typedef struct {
     double force[GOUGH_LEGS][PREFETCH_TIMES], length[GOUGH_LEGS][PREFETCH_TIMES],
         rate[GOUGH_LEGS][PREFETCH_TIMES];
     double determinant[PREFETCH_TIMES], pivot_ratio[PREFETCH_TIMES];
+    int posed; /* asked for: the program's (ρ, i, j, k) too */
+    double pose[COORDINATES][PREFETCH_TIMES];
 } prefetch_block;
 
 struct prefetch_width {

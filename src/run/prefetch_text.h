@@ -127,6 +127,11 @@ static inline int prefetch_pack(struct system *r, prefetch_block *b, int first,
     }
     prefetch_keep(&b->determinant[first], s.singularity.determinant);
     prefetch_keep(&b->pivot_ratio[first], s.singularity.pivot_ratio);
+    if (b->posed) {
+        number pose[COORDINATES];
+        coordinates_store(&s.x[0], pose);
+        for (int i = 0; i < COORDINATES; i++) prefetch_keep(&b->pose[i][first], pose[i]);
+    }
     return 1;
 }
 

@@ -28,7 +28,12 @@ static inline void prefetched_take(struct system *r, real t, const prefetch_bloc
     s->singularity = (elimination){b->determinant[at], b->pivot_ratio[at]};
     wanted_disturb(r, t, s);
     if (r->noise.present) noise_add(r, t, s);
-    r->partial = 1;
+    r->partial = PARTIAL_UNPOSED;
+    if (!b->posed) return;
+    real pose[COORDINATES];
+    for (int i = 0; i < COORDINATES; i++) pose[i] = b->pose[i][at];
+    s->x[0] = coordinates_load(pose);
+    r->partial = PARTIAL_POSED;
 }
 
 static inline void prefetched_replay(struct system *r, real t) {
@@ -44,11 +49,17 @@ static inline void prefetched_replay(struct system *r, real t) {
     r->partial = 0;
 }
 
+/* forgets the block for another; posed: with the program's pose, for rows */
+static inline void prefetched_clear(prefetched *l, int posed) {
+    l->block.count = l->block.cursor = 0;
+    l->block.posed = posed;
+}
+
 static inline void prefetched_begin(prefetched *l, struct system *r) {
     l->width = prefetch_widest();
     l->width->begin(l->room, r->motion, r->lane[0].machine, r->lane[0].control,
                     r->lane[0].disturbance);
-    l->block.count = l->block.cursor = 0;
+    prefetched_clear(l, 0);
     r->provider = l;
     r->provide = prefetched_replay;
 }
@@ -61,8 +72,6 @@ static inline void prefetched_announce(prefetched *l, real t) {
     if (b->count > 0 && !(b->time[b->count - 1] < t) && !(b->time[b->count - 1] > t)) return;
     b->time[b->count++] = t;
 }
-
-static inline void prefetched_clear(prefetched *l) { l->block.count = l->block.cursor = 0; }
 
 static inline void prefetched_ready(prefetched *l) { l->width->fill(l->room, &l->block); }
 
@@ -80,7 +89,10 @@ static inline void prefetched_announce(prefetched *l, real t) {
     (void)l;
     (void)t;
 }
-static inline void prefetched_clear(prefetched *l) { (void)l; }
+static inline void prefetched_clear(prefetched *l, int posed) {
+    (void)l;
+    (void)posed;
+}
 static inline void prefetched_ready(prefetched *l) { (void)l; }
 
 #endif

@@ -57,21 +57,22 @@ static inline void row_reactions(const struct system *r, const wanted *s, const 
 }
 
 /* Fills a row. simulated: with deviation and drift, which the forces of a program do not have.
- * conditioned: with the condition number, half of the work; else 0 stands there. */
+ * whole: with velocities, accelerations and the condition number; else they are 0. */
 static inline void row_fill(const struct system *r, const wanted *s, real t, const signals *m,
-                            int simulated, int conditioned, real drift, real value[GOUGH_COLUMNS]) {
+                            int simulated, int whole, real drift, real value[GOUGH_COLUMNS]) {
     for (int c = 0; c < GOUGH_COLUMNS; c++) value[c] = (real)NAN;
     value[GOUGH_T] = t;
     row_pose(&r->h, &m->x, value, GOUGH_X, GOUGH_ROLL_ANGLE);
-    row_rates(&r->h, &m->x, &m->rate, value, GOUGH_VX, GOUGH_WX);
-    row_rates(&r->h, &m->x, &m->acceleration, value, GOUGH_AX, GOUGH_ALX);
+    for (int c = GOUGH_VX; c < GOUGH_L && !whole; c++) value[c] = 0;
+    if (whole) row_rates(&r->h, &m->x, &m->rate, value, GOUGH_VX, GOUGH_WX);
+    if (whole) row_rates(&r->h, &m->x, &m->acceleration, value, GOUGH_AX, GOUGH_ALX);
     for (int v = 0; v < LEGS; v++) {
         value[GOUGH_L + v] = m->g.length[v];
         value[GOUGH_DL + v] = m->g.rate[v];
         value[GOUGH_F + v] = m->force[v];
         value[GOUGH_P + v] = m->force[v] * m->g.rate[v];
     }
-    value[GOUGH_CONDITION] = conditioned ? legs_condition(&r->h, &m->x, &m->g) : 0;
+    value[GOUGH_CONDITION] = whole ? legs_condition(&r->h, &m->x, &m->g) : 0;
     if (simulated) {
         row_deviation(r, s, value);
         value[GOUGH_DRIFT] = drift;
@@ -83,8 +84,8 @@ static inline void row_fill(const struct system *r, const wanted *s, real t, con
 static inline int row_finite(const struct system *r, int simulated,
                              const real value[GOUGH_COLUMNS]) {
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
-        if (!gough_column_filled(c, simulated, r->options->reactions)) continue;
-        if (!real_finite(value[c])) return 0;
+        if (real_finite(value[c])) continue;
+        if (gough_column_filled(c, simulated, r->options->reactions)) return 0;
     }
     return 1;
 }

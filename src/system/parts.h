@@ -54,6 +54,9 @@ enum {
         2 /* and fall in proportion to them: RATTLE's closing kick can be solved for */
 };
 
+/* What was prefetched or recorded lacks the rates of the program and the directions of its legs, and without its pose that too. */
+enum { PARTIAL_POSED = 1, PARTIAL_UNPOSED = 2 };
+
 struct system {
     const gough_motion *motion;
     const gough_simulation *options;
@@ -89,7 +92,7 @@ struct system {
         struct system *r,
         real t);    /* fills it from what was prefetched or recorded; NULL: from the formulas */
     void *provider; /* its context */
-    int partial;    /* what was provided lacks the program's pose and the legs' directions in it */
+    int partial;    /* what was provided lacks something: one of the values below, or 0 */
     wanted_fault fault;
 
     long long evaluations; /* of the equations of motion */

@@ -138,4 +138,11 @@ static inline const wanted *system_whole(struct system *r, real t) {
     return s;
 }
 
+/* the same with the program's pose, which rows compare with */
+static inline const wanted *system_posed(struct system *r, real t) {
+    const wanted *s = system_wanted(r, t);
+
+    return r->partial == PARTIAL_UNPOSED ? system_whole(r, t) : s;
+}
+
 #endif
