@@ -1,5 +1,7 @@
 # make            install what is missing, build; the command is then build/gough
-# make test       install what is missing, build, run every test
+# make test       install what is missing, build, run the tests
+# make quick      the quick tests only
+# make test-more  the tests and the campaigns
 # make demo       install what is missing, build, run the paper's whole study into out/
 # make install    into PREFIX (default /usr/local), under DESTDIR if given
 # make package    a Debian package in build/
@@ -16,7 +18,7 @@ CMAKE_FLAGS  ?=
 BENCH        ?=
 STUDIES      ?= 1000
 
-.PHONY: all configure test demo install package fuzz campaign bench lint docs clean
+.PHONY: all configure test quick test-more demo install package fuzz campaign bench lint docs clean
 
 all: configure
 	@cmake --build "$(BUILD)" --target gough_command gough_archive gough_shared gough_files_shared
@@ -27,7 +29,15 @@ configure:
 
 test:
 	@scripts/install-packages.sh build test
-	@scripts/test.sh "$(BUILD)"
+	@scripts/test.sh "$(BUILD)" standard
+
+quick:
+	@scripts/install-packages.sh build test
+	@scripts/test.sh "$(BUILD)" quick
+
+test-more:
+	@scripts/install-packages.sh build test
+	@scripts/test.sh "$(BUILD)" campaign
 
 demo: all
 	@scripts/install-packages.sh demo

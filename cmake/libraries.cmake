@@ -8,10 +8,10 @@ file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
     src/base/*.c src/kernel/*.c src/program/*.c src/plant/*.c src/model/*.c src/integrate/*.c src/run/*.c src/batch/*.c)
 file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/linear/*.c src/floquet/*.c src/map/*.c src/tune/*.c)
 # The core does not show its inner functions: what the others need of them is compiled into them again.
-list(APPEND GOUGH_ANALYSE_SOURCES src/program/appointments.c src/base/crew.c)
-file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS 
+list(APPEND GOUGH_ANALYSE_SOURCES ${PROJECT_SOURCE_DIR}/src/program/appointments.c ${PROJECT_SOURCE_DIR}/src/base/crew.c)
+file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS
     src/study/*.c src/table/*.c src/sweep/*.c src/figure/*.c src/page/*.c)
-list(APPEND GOUGH_FILES_SOURCES src/base/crew.c)
+list(APPEND GOUGH_FILES_SOURCES ${PROJECT_SOURCE_DIR}/src/base/crew.c)
 
 # What steps is worth more of the compiler's time; the bits stay.
 set_source_files_properties(src/batch/batch_double.c src/batch/batch_lanes_2.c src/run/run_double.c
@@ -41,15 +41,27 @@ else()
 endif()
 
 # gough_room_libraries(SUFFIX [FLAGS…]): the static libraries gough_core<SUFFIX>, gough_analyse<SUFFIX> and gough_files<SUFFIX>.
+# A library with a suffix compiles only the scalar instances of the texts and those of 2 lanes; the others (4 and 8 lanes, quadruple and
+# complex numbers) it takes as they are from the library without. It starts at most 2 lanes by itself.
 function(gough_room_libraries suffix)
-    add_library(gough_core_objects${suffix} OBJECT ${GOUGH_HEADERS} ${GOUGH_CORE_SOURCES})
-    add_library(gough_analyse_objects${suffix} OBJECT ${GOUGH_HEADERS} ${GOUGH_ANALYSE_SOURCES})
-    add_library(gough_files_objects${suffix} OBJECT ${GOUGH_HEADERS} ${GOUGH_FILES_SOURCES})
+    set(core ${GOUGH_CORE_SOURCES})
+    set(analyse ${GOUGH_ANALYSE_SOURCES})
+    set(files ${GOUGH_FILES_SOURCES})
+    set(other_instances "_([48]|quad|complex)\\.c")
     foreach(part core analyse files)
+        if(suffix)
+            list(FILTER ${part} EXCLUDE REGEX "${other_instances}$")
+        endif()
+        add_library(gough_${part}_objects${suffix} OBJECT ${GOUGH_HEADERS} ${${part}})
         set_target_properties(gough_${part}_objects${suffix} PROPERTIES POSITION_INDEPENDENT_CODE ON)
         target_compile_definitions(gough_${part}_objects${suffix} PRIVATE GOUGH_SHARED)
         target_link_libraries(gough_${part}_objects${suffix} PRIVATE gough_flags ${ARGN})
         add_library(gough_${part}${suffix} STATIC $<TARGET_OBJECTS:gough_${part}_objects${suffix}>)
+        if(suffix)
+            target_compile_definitions(gough_${part}_objects${suffix} PRIVATE GOUGH_WIDEST=2)
+            target_sources(gough_${part}${suffix} PRIVATE
+                "$<FILTER:$<TARGET_OBJECTS:gough_${part}_objects>,INCLUDE,${other_instances}>")
+        endif()
         set_target_properties(gough_${part}${suffix} PROPERTIES LINKER_LANGUAGE C)
     endforeach()
     target_link_libraries(gough_analyse_objects${suffix} PRIVATE PkgConfig::LAPACKE)
@@ -60,10 +72,6 @@ function(gough_room_libraries suffix)
 endfunction()
 
 gough_room_libraries("")
-
-if(GOUGH_TESTS_SANITIZED)
-    gough_room_libraries(_sanitized gough_sanitizers)
-endif()
 
 # Installed: libgough.a, libgough.so, libgough-analyse.so, libgough-files.so. The archive is one object whose inner names are made local, so
 # that a user's program sees only what GOUGH_API shows, as in the shared libraries.

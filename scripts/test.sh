@@ -1,9 +1,18 @@
 #!/usr/bin/env bash
-# test.sh BUILD: builds with the sanitized copies of the unit tests and runs everything; arguments after BUILD go to ctest.
+# test.sh BUILD LABEL: builds and runs the tests up to a label: quick; standard, with the sanitized copies; campaign. Further arguments
+# go to ctest.
 set -euo pipefail
-build=${1:-build}
-shift || true
-jobs=$(nproc)
-cmake -S . -B "$build" -G Ninja -DGOUGH_TESTS_SANITIZED=ON "-DGOUGH_TEST_SLOWNESS=$(scripts/slowness.sh)" >/dev/null
-cmake --build "$build"
-ctest --test-dir "$build" --output-on-failure -j "$jobs" "$@"
+build=${1:-build} label=${2:-standard}
+shift $(($# < 2 ? $# : 2))
+case $label in
+quick) sanitized=() target=quick_tests labels=(-L quick) ;;
+standard) sanitized=(-DGOUGH_TESTS_SANITIZED=ON) target=all labels=(-LE campaign) ;;
+campaign) sanitized=(-DGOUGH_TESTS_SANITIZED=ON) target=all labels=() ;;
+*)
+    echo "test.sh: the label is quick, standard or campaign, not '$label'" >&2
+    exit 2
+    ;;
+esac
+cmake -S . -B "$build" -G Ninja "${sanitized[@]}" "-DGOUGH_TEST_SLOWNESS=$(scripts/slowness.sh)" >/dev/null
+cmake --build "$build" --target "$target"
+ctest --test-dir "$build" --output-on-failure -j "$(nproc)" "${labels[@]}" "$@"

@@ -64,9 +64,11 @@ START_TEST(characters_are_read) {
         unsigned rest = code;
         for (size_t i = size - 1; i > 0; i--, rest /= 64) text[i] = (char)(0x80 | rest % 64);
         const bool surrogate = code >= 0xd800 && code <= 0xdfff;
-        ck_assert_uint_eq(gough_character_read(text, size, &read), surrogate ? 0 : size);
-        if (!surrogate) ck_assert_uint_eq(read, code);
-        if (size > 1) ck_assert_uint_eq(gough_character_read(text, size - 1, &read), 0);
+        const size_t bytes = gough_character_read(text, size, &read);
+        /* a million calls of ck_assert() would take longer than all the rest */
+        if (bytes != (surrogate ? 0 : size) || (!surrogate && read != code) ||
+            (size > 1 && gough_character_read(text, size - 1, &read) != 0))
+            ck_abort_msg("U+%04X: %zu bytes read, %u", code, bytes, read);
     }
     for (size_t i = 0; i < sizeof broken / sizeof broken[0]; i++)
         ck_assert_uint_eq(gough_character_read(broken[i], strlen(broken[i]), NULL), 0);

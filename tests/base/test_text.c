@@ -56,11 +56,13 @@ START_TEST(what_is_shown_is_printable_and_stays) {
             text[i] = (char)(0x80 | (code >> 6 * (size - 1 - i) & 0x3f));
         text[0] = (char)(size == 1 ? code : (0xf00 >> size & 0xf0) | code >> 6 * (size - 1));
         const size_t taken = gough_character_show(text, size, shown);
-        ck_assert_uint_le(strlen(shown), GOUGH_SHOWN_CHARACTER - 1);
-        ck_assert(taken == size || (code >= 0xd800 && code <= 0xdfff && taken == 1));
         gough_text_show(shown, strlen(shown), again, sizeof again);
-        ck_assert_str_eq(again, shown);
-        if (size == 1) ck_assert((shown[0] >= ' ' && shown[0] <= '~'));
+        /* a million calls of ck_assert() would take longer than all the rest */
+        if (strlen(shown) > GOUGH_SHOWN_CHARACTER - 1 || strcmp(again, shown) != 0 ||
+            (taken != size && (code < 0xd800 || code > 0xdfff || taken != 1)) ||
+            (size == 1 && (shown[0] < ' ' || shown[0] > '~')))
+            ck_abort_msg("U+%04X: %zu bytes shown as '%s', again as '%s'", code, taken, shown,
+                         again);
     }
 }
 END_TEST

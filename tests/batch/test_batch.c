@@ -1,4 +1,5 @@
-/* Batches: the bits of one run alone, whatever stands beside it; each run's own end; random numbers by counting. */
+/* Batches: the bits of one run alone, whatever stands beside it; each run's own end; random numbers by counting.
+ * Label: standard. */
 #include <stdio.h>
 
 #include "gough/batch.h"

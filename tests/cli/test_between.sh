@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # forces and simulate print the peaks, energies and exceeded limits of the motion, not of the rows, however far apart these are.
 # Compared with closed forms of pure heave: l² = h² + d², l' = h h'/l, F = M (g + h'') l/(6h).
+# Not sanitized: it looks at digits, and other tests run the same verbs under sanitizers.
 source "$(dirname "$0")/support.sh"
 command -v jq >/dev/null || { echo "skipped: no jq"; exit 77; }
 

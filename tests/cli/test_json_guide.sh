@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The guide to JSON and the JSON itself: every key that a verb prints is documented, every documented key is printed, and so is every
 # word for the end of a run.
+# Not sanitized: it looks at words, and other tests run the same verbs under sanitizers.
 # shellcheck source=tests/cli/support.sh
 source "$(dirname "$0")/support.sh"
 : "${SOURCE:?the source folder}"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Machines that nobody thought of: standing, hanging, weightless, nearly weightless, on a wall, very damped, with three upright and three
 # level legs. Each sentence that the command prints about one of them is compared with what is known of it by other means.
+# Not sanitized: it looks at words, and other tests run the same verbs under sanitizers.
 source "$(dirname "$0")/support.sh"
 command -v jq >/dev/null || { echo "skipped: no jq"; exit 77; }
 cd "$scratch" || exit 1

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Text of users in figures: whatever stands in titles, labels, names of columns and of files, the SVG is well-formed XML and shows
 # the text; PNG and PDF are drawn too.
+# Not sanitized: most of its time is gnuplot's, and cli/output draws under sanitizers.
 source "$(dirname "$0")/support.sh"
 cd "$scratch" || exit 1
 well_formed() { # well_formed FILE: what XML forbids in text and gnuplot does not mend; and all of it where there is a parser

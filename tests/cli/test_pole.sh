@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Recorded motion close to a pitch of 90 degrees, as instruments write it, against the same motion far from any pole: base, load and
 # gravity turned by a constant rotation Q, whose angles are formulas there.
+# Not sanitized: it looks at digits, and other tests run the same verbs under sanitizers.
 source "$(dirname "$0")/support.sh"
 command -v jq >/dev/null || { echo "skipped: no jq"; exit 77; }
 cd "$scratch" || exit 1

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The same bits from GCC and Clang, without and with optimisation, run to run, alone and in lanes, in any locale, time zone
 # and folder; and no compiler has a warning.
+# Label: campaign. Not sanitized: it builds commands of its own.
 source "$(dirname "$0")/support.sh"
 
 "$GOUGH" example all-six >"$scratch/six.yaml"

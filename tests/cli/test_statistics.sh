@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # What a run cost, as the user reads it: steps, rejected steps, evaluations, and a loop whose decay keeps the steps short.
+# Not sanitized: it looks at digits, and other tests run the same verbs under sanitizers.
 source "$(dirname "$0")/support.sh"
 command -v jq >/dev/null || { echo "skipped: no jq"; exit 77; }
 cd "$scratch" || exit 1

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Noise in a sweep: each run has its own, any run alone equals the run in the sweep, and a number given is the same in all runs.
+# Not sanitized: it looks at digits, and other tests run the same verbs under sanitizers.
 source "$(dirname "$0")/support.sh"
 
 cat >"$scratch/noise.yaml" <<'END'

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The numbers of a sweep by an independent road: each peak is that of the table of gough simulate, and a dimensionless sweep is the
 # one in SI divided by units of R_b, M and sqrt(R_b/g), column by column, in table, summary and JSON; units of HDF5 are their names.
+# Not sanitized: it looks at digits, and other tests run the same verbs under sanitizers.
 source "$(dirname "$0")/support.sh"
 cd "$scratch" || exit 1
 cat >study.yaml <<'END'

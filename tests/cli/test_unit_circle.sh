@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Joints listed on the unit circle, gravity 1: the base radius is exactly 1, so rows are at k output_step exactly, in quad too.
+# Not sanitized: it looks at digits, and other tests run the same verbs under sanitizers.
 source "$(dirname "$0")/support.sh"
 joints() { # RADIUS HALF_ANGLE FIRST SIGN: pairs at ±HALF_ANGLE in the order of the legs
     awk -v r="$1" -v half="$2" -v top="$3" 'BEGIN {

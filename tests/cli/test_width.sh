@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What the verbs print on standard output, and their help, fits 100 columns: every example through check, forces, simulate and
 # stability, a run that exceeds its limits, a map, a sweep and a choice of the feedback.
+# Not sanitized: it looks at words, and other tests run the same verbs under sanitizers.
 # shellcheck source=tests/cli/support.sh
 source "$(dirname "$0")/support.sh"
 : "${SOURCE:?the source folder}"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # --help, and the man page and the completions of three shells that the build has written, name the same verbs and options.
+# Not sanitized: it runs --help alone.
 source "$(dirname "$0")/support.sh"
 cd "${BUILD:?}" || exit 1
 ! grep -n '^@.*@$' docs/man/gough.1 completions/* || fail "a part of a template was not filled"

@@ -7,7 +7,9 @@
  * Digits depend on the C library's functions and on LAPACK too, whose own digests are in the file. Where a machine's differ,
  * cases that use them are not compared, the output says so, and the test counts as skipped; the others always are. glibc
  * chooses its functions by the processor; the program restarts itself with a setting that makes it take those for every
- * x86-64 processor. */
+ * x86-64 processor.
+ * Label: standard.
+ * Not sanitized: its digests are of all widths, and each stepper has a test of its own. */
 #define _POSIX_C_SOURCE 200809L
 #include <float.h>
 #include <inttypes.h>

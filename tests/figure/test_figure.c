@@ -1,4 +1,5 @@
-/* Figures: every kind is drawn whole, text runs nothing, and what cannot be drawn says why. */
+/* Figures: every kind is drawn whole, text runs nothing, and what cannot be drawn says why.
+ * Label: standard. */
 #define _XOPEN_SOURCE 700
 #include <fcntl.h>
 #include <sys/stat.h>

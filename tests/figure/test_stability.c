@@ -1,5 +1,6 @@
 /* Pictures of stability maps: tongues and thresholds are named, rows without values are said by their colour, maps of any kind are
- * drawn or refused; between grid points the growth is what the intervals say. */
+ * drawn or refused; between grid points the growth is what the intervals say.
+ * Label: standard. */
 #define _XOPEN_SOURCE 700
 #include "figure/tongues.h"
 

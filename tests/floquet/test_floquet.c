@@ -1,5 +1,7 @@
 /* Multipliers about periodic heave programs: against the numbers of the paper's machine and against (stab-11), (stab-12),
- * integrated by another road; what must hold for every loop; refusals. */
+ * integrated by another road; what must hold for every loop; refusals.
+ * Label: standard.
+ * Not sanitized: the same functions run under sanitizers in the tests of the command. */
 #include <complex.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,6 @@
-/* Multipliers against nonlinear runs: what begins 1e-9 beside a periodic motion is multiplied in a period as predicted. */
+/* Multipliers against nonlinear runs: what begins 1e-9 beside a periodic motion is multiplied in a period as predicted.
+ * Label: standard.
+ * Not sanitized: the same functions run under sanitizers in the tests of the command. */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -41,7 +41,9 @@ elif command -v setpriv >/dev/null; then
 fi
 # each package of the list is one of this system's
 if command -v apt-cache >/dev/null && [[ -n $(apt-cache search --names-only '^cmake$') ]]; then
-    for package in $(sed -n 's/^[a-z]* *| \([a-z0-9.+-]*\) *|.*/\1/p' scripts/install-packages.sh); do
-        apt-cache show "$package" >/dev/null 2>&1 || { echo "there is no package $package"; exit 1; }
+    mapfile -t packages < <(sed -n 's/^[a-z]* *| \([a-z0-9.+-]*\) *|.*/\1/p' scripts/install-packages.sh | sort -u)
+    known=$(apt-cache show "${packages[@]}" 2>/dev/null | sed -n 's/^Package: //p')
+    for package in "${packages[@]}"; do
+        grep -qxF -- "$package" <<<"$known" || { echo "there is no package $package"; exit 1; }
     done
 fi

@@ -1,4 +1,6 @@
-/* The stability map: its points against multipliers found one by one, lanes, threads, and what it refuses. */
+/* The stability map: its points against multipliers found one by one, lanes, threads, and what it refuses.
+ * Label: standard.
+ * Not sanitized: the same functions run under sanitizers in the tests of the command. */
 #include "gough/batch.h"
 #include "map/sample.h"
 #include "maps.h"

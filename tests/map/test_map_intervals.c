@@ -1,4 +1,6 @@
-/* Intervals of stiffness in which a mode grows: against Hill's equation, fine grids and thresholds. */
+/* Intervals of stiffness in which a mode grows: against Hill's equation, fine grids and thresholds.
+ * Label: standard.
+ * Not sanitized: the same functions run under sanitizers in the tests of the command. */
 #include "maps.h"
 #include "support/machines.h"
 #include "support/suite.h"

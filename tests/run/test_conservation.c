@@ -1,4 +1,5 @@
-/* What a run must not lose: the constraints over a million steps, and the digits of a stable run between the two precisions. */
+/* What a run must not lose: the constraints over a million steps, and the digits of a stable run between the two precisions.
+ * Label: standard. */
 #define NUMBER_DOUBLE
 #include <stdio.h>
 

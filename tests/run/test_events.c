@@ -1,5 +1,6 @@
 /* What a study states is met, however short: pulses of a hundredth of an output step after a long rest, in every kind of
- * disturbance and program, at random times, against runs of small fixed steps; corners end a step. */
+ * disturbance and program, at random times, against runs of small fixed steps; corners end a step.
+ * Not sanitized: it would take two minutes, and run/ends and batch/batch run the same texts. */
 #include <stdio.h>
 
 #include "gough/batch.h"

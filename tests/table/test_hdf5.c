@@ -1,4 +1,5 @@
-/* HDF5: numbers and attributes come back, the same run gives the same bytes, damaged files end in a message. */
+/* HDF5: numbers and attributes come back, the same run gives the same bytes, damaged files end in a message.
+ * Label: standard. */
 #define _XOPEN_SOURCE 700
 #include "support/random.h"
 #include "support/suite.h"

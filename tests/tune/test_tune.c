@@ -1,4 +1,6 @@
-/* The choice of the feedback against closed forms, free runs and runs of its own naming. */
+/* The choice of the feedback against closed forms, free runs and runs of its own naming.
+ * Label: standard.
+ * Not sanitized: the same functions run under sanitizers in the tests of the command. */
 #include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
