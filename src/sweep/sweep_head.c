@@ -68,7 +68,8 @@ sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_units *units, si
                 head->path && head->label;
     for (size_t k = 0; good && k < keys; k++) {
         head->path[k] = strdup(key[k].path);
-        head->label[k] = strdup(sweep_unit_label(key[k].unit, study->dimensionless));
+        head->label[k] =
+            strdup(gough_unit_label(gough_unit_of_field(key[k].unit), study->dimensionless));
         good = head->path[k] && head->label[k];
     }
     free(value);

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gough/result.h"
 #include "sweep/sweep_bytes.h"
 
 enum { PLAN_RUNS = 64, STEPS = 16, ROWS = 20 };
@@ -62,27 +63,6 @@ uint64_t sweep_numerics_digest(const gough_study *study) {
 
 /* ---- columns ------------------------------------------------------------------------------------------------------ */
 
-static const char *const units[][2] = {{"length", "m"},
-                                       {"mass", "kg"},
-                                       {"time", "s"},
-                                       {"force", "N"},
-                                       {"length/time", "m/s"},
-                                       {"length/time²", "m/s2"},
-                                       {"mass·length²", "kg m2"},
-                                       {"force·length", "N m"},
-                                       {"force/length", "N/m"},
-                                       {"force·time/length", "N s/m"},
-                                       {"1/time", "1/s"}};
-enum { UNITS = sizeof units / sizeof units[0] };
-
-const char *sweep_unit_label(const char *unit, bool dimensionless) {
-    if (strncmp(unit, "angle [", 7) == 0) return "degree";
-    if (strncmp(unit, "angle/time", 10) == 0) return dimensionless ? "degree" : "degree/s";
-    for (size_t i = 0; i < UNITS && !dimensionless; i++)
-        if (strcmp(unit, units[i][0]) == 0) return units[i][1];
-    return "1";
-}
-
 /* The number of a list's element in a path; NULL where there is none. */
 static const char *skip_number(const char *path) {
     const size_t digits = strspn(path, "0123456789");
@@ -106,6 +86,7 @@ bool sweep_column_known(const char *path, const char *label, bool dimensionless)
     const gough_key *key = gough_study_keys(&keys);
     for (size_t i = 0; i < keys; i++)
         if (matches(path, key[i].path) && strncmp(path, "sweep", 5) != 0)
-            return strcmp(label, sweep_unit_label(key[i].unit, dimensionless)) == 0;
+            return strcmp(label,
+                          gough_unit_label(gough_unit_of_field(key[i].unit), dimensionless)) == 0;
     return false;
 }

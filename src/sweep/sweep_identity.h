@@ -13,9 +13,6 @@ uint64_t sweep_plan_digest(const gough_sweep *sweep, double *value);
 /* Digest of numbers that this build computes for the study. */
 uint64_t sweep_numerics_digest(const gough_study *study);
 
-/* The unit of a key, in words of the table of keys, as a label of tables; without dimensions only degrees are left. */
-const char *sweep_unit_label(const char *unit, bool dimensionless);
-
 /* Whether a study has a number of that path, with that unit. */
 bool sweep_column_known(const char *path, const char *label, bool dimensionless);
 

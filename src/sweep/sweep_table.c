@@ -13,21 +13,21 @@
 
 enum { STRETCH = 512 /* records */, STATE = 12, PEAKS = 7, ENDS = 3, POWERS = 2, NUMBER = 32 };
 
-/* Columns after the state: units by exponents, and as SI calls them. */
+/* Columns after the state. */
 static const struct {
-    const char *name, *long_name, *si;
-    int length, mass, time, angle;
+    const char *name, *long_name;
+    gough_unit unit;
 } peak[PEAKS + POWERS] = {
-    {"position_deviation", "largest deviation of the position from the program", "m", 1, 0, 0, 0},
-    {"angle_deviation", "largest angle between the platform and the program", "degree", 0, 0, 0, 1},
-    {"force", "largest leg force, pushing or pulling", "N", 1, 1, -2, 0},
-    {"speed", "largest rate of a leg's length", "m/s", 1, 0, -1, 0},
-    {"power", "largest power that a leg delivers", "W", 2, 1, -3, 0},
-    {"energy", "net work of all legs", "J", 2, 1, -2, 0},
-    {"drift", "largest constraint violation before projection", "1", 0, 0, 0, 0},
+    {"position_deviation", "largest deviation of the position from the program", GOUGH_UNIT_LENGTH},
+    {"angle_deviation", "largest angle between the platform and the program", GOUGH_UNIT_ANGLE},
+    {"force", "largest leg force, pushing or pulling", GOUGH_UNIT_FORCE},
+    {"speed", "largest rate of a leg's length", GOUGH_UNIT_SPEED},
+    {"power", "largest power that a leg delivers", GOUGH_UNIT_POWER},
+    {"energy", "net work of all legs", GOUGH_UNIT_ENERGY},
+    {"drift", "largest constraint violation before projection", GOUGH_UNIT_NONE},
     /* in the table behind the end of the run */
-    {"power_least", "least power of any leg, below 0 where it brakes", "W", 2, 1, -3, 0},
-    {"power_greatest", "greatest power of any leg", "W", 2, 1, -3, 0}};
+    {"power_least", "least power of any leg, below 0 where it brakes", GOUGH_UNIT_POWER},
+    {"power_greatest", "greatest power of any leg", GOUGH_UNIT_POWER}};
 
 typedef struct table {
     const sweep_part *part;
@@ -35,7 +35,6 @@ typedef struct table {
     int columns;
     result_column *column;
     double *factor;
-    char unit[STATE][RESULT_UNIT_SIZE];
     char flags[200];
     void *records;
     double *value;  /* swept values of a record */
@@ -51,15 +50,15 @@ static void add_column(table *t, const char *name, const char *unit, const char 
     t->factor[t->columns++] = factor;
 }
 
-static void add_peak(table *t, int i, const result_scale *scale, bool none) {
-    add_column(
-        t, peak[i].name, none && !peak[i].angle ? "1" : peak[i].si, peak[i].long_name,
-        (double)result_factor(scale, peak[i].length, peak[i].mass, peak[i].time, peak[i].angle));
+/* A column in the units of the output. */
+static void add_scaled(table *t, const char *name, const char *long_name, gough_unit unit,
+                       const result_scale *scale) {
+    add_column(t, name, gough_unit_label(unit, t->part[0].head->units.dimensionless), long_name,
+               (double)result_factor(scale, unit));
 }
 
 static void list_columns(table *t) {
     const sweep_head *head = t->part[0].head;
-    const bool none = head->units.dimensionless;
     const result_scale scale = result_scale_of(&head->units, head->base_radius, head->gravity);
     add_column(t, "run", "1", "number of the run", 1);
     t->column[0].whole = true;
@@ -67,12 +66,10 @@ static void list_columns(table *t) {
         add_column(t, head->path[k], head->label[k], "swept value, as in the study", 1);
     for (int i = 0; i < STATE; i++) {
         const gough_column_info *info = gough_column(GOUGH_X + i);
-        result_unit_label(GOUGH_X + i, none, t->unit[i]);
-        add_column(
-            t, info->name, t->unit[i], info->long_name,
-            (double)result_factor(&scale, info->length, info->mass, info->time, info->angle));
+        add_scaled(t, info->name, info->long_name, gough_unit_of_column(GOUGH_X + i), &scale);
     }
-    for (int i = 0; i < PEAKS; i++) add_peak(t, i, &scale, none);
+    for (int i = 0; i < PEAKS; i++)
+        add_scaled(t, peak[i].name, peak[i].long_name, peak[i].unit, &scale);
     for (int c = 0; c <= GOUGH_END_INVALID; c++) {
         if (c) strcat(t->flags, " ");
         strcat(t->flags, gough_cause_name((gough_cause)c));
@@ -83,9 +80,9 @@ static void list_columns(table *t) {
     t->column[t->columns - 1].flag_count = GOUGH_END_INVALID + 1;
     add_column(t, "end_leg", "1", "leg that caused it, or 0", 1);
     t->column[t->columns - 1].whole = true;
-    add_column(t, "end_time", none ? "1" : "s", "time of the end",
-               (double)result_factor(&scale, 0, 0, 1, 0));
-    for (int i = PEAKS; i < PEAKS + POWERS; i++) add_peak(t, i, &scale, none);
+    add_scaled(t, "end_time", "time of the end", GOUGH_UNIT_TIME, &scale);
+    for (int i = PEAKS; i < PEAKS + POWERS; i++)
+        add_scaled(t, peak[i].name, peak[i].long_name, peak[i].unit, &scale);
 }
 
 /* All numbers of a row in the units of the output. A run that has no row of its own has no state. */

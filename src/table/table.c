@@ -9,13 +9,6 @@
 
 #include "table/table.h"
 
-/* 180/π */
-#if defined(__SIZEOF_FLOAT128__)
-#define QUAD_DEGREES (__extension__ 57.29577951308232087679815481410517033Q)
-#else
-#define QUAD_DEGREES 57.29577951308232087679815481410517033L
-#endif
-
 /* A table takes at most this part of the machine's memory, lest a study of many rows starve everyone else. */
 enum { MEMORY_SHARE = 4 };
 
@@ -24,34 +17,6 @@ static char *copy_text(const char *text) {
     char *copy = malloc(size);
     if (copy != NULL) memcpy(copy, text, size);
     return copy;
-}
-
-/* √(length/g) beyond the double that `units` holds: each step of Newton doubles the digits, 16 to 32 to all. The double itself
- * where the unit of time is not the machine's, as in tables that keep the study's own units: there it is exactly 1. */
-static gough_quad unit_of_time(const gough_units *units, double length, double gravity) {
-    gough_quad time = units->time;
-    const bool own = !(units->length < 1 || units->length > 1 || time < 1 || time > 1);
-    if (own || !(fabs(units->time * units->time * gravity / length - 1.0) <= 1e-15)) return time;
-    for (int step = 0; step < 2; step++)
-        time += ((gough_quad)length / gravity - time * time) / (2 * time);
-    return time;
-}
-
-static gough_quad power_of(gough_quad base, int exponent) {
-    gough_quad power = 1;
-    for (int i = 0; i < abs(exponent); i++) power *= base;
-    return exponent < 0 ? 1 / power : power;
-}
-
-result_scale result_scale_of(const gough_units *units, double base_radius, double gravity) {
-    return (result_scale){units->length, units->mass, unit_of_time(units, base_radius, gravity)};
-}
-
-/* 1/(length^l mass^m time^t), and 180/π for angles. */
-gough_quad result_factor(const result_scale *scale, int length, int mass, int time, int angle) {
-    const gough_quad unit =
-        power_of(scale->length, length) * power_of(scale->mass, mass) * power_of(scale->time, time);
-    return (angle != 0 ? QUAD_DEGREES : 1) / unit;
 }
 
 gough_result *gough_result_new(const gough_study *study, const char *verb,
@@ -67,9 +32,7 @@ gough_result *gough_result_new(const gough_study *study, const char *verb,
     result->time = scale.time;
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
         if (!gough_column_filled(c, simulated, study->simulation.reactions)) continue;
-        const gough_column_info *info = gough_column(c);
-        result->quad_factor[result->columns] =
-            result_factor(&scale, info->length, info->mass, info->time, info->angle);
+        result->quad_factor[result->columns] = result_factor(&scale, gough_unit_of_column(c));
         result->factor[result->columns] = (double)result->quad_factor[result->columns];
         result->column[result->columns++] = c;
     }
@@ -143,7 +106,9 @@ bool gough_result_column_at(const gough_result *result, int index, gough_result_
                                     .long_name = info->long_name,
                                     .value = result->value[index],
                                     .rows = result->rows};
-    result_unit_label(result->column[index], result->units.dimensionless, column->unit);
+    snprintf(
+        column->unit, sizeof column->unit, "%s",
+        gough_unit_label(gough_unit_of_column(result->column[index]), result->units.dimensionless));
     return true;
 }
 

@@ -4,8 +4,6 @@
 
 #include "gough/result.h"
 
-enum { RESULT_UNIT_SIZE = 24 };
-
 /* Filled columns only, each an array that grows by doubling. `quad` is used where the first row came in 33 digits. */
 struct gough_result {
     char *title, *text;
@@ -24,16 +22,13 @@ struct gough_result {
     double tolerance, step; /* as in gough_table */
 };
 
-/* Factor from units of the run to those of the output for length^l mass^m time^t angle^a, correctly rounded: angles in degrees.
+/* Factor from units of the run to those of the output, in 33 digits: angles in degrees.
  * base_radius, gravity: of the machine, for a unit of time √(R_b/g) beyond the double that `units` holds. */
 typedef struct result_scale {
     gough_quad length, mass, time;
 } result_scale;
 result_scale result_scale_of(const gough_units *units, double base_radius, double gravity);
-gough_quad result_factor(const result_scale *scale, int length, int mass, int time, int angle);
-
-/* Label of a column's unit: "1", "degree", "m/s", "N m", … */
-void result_unit_label(int column, bool dimensionless, char label[RESULT_UNIT_SIZE]);
+gough_quad result_factor(const result_scale *scale, gough_unit unit);
 
 /* ---- output, complete or absent (output.c) ------------------------------------------------------------------- */
 

@@ -1,6 +1,6 @@
-/* Units of a table: what one unit of the output is in units of the run, and how a column's unit is called. */
+/* Units, all in one table: what one unit of the output is in units of the run, and what each is called. */
 #include <math.h>
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "table/table.h"
@@ -23,46 +23,112 @@ gough_status gough_units_of_study(const gough_study *study, bool dimensionless, 
     return GOUGH_OK;
 }
 
-/* Dimensions that have a name of their own. */
-static const struct {
-    int length, mass, time;
-    const char *name;
-} named_units[] = {{1, 1, -2, "N"}, {2, 1, -2, "N m"}, {2, 1, -3, "W"}};
+/* 180/π */
+#if defined(__SIZEOF_FLOAT128__)
+#define QUAD_DEGREES (__extension__ 57.29577951308232087679815481410517033Q)
+#else
+#define QUAD_DEGREES 57.29577951308232087679815481410517033L
+#endif
 
-/* Appends "kg", "m2", … with a space before it if it is not the first. */
-static void append_power(char label[RESULT_UNIT_SIZE], const char *unit, int power) {
-    if (power == 0) return;
-    const size_t used = strlen(label);
-    char number[12] = "";
-    if (power != 1) snprintf(number, sizeof number, "%d", power);
-    snprintf(label + used, RESULT_UNIT_SIZE - used, "%s%s%s", used > 0 ? " " : "", unit, number);
+/* ---- what units there are ------------------------------------------------------------------------------------------ */
+
+/* A unit is length^l · mass^m · time^t, or one of angle. */
+typedef struct unit_info {
+    signed char length, mass, time, angle;
+    const char *label, *word,
+        *field; /* in tables, after a number of a text, in the table of fields */
+} unit_info;
+
+static const unit_info units_known[] = {
+    [GOUGH_UNIT_NONE] = {0, 0, 0, 0, "1", "", ""},
+    [GOUGH_UNIT_LENGTH] = {1, 0, 0, 0, "m", " m", "length"},
+    [GOUGH_UNIT_MASS] = {0, 1, 0, 0, "kg", " kg", "mass"},
+    [GOUGH_UNIT_TIME] = {0, 0, 1, 0, "s", " s", "time"},
+    [GOUGH_UNIT_ANGLE] = {0, 0, 0, 1, "degree", " deg", "angle [degrees]"},
+    [GOUGH_UNIT_RATE] = {0, 0, -1, 0, "1/s", " 1/s", "1/time"},
+    [GOUGH_UNIT_SPEED] = {1, 0, -1, 0, "m/s", " m/s", "length/time"},
+    [GOUGH_UNIT_ANGULAR_SPEED] = {0, 0, -1, 1, "degree/s", " deg/s", "angle/time [degrees]"},
+    [GOUGH_UNIT_ACCELERATION] = {1, 0, -2, 0, "m/s2", " m/s^2", "length/time²"},
+    [GOUGH_UNIT_ANGULAR_ACCELERATION] = {0, 0, -2, 1, "degree/s2", " deg/s^2", NULL},
+    [GOUGH_UNIT_FORCE] = {1, 1, -2, 0, "N", " N", "force"},
+    [GOUGH_UNIT_MOMENT] = {2, 1, -2, 0, "N m", " N m", "force·length"},
+    [GOUGH_UNIT_POWER] = {2, 1, -3, 0, "W", " W", NULL},
+    [GOUGH_UNIT_ENERGY] = {2, 1, -2, 0, "J", " J", NULL},
+    [GOUGH_UNIT_STIFFNESS] = {0, 1, -2, 0, "N/m", " N/m", "force/length"},
+    [GOUGH_UNIT_DAMPING] = {0, 1, -1, 0, "N s/m", " N s/m", "force·time/length"},
+    [GOUGH_UNIT_INERTIA] = {2, 1, 0, 0, "kg m2", " kg m^2", "mass·length²"}};
+enum { UNITS = sizeof units_known / sizeof units_known[0] };
+
+static const unit_info *info_of(gough_unit unit) {
+    return &units_known[(unsigned)unit < UNITS ? unit : GOUGH_UNIT_NONE];
 }
 
-void result_unit_label(int column, bool dimensionless, char label[RESULT_UNIT_SIZE]) {
-    const gough_column_info *info = gough_column(column);
-    label[0] = '\0';
-    if (dimensionless) {
-        snprintf(label, RESULT_UNIT_SIZE, "%s", info->angle != 0 ? "degree" : "1");
-        return;
-    }
-    for (size_t i = 0; i < sizeof named_units / sizeof named_units[0]; i++) {
-        if (info->angle == 0 && info->length == named_units[i].length &&
-            info->mass == named_units[i].mass && info->time == named_units[i].time) {
-            snprintf(label, RESULT_UNIT_SIZE, "%s", named_units[i].name);
-            return;
-        }
-    }
+const char *gough_unit_label(gough_unit unit, bool dimensionless) {
+    const unit_info *u = info_of(unit);
+    if (!dimensionless) return u->label;
+    return units_known[u->angle ? GOUGH_UNIT_ANGLE : GOUGH_UNIT_NONE].label;
+}
 
-    append_power(label, "degree", info->angle);
-    append_power(label, "kg", info->mass);
-    append_power(label, "m", info->length);
-    if (label[0] == '\0') {
-        append_power(label, "s", info->time);
-    } else if (info->time < 0) {
-        char below[RESULT_UNIT_SIZE] = "";
-        append_power(below, "s", -info->time);
-        strncat(label, "/", RESULT_UNIT_SIZE - strlen(label) - 1);
-        strncat(label, below, RESULT_UNIT_SIZE - strlen(label) - 1);
+const char *gough_unit_word(gough_unit unit, bool dimensionless) {
+    const unit_info *u = info_of(unit);
+    if (!dimensionless) return u->word;
+    return units_known[u->angle ? GOUGH_UNIT_ANGLE : GOUGH_UNIT_NONE].word;
+}
+
+/* Of the units with these exponents the first: a column with those of a moment is one. */
+gough_unit gough_unit_of_column(int column) {
+    const gough_column_info *info = gough_column(column);
+    for (int i = 0; info && i < UNITS; i++) {
+        const unit_info *u = &units_known[i];
+        if (u->length == info->length && u->mass == info->mass && u->time == info->time &&
+            u->angle == info->angle)
+            return (gough_unit)i;
     }
-    if (label[0] == '\0') snprintf(label, RESULT_UNIT_SIZE, "1");
+    return GOUGH_UNIT_NONE;
+}
+
+gough_unit gough_unit_of_field(const char *unit) {
+    for (int i = 0; i < UNITS; i++)
+        if (units_known[i].field && strcmp(units_known[i].field, unit) == 0) return (gough_unit)i;
+    return GOUGH_UNIT_NONE;
+}
+
+/* ---- scaling ------------------------------------------------------------------------------------------------------- */
+
+/* √(length/g) beyond the double that `units` holds: each step of Newton doubles the digits, 16 to 32 to all. The double itself
+ * where the unit of time is not the machine's, as in tables that keep the study's own units: there it is exactly 1. */
+static gough_quad unit_of_time(const gough_units *units, double length, double gravity) {
+    gough_quad time = units->time;
+    const bool own = !(units->length < 1 || units->length > 1 || time < 1 || time > 1);
+    if (own || !(fabs(units->time * units->time * gravity / length - 1.0) <= 1e-15)) return time;
+    for (int step = 0; step < 2; step++)
+        time += ((gough_quad)length / gravity - time * time) / (2 * time);
+    return time;
+}
+
+static gough_quad power_of(gough_quad base, int exponent) {
+    gough_quad power = 1;
+    for (int i = 0; i < abs(exponent); i++) power *= base;
+    return exponent < 0 ? 1 / power : power;
+}
+
+result_scale result_scale_of(const gough_units *units, double base_radius, double gravity) {
+    return (result_scale){units->length, units->mass, unit_of_time(units, base_radius, gravity)};
+}
+
+/* 1/(length^l mass^m time^t), and 180/π for angles. */
+gough_quad result_factor(const result_scale *scale, gough_unit unit) {
+    const unit_info *u = info_of(unit);
+    const gough_quad size = power_of(scale->length, u->length) * power_of(scale->mass, u->mass) *
+                            power_of(scale->time, u->time);
+    return (u->angle ? QUAD_DEGREES : 1) / size;
+}
+
+double gough_unit_size(const gough_units *units, gough_unit unit) {
+    const unit_info *u = info_of(unit);
+    return pow(units->length, u->length) * pow(units->mass, u->mass) * pow(units->time, u->time);
+}
+
+double gough_unit_factor(const gough_units *units, gough_unit unit) {
+    return (info_of(unit)->angle ? (double)QUAD_DEGREES : 1) / gough_unit_size(units, unit);
 }

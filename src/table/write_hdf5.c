@@ -218,13 +218,11 @@ static const double *values_of(void *context, int column) {
 gough_status result_write_hdf5(const gough_result *result, const char *path, gough_error *error) {
     enum { OWN_ATTRIBUTES = 8, ATTRIBUTES = OWN_ATTRIBUTES + 2 };
     result_column column[GOUGH_COLUMNS] = {{.name = NULL}};
-    char unit[GOUGH_COLUMNS][RESULT_UNIT_SIZE];
     for (int i = 0; i < result->columns; i++) {
         const int c = result->column[i];
         const gough_column_info *info = gough_column(c);
-        result_unit_label(c, result->units.dimensionless, unit[i]);
-        column[i] =
-            (result_column){.name = info->name, .unit = unit[i], .long_name = info->long_name};
+        const char *unit = gough_unit_label(gough_unit_of_column(c), result->units.dimensionless);
+        column[i] = (result_column){.name = info->name, .unit = unit, .long_name = info->long_name};
     }
     result_attribute attribute[ATTRIBUTES] = {{"title", result->title, 0},
                                               {"study", result->text, 0},

@@ -292,6 +292,20 @@ START_TEST(names_of_what_is_outside_are_harmless) {
 }
 END_TEST
 
+/* a unit outside is that of pure numbers */
+START_TEST(units_outside_are_none) {
+    const gough_units units = {false, 2, 3, 5};
+    for (int i = 0; i < OUTSIDE; i++) {
+        const gough_unit unit = (gough_unit)outside[i];
+        ck_assert_str_eq(gough_unit_label(unit, false), "1");
+        ck_assert_str_eq(gough_unit_word(unit, false), "");
+        ck_assert(fabs(gough_unit_size(&units, unit) - 1) <= 0);
+        ck_assert(fabs(gough_unit_factor(&units, unit) - 1) <= 0);
+        ck_assert_int_eq(gough_unit_of_column(outside[i]), GOUGH_UNIT_NONE);
+    }
+}
+END_TEST
+
 /* the file of a result names a cause outside its enumeration as unknown */
 START_TEST(a_result_names_no_cause_outside) {
     gough_study study = {.title = "", .text = "", .name = "", .model = &model};
@@ -313,8 +327,8 @@ START_TEST(a_result_names_no_cause_outside) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("base/enumerations", 120,
-                     every_function_refuses_what_is_outside_an_enumeration,
-                     functions_without_a_status_give_what_is_not_finite,
-                     names_of_what_is_outside_are_harmless, a_result_names_no_cause_outside);
+    return SUITE_RUN(
+        "base/enumerations", 120, every_function_refuses_what_is_outside_an_enumeration,
+        functions_without_a_status_give_what_is_not_finite, names_of_what_is_outside_are_harmless,
+        units_outside_are_none, a_result_names_no_cause_outside);
 }

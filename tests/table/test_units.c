@@ -192,11 +192,51 @@ START_TEST(columns_are_those_of_every_table_in_order) {
 }
 END_TEST
 
+/* 10^l 100^m 1000^t of the exponents tells units apart. */
+START_TEST(every_column_has_the_unit_of_its_exponents) {
+    const gough_units units = {true, 10, 100, 1000};
+    for (int c = 0; c < GOUGH_COLUMNS; c++) {
+        const gough_column_info *info = gough_column(c);
+        const double size = pow(10, info->length + 2 * info->mass + 3 * info->time);
+        const gough_unit unit = gough_unit_of_column(c);
+        ck_assert_msg(fabs(gough_unit_size(&units, unit) - size) <= 1e-15 * size, "%s", info->name);
+        ck_assert_msg((strncmp(gough_unit_label(unit, true), "degree", 6) == 0) ==
+                          (info->angle != 0),
+                      "%s", info->name);
+    }
+    ck_assert_int_eq(gough_unit_of_column(-1), GOUGH_UNIT_NONE);
+}
+END_TEST
+
+/* Tables and texts differ in how they write powers and degrees alone. */
+START_TEST(labels_and_words_name_the_same_unit) {
+    const gough_units units = {false, 2, 3, 5};
+    for (gough_unit u = GOUGH_UNIT_LENGTH; u <= GOUGH_UNIT_INERTIA; u++) {
+        const char *label = gough_unit_label(u, false), *word = gough_unit_word(u, false);
+        ck_assert_msg(*word++ == ' ', "%s", label);
+        for (; *label || *word; label++, word++) {
+            if (*word == '^') word++;
+            ck_assert_msg(*label == *word, "%s is not %s", label, word);
+            if (strncmp(label, "degree", 6) == 0) label += 5, word += 2;
+        }
+        const double turn = u == GOUGH_UNIT_ANGLE || u == GOUGH_UNIT_ANGULAR_SPEED ||
+                                    u == GOUGH_UNIT_ANGULAR_ACCELERATION
+                                ? 57.29577951308232
+                                : 1;
+        ck_assert(fabs(gough_unit_factor(&units, u) * gough_unit_size(&units, u) - turn) <=
+                  1e-15 * turn);
+    }
+    ck_assert_str_eq(gough_unit_word(GOUGH_UNIT_FORCE, true), "");
+    ck_assert_str_eq(gough_unit_label((gough_unit)99, false), "1");
+}
+END_TEST
+
 int main(void) {
-    return SUITE_RUN("table/units", 30, own_units_leave_numbers_and_turn_radians_into_degrees,
-                     dimensionless_numbers_are_those_worked_out_by_hand, si_units_are_named,
-                     dimensionless_units_are_1_and_angles_stay_degrees,
-                     own_units_are_asked_for_by_default, no_dimensionless_form_without_gravity,
-                     columns_of_a_table_have_its_numbers_as_written,
-                     columns_are_those_of_every_table_in_order);
+    return SUITE_RUN(
+        "table/units", 30, own_units_leave_numbers_and_turn_radians_into_degrees,
+        dimensionless_numbers_are_those_worked_out_by_hand, si_units_are_named,
+        dimensionless_units_are_1_and_angles_stay_degrees, own_units_are_asked_for_by_default,
+        no_dimensionless_form_without_gravity, columns_of_a_table_have_its_numbers_as_written,
+        columns_are_those_of_every_table_in_order, every_column_has_the_unit_of_its_exponents,
+        labels_and_words_name_the_same_unit);
 }

@@ -8,12 +8,16 @@ typedef struct words {
     const char *value, *acceleration, *time, *frequency;
 } words;
 
+/* Without dimensions angles alone have units, and their accelerations need one of time. */
 static words words_of(bool dimensionless, int c) {
     const bool angle = c >= GOUGH_ROLL;
-    if (dimensionless)
-        return (words){angle ? " deg" : "", angle ? " deg per unit of time squared" : "", "",
-                       " cycles per unit of time"};
-    return (words){angle ? " deg" : " m", angle ? " deg/s^2" : " m/s^2", " s", " cycles per s"};
+    words w = {gough_unit_word(angle ? GOUGH_UNIT_ANGLE : GOUGH_UNIT_LENGTH, dimensionless),
+               gough_unit_word(angle ? GOUGH_UNIT_ANGULAR_ACCELERATION : GOUGH_UNIT_ACCELERATION,
+                               dimensionless),
+               gough_unit_word(GOUGH_UNIT_TIME, dimensionless),
+               dimensionless ? " cycles per unit of time" : " cycles per s"};
+    if (dimensionless && angle) w.acceleration = " deg per unit of time squared";
+    return w;
 }
 
 static void print_column(FILE *stream, const gough_record *record, int c, bool dimensionless) {

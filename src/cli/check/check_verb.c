@@ -6,8 +6,9 @@
 #include "cli/check/machine_view.h"
 #include "cli/common/in_and_out.h"
 #include "cli/common/json.h"
+#include "cli/common/leg_table.h"
+#include "cli/common/scale.h"
 #include "cli/common/talk.h"
-#include "cli/run/run_report.h"
 #include "cli/sweep/sweep_report.h"
 
 static const double DEGREES = 57.295779513082320877;
@@ -19,15 +20,17 @@ typedef struct check {
     const gough_model *model;
     const gough_machine *machine;
     machine_view view;
-    const unit_words *unit;
+    const gough_units *unit;
     double least[GOUGH_COMPONENTS], greatest[GOUGH_COMPONENTS];
 } check;
 
 static void print_legs(const check *c) {
     const gough_platform *platform = &c->machine->platform;
-    const table_heading length = heading_of("length at home", c->unit->length);
-    const table_heading joint = heading_of("base joint", c->unit->length),
-                        top = heading_of("top joint, top frame", c->unit->length);
+    const table_heading length =
+        heading_of("length at home", unit_word(c->unit, GOUGH_UNIT_LENGTH));
+    const table_heading joint = heading_of("base joint", unit_word(c->unit, GOUGH_UNIT_LENGTH)),
+                        top = heading_of("top joint, top frame",
+                                         unit_word(c->unit, GOUGH_UNIT_LENGTH));
     table_column column[] = {{"", length.text, {0}, 6}, {joint.text, "x", {0}, 5},
                              {joint.text, "y", {0}, 5}, {joint.text, "z", {0}, 5},
                              {top.text, "x", {0}, 5},   {top.text, "y", {0}, 5},
@@ -40,14 +43,16 @@ static void print_legs(const check *c) {
         }
     }
     table_print(stdout, column, false);
-    const unit_words *unit = c->unit;
+    const gough_units *unit = c->unit;
     if (platform->length_min > 0 || isfinite(platform->length_max))
         printf("  length limits        %.6g to %.6g%s\n", platform->length_min,
-               platform->length_max, unit->length);
+               platform->length_max, unit_word(unit, GOUGH_UNIT_LENGTH));
     if (isfinite(platform->speed_max))
-        printf("  greatest speed       %.6g%s\n", platform->speed_max, unit->speed);
+        printf("  greatest speed       %.6g%s\n", platform->speed_max,
+               unit_word(unit, GOUGH_UNIT_SPEED));
     if (isfinite(platform->force_max))
-        printf("  greatest force       %.6g%s\n", platform->force_max, unit->force);
+        printf("  greatest force       %.6g%s\n", platform->force_max,
+               unit_word(unit, GOUGH_UNIT_FORCE));
     if (!(platform->length_min > 0) && !isfinite(platform->length_max) &&
         !isfinite(platform->speed_max) && !isfinite(platform->force_max))
         printf("  limits               none given\n");
@@ -69,11 +74,13 @@ static void print_singularity(const check *c) {
     else
         printf("  condition            over 1e8: home is singular, and leg forces cannot carry "
                "every load there\n");
-    printf("  |det J|              %.6g%s%s\n", fabs(view->determinant), c->unit->length,
-           *c->unit->length ? "^3" : "");
+    printf("  |det J|              %.6g%s%s\n", fabs(view->determinant),
+           unit_word(c->unit, GOUGH_UNIT_LENGTH),
+           *unit_word(c->unit, GOUGH_UNIT_LENGTH) ? "^3" : "");
     printf("  least singular value %.6g of J (moments divided by %.6g%s; 0 is singular);\n"
            "                       the weakest direction is %s\n",
-           view->least_singular, view->arm, c->unit->length, weakest_name(view));
+           view->least_singular, view->arm, unit_word(c->unit, GOUGH_UNIT_LENGTH),
+           weakest_name(view));
 }
 
 static void print_load(const check *c) {
@@ -82,9 +89,10 @@ static void print_load(const check *c) {
     printf("\n"
            "Load (the model has massless legs)\n");
     printf("  mass                 %.6g%s, centre of mass %.6g, %.6g, %.6g%s\n", load->mass,
-           c->unit->mass, com[0], com[1], com[2], c->unit->length);
+           unit_word(c->unit, GOUGH_UNIT_MASS), com[0], com[1], com[2],
+           unit_word(c->unit, GOUGH_UNIT_LENGTH));
     printf("  principal moments    %.6g, %.6g, %.6g%s\n", c->view.moments[0], c->view.moments[1],
-           c->view.moments[2], c->unit->inertia);
+           c->view.moments[2], unit_word(c->unit, GOUGH_UNIT_INERTIA));
     static const char *const axis_names[] = {"axis of the first", "axis of the second",
                                              "axis of the third"};
     for (int a = 0; a < 3; a++) {
@@ -97,7 +105,7 @@ static void print_load(const check *c) {
     }
     printf("  gravity              %.6g, %.6g, %.6g%s\n", c->machine->gravity[0] + 0.0,
            c->machine->gravity[1] + 0.0, c->machine->gravity[2] + 0.0,
-           *c->unit->length ? " m/s^2" : "");
+           unit_word(c->unit, GOUGH_UNIT_ACCELERATION));
 }
 
 static void gain_range(const double gain[GOUGH_LEGS], double range[2]) {
@@ -120,7 +128,7 @@ static void print_groups(const check *c) {
     const gough_machine *m = c->machine;
     const double R = m->base_radius, M = m->load.mass, g = m->gravity_magnitude;
     printf("\nDimensionless groups\n");
-    printf("  R_b                  %.6g%s\n", R, c->unit->length);
+    printf("  R_b                  %.6g%s\n", R, unit_word(c->unit, GOUGH_UNIT_LENGTH));
     printf("  h/R_b                %.6g\n", m->platform.height / R);
     printf("  r/R_b                %.6g\n", c->view.top_radius / R);
     printf("  J/(M R_b^2)          %.6g, %.6g, %.6g\n", c->view.moments[0] / (M * R * R),
@@ -136,7 +144,8 @@ static void print_groups(const check *c) {
     print_range(stiffness, R / (M * g), "\n");
     printf("  D sqrt(R_b/g)/M      ");
     print_range(damping, c->view.time_unit / M, "\n");
-    printf("  sqrt(R_b/g)          %.6g%s, the unit of time\n", c->view.time_unit, c->unit->time);
+    printf("  sqrt(R_b/g)          %.6g%s, the unit of time\n", c->view.time_unit,
+           unit_word(c->unit, GOUGH_UNIT_TIME));
 }
 
 static void print_program(const check *c) {
@@ -148,14 +157,15 @@ static void print_program(const check *c) {
         printf("  %zu samples, t = %.6g to %.6g%s, interpolated by a cubic spline (C2, not-a-knot "
                "ends)\n",
                motion->samples.count, motion->samples.time[0],
-               motion->samples.time[motion->samples.count - 1], c->unit->time);
+               motion->samples.time[motion->samples.count - 1],
+               unit_word(c->unit, GOUGH_UNIT_TIME));
     else
         printf("  formulas in t\n");
     int moving = 0;
     for (int k = 0; k < GOUGH_COMPONENTS; k++) {
         if (!(fabs(c->least[k]) > 0) && !(fabs(c->greatest[k]) > 0)) continue;
         printf("  %-20s %.6g to %.6g%s\n", gough_component_name(k), c->least[k], c->greatest[k],
-               k < GOUGH_ROLL ? c->unit->length : " deg");
+               k < GOUGH_ROLL ? unit_word(c->unit, GOUGH_UNIT_LENGTH) : " deg");
         moving++;
     }
     if (!moving) printf("  rest at home\n");
@@ -163,7 +173,7 @@ static void print_program(const check *c) {
     const double *about = motion->about;
     if (fabs(about[0]) + fabs(about[1]) + fabs(about[2]) > 0)
         printf("  of the point         %.6g, %.6g, %.6g%s in the top frame\n", about[0], about[1],
-               about[2], c->unit->length);
+               about[2], unit_word(c->unit, GOUGH_UNIT_LENGTH));
 }
 
 static void print_control(const check *c) {
@@ -173,9 +183,9 @@ static void print_control(const check *c) {
     gain_range(control->damping, damping);
     printf("\nControl\n  feedforward          %s\n  stiffness G          ",
            control->feedforward ? "the program's forces" : "none");
-    print_range(stiffness, 1, c->unit->stiffness);
+    print_range(stiffness, 1, unit_word(c->unit, GOUGH_UNIT_STIFFNESS));
     printf("%s\n  damping D            ", stiffness[1] > 0 ? "" : ": open loop");
-    print_range(damping, 1, c->unit->damping);
+    print_range(damping, 1, unit_word(c->unit, GOUGH_UNIT_DAMPING));
     printf("\n");
 }
 
@@ -184,10 +194,11 @@ static void print_settings(const check *c) {
     printf("\n"
            "Simulation\n"
            "  duration             %.6g%s, a row every %.6g%s\n",
-           s->duration, c->unit->time, s->output_step, c->unit->time);
+           s->duration, unit_word(c->unit, GOUGH_UNIT_TIME), s->output_step,
+           unit_word(c->unit, GOUGH_UNIT_TIME));
     printf("  method               %s, ", gough_method_name((int)s->method));
     if (s->step > 0)
-        printf("step %.6g%s\n", s->step, c->unit->time);
+        printf("step %.6g%s\n", s->step, unit_word(c->unit, GOUGH_UNIT_TIME));
     else
         printf("tolerance %.3g\n", s->tolerance);
     printf("  constraints          ");
@@ -200,10 +211,9 @@ static void print_settings(const check *c) {
 }
 
 static void print_check(const check *c) {
-    const gough_units units = {
-        .dimensionless = c->study->dimensionless, .length = 1, .mass = 1, .time = 1};
     print_title(stdout, c->study->title);
-    print_line(stdout, "%s is a valid study; %s", c->study->name, units_sentence(c->study, &units));
+    print_line(stdout, "%s is a valid study; %s", c->study->name,
+               units_sentence(c->study, c->unit));
     printf("\nLegs\n");
     print_legs(c);
     print_singularity(c);
@@ -300,7 +310,7 @@ static gough_status check_study(const command_line *line, const gough_study *stu
                .model = study->model,
                .machine = &study->model->machine,
                .view = machine_view_of(&study->model->machine),
-               .unit = unit_words_of(&own[study->dimensionless])};
+               .unit = &own[study->dimensionless]};
     gough_error error = {0};
     gough_status status = gough_simulation_check(study->model, &study->simulation, &error);
     if (!status)

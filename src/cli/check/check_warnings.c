@@ -1,6 +1,7 @@
 /* What a valid study says that is probably not meant: home or start beyond the legs' limits, a program that starts away from home
  * or moving, that exceeds limits or becomes singular on the way, rows too far apart for it. */
 #include "cli/check/check_warnings.h"
+#include "cli/common/scale.h"
 
 #include <math.h>
 #include <string.h>
@@ -16,7 +17,7 @@ static const double NOTHING = 1e-9, SLOW = 1e-4;
 typedef struct warning {
     const char *verb;
     const gough_study *study;
-    const unit_words *unit;
+    const gough_units *unit;
 } warning;
 
 #define WARN(w, ...) remark((w)->verb, "warning: " __VA_ARGS__)
@@ -57,8 +58,9 @@ static void warn_home(const warning *w) {
         }
         if (!any) continue;
         WARN(w, "home is outside the limits: %s, length %.6g%s, %s length %.6g%s",
-             names_of(beyond, text), worst, w->unit->length, kind ? "greatest" : "least",
-             kind ? p->length_max : p->length_min, w->unit->length);
+             names_of(beyond, text), worst, unit_word(w->unit, GOUGH_UNIT_LENGTH),
+             kind ? "greatest" : "least", kind ? p->length_max : p->length_min,
+             unit_word(w->unit, GOUGH_UNIT_LENGTH));
     }
 }
 
@@ -80,17 +82,20 @@ static void warn_start(const warning *w) {
             snprintf(text + used, sizeof text - used, "%s%s %.6g%s%s", used ? ", " : "",
                      gough_component_name(c), turns ? DEGREES * value : value,
                      turns        ? " deg"
-                     : order == 0 ? w->unit->length
-                                  : w->unit->speed,
-                     turns && order ? *w->unit->time ? "/s" : " per unit of time" : "");
+                     : order == 0 ? unit_word(w->unit, GOUGH_UNIT_LENGTH)
+                                  : unit_word(w->unit, GOUGH_UNIT_SPEED),
+                     turns && order
+                         ? *unit_word(w->unit, GOUGH_UNIT_TIME) ? "/s" : " per unit of time"
+                         : "");
         }
         if (*text) WARN(w, "the program %s: %s at t = 0", where[order], text);
     }
 }
 
 static void say_end(const warning *w, gough_end *end, const char *what) {
-    const unit_words *unit = w->unit;
-    gough_end_say(end, unit->length, unit->speed, unit->force, unit->time);
+    const gough_units *unit = w->unit;
+    gough_end_say(end, unit_word(unit, GOUGH_UNIT_LENGTH), unit_word(unit, GOUGH_UNIT_SPEED),
+                  unit_word(unit, GOUGH_UNIT_FORCE), unit_word(unit, GOUGH_UNIT_TIME));
     WARN(w, "%s: %s", what, end->message);
 }
 
@@ -123,7 +128,8 @@ static void warn_rows(const warning *w) {
         WARN(w,
              "simulation.output_step %.6g%s is longer than the duration %.6g%s: a table has one "
              "row, at t = 0",
-             s->output_step, w->unit->time, s->duration, w->unit->time);
+             s->output_step, unit_word(w->unit, GOUGH_UNIT_TIME), s->duration,
+             unit_word(w->unit, GOUGH_UNIT_TIME));
     if (motion->kind != GOUGH_MOTION_MOVES) return;
     const double pace = motion->scaled ? motion->frequency : 1;
     for (size_t i = 0; i < motion->moves; i++) {
@@ -136,10 +142,11 @@ static void warn_rows(const warning *w) {
              "simulation.output_step %.6g%s is longer than %zu of the moves, the shortest of "
              "%.6g%s: "
              "rows do not show them",
-             s->output_step, w->unit->time, missed, shortest, w->unit->time);
+             s->output_step, unit_word(w->unit, GOUGH_UNIT_TIME), missed, shortest,
+             unit_word(w->unit, GOUGH_UNIT_TIME));
 }
 
-void check_warnings(const char *verb, const gough_study *study, const unit_words *unit) {
+void check_warnings(const char *verb, const gough_study *study, const gough_units *unit) {
     const warning w = {verb, study, unit};
     warn_home(&w);
     warn_start(&w);

@@ -5,6 +5,6 @@
 #include "cli/run/run_report.h"
 
 /* Says them on standard error, one line each, in the study's units. */
-void check_warnings(const char *verb, const gough_study *study, const unit_words *unit);
+void check_warnings(const char *verb, const gough_study *study, const gough_units *unit);
 
 #endif

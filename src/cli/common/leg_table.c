@@ -1,5 +1,5 @@
-/* Columns of numbers with their points aligned, one row a leg; and numbers and units as words. */
-#include "cli/run/run_report.h"
+/* Columns of numbers with their points aligned, one row a leg. */
+#include "cli/common/leg_table.h"
 
 #include <math.h>
 #include <string.h>
@@ -113,28 +113,4 @@ void table_print(FILE *stream, const table_column *column, bool with_all) {
         }
         fputc('\n', stream);
     }
-}
-
-static const unit_words si = {" m", " m/s", " N",      " W",   " J",
-                              " s", " kg",  " kg m^2", " N/m", " N s/m"};
-static const unit_words none = {"", "", "", "", "", "", "", "", "", ""};
-
-const unit_words *unit_words_of(const gough_units *units) {
-    return units->dimensionless ? &none : &si;
-}
-
-table_heading heading_of(const char *what, const char *unit) {
-    table_heading heading;
-    if (*unit)
-        snprintf(heading.text, sizeof heading.text, "%s%s[%s]", what, *what ? " " : "", unit + 1);
-    else
-        snprintf(heading.text, sizeof heading.text, "%s", what);
-    return heading;
-}
-
-const char *units_sentence(const gough_study *study, const gough_units *units) {
-    if (!units->dimensionless) return "SI units, angles in degrees";
-    if (study->dimensionless && units->length == 1 && units->mass == 1 && units->time == 1)
-        return "dimensionless, angles in degrees";
-    return "dimensionless: lengths in R_b, masses in M, times in sqrt(R_b/g); angles in degrees";
 }

@@ -1,5 +1,5 @@
-/* Numbers of a struct turned from units of the run into units of the output, by a table of their dimensions: the one place of the
- * command in which units are scaled. */
+/* Numbers of a struct turned from units of the run into units of the output, by a table of what they measure. What the units are is
+ * in src/table/units.c. */
 #ifndef GOUGH_CLI_SCALE_H
 #define GOUGH_CLI_SCALE_H
 
@@ -7,31 +7,16 @@
 
 #include "gough/gough.h"
 
-/* One unit of a quantity is length^l · mass^m · time^t, or a degree. */
-typedef struct dimension {
-    signed char length, mass, time, degrees;
-} dimension;
-
-extern const dimension DIMENSION_LENGTH, DIMENSION_TIME, DIMENSION_RATE, DIMENSION_ANGLE,
-    DIMENSION_SPEED, DIMENSION_FORCE, DIMENSION_POWER, DIMENSION_ENERGY, DIMENSION_STIFFNESS,
-    DIMENSION_DAMPING;
-
-/* One unit of the output in units of the run; of an angle 1. */
-double scale_unit(const gough_units *units, dimension d);
-
-/* What a number of this dimension is multiplied by to be in units of the output; radians become degrees. */
-double scale_factor(const gough_units *units, dimension d);
-
-/* `count` doubles of a struct, one after the other, of one dimension. */
+/* `count` doubles of a struct, one after the other, of one unit. */
 typedef struct scaled_member {
     size_t at;
     size_t count;
-    const dimension *dimension;
+    gough_unit unit;
 } scaled_member;
 
 /* a member that is a double or an array of them */
 #define SCALED(type, member, what)                                                                 \
-    { offsetof(type, member), sizeof(((type *)0)->member) / sizeof(double), &DIMENSION_##what }
+    { offsetof(type, member), sizeof(((type *)0)->member) / sizeof(double), GOUGH_UNIT_##what }
 
 /* Scales the members of a struct that a table names. */
 void scale_members(void *object, const scaled_member *member, size_t count,
@@ -39,5 +24,18 @@ void scale_members(void *object, const scaled_member *member, size_t count,
 
 #define SCALE(object, table, units)                                                                \
     scale_members(object, table, sizeof(table) / sizeof *(table), units)
+
+/* ---- units as words: " m" in SI, "" where numbers have no unit; they follow a number ---- */
+
+const char *unit_word(const gough_units *units, gough_unit unit);
+
+/* "length [m]", or "length" without a unit */
+typedef struct table_heading {
+    char text[32];
+} table_heading;
+table_heading heading_of(const char *what, const char *unit);
+
+/* What the numbers mean, for the head of a summary: "SI units", "lengths in R_b …". */
+const char *units_sentence(const gough_study *study, const gough_units *units);
 
 #endif

@@ -43,7 +43,7 @@ static bool grows_at_rest(const loop *l, const double *component, const char *wh
                "%s is unstable at rest %s: any deviation in %s, even from rounding, grows tenfold "
                "every %.3g%s; %s",
                l->name, where, rest->eigenvalue[0].mode.name,
-               TENFOLD / rest->growth * scale_factor(&l->units, DIMENSION_TIME), l->time,
+               TENFOLD / rest->growth * gough_unit_factor(&l->units, GOUGH_UNIT_TIME), l->time,
                advice(l));
         told = true;
     }
@@ -64,7 +64,7 @@ static bool grows_along(const loop *l, const gough_period *period) {
                "%s is unstable along the program: any deviation in %s, even from rounding, grows "
                "%.3g-fold in each period of %.3g%s; %s",
                l->name, floquet->multiplier[0].mode.name, floquet->growth,
-               period->period * scale_factor(&l->units, DIMENSION_TIME), l->time, advice(l));
+               period->period * gough_unit_factor(&l->units, GOUGH_UNIT_TIME), l->time, advice(l));
         told = true;
     }
     free(floquet);
@@ -74,9 +74,8 @@ static bool grows_along(const loop *l, const gough_period *period) {
 void remark_growth(const char *verb, const gough_study *study, const gough_units *units) {
     const gough_motion *motion = &study->model->motion;
     const bool open = open_loop(&study->model->control);
-    const loop l = {
-        verb, open ? "the open loop" : "the closed loop", study, *units, unit_words_of(units)->time,
-        open};
+    const loop l = {verb,   open ? "the open loop" : "the closed loop", study,
+                    *units, unit_word(units, GOUGH_UNIT_TIME),          open};
     gough_period period;
     if (grows_at_rest(&l, NULL, "at home")) return;
     if (gough_motion_period(motion, &period, NULL) != GOUGH_OK) return;

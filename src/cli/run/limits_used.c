@@ -1,5 +1,6 @@
 /* How much of each limit of the legs a run uses: the nearest that each leg comes to it, how often and when it is exceeded. */
 #include "cli/run/limits_used.h"
+#include "cli/common/scale.h"
 
 #include <math.h>
 
@@ -17,9 +18,10 @@ static const char *kind_name(gough_cause cause) {
     return gough_cause_name(cause);
 }
 
-static const char *kind_unit(gough_cause cause, const unit_words *unit) {
-    if (cause == GOUGH_END_LEG_SPEED) return unit->speed;
-    return cause == GOUGH_END_LEG_FORCE ? unit->force : unit->length;
+static const char *kind_unit(gough_cause cause, const gough_units *unit) {
+    if (cause == GOUGH_END_LEG_SPEED) return unit_word(unit, GOUGH_UNIT_SPEED);
+    return cause == GOUGH_END_LEG_FORCE ? unit_word(unit, GOUGH_UNIT_FORCE)
+                                        : unit_word(unit, GOUGH_UNIT_LENGTH);
 }
 
 /* in the units of the output; 0 or INFINITY: none */
@@ -104,17 +106,17 @@ static void print_when(FILE *stream, const limit_use *u, bool ends, const char *
                 ends ? ", where the run ends" : " to the end");
 }
 
-static void print_exceeded(FILE *stream, const limit_use *u, bool ends, const unit_words *unit) {
+static void print_exceeded(FILE *stream, const limit_use *u, bool ends, const gough_units *unit) {
     const char *of = kind_unit(u->kind, unit);
     fprintf(stream, "    leg %d %-16s %.5g%s of %.5g%s, %.4g %%, ", u->leg, kind_name(u->kind),
             u->worst, of, u->limit, of, 100 * u->share);
     if (u->count > 1) fprintf(stream, "%zu times, ", u->count);
-    print_when(stream, u, ends, unit->time);
+    print_when(stream, u, ends, unit_word(unit, GOUGH_UNIT_TIME));
     fprintf(stream, "\n");
 }
 
 /* a limit that no leg exceeds, and the leg that comes nearest */
-static void print_met(FILE *stream, const limit_use use[GOUGH_LEGS], const unit_words *unit) {
+static void print_met(FILE *stream, const limit_use use[GOUGH_LEGS], const gough_units *unit) {
     const char *of = kind_unit(use->kind, unit);
     const limit_use *nearest = use;
     for (int v = 1; v < GOUGH_LEGS; v++)
@@ -123,21 +125,21 @@ static void print_met(FILE *stream, const limit_use use[GOUGH_LEGS], const unit_
             nearest->worst, of, use->limit, of, 100 * nearest->share, nearest->leg);
 }
 
-static void print_list(FILE *stream, const run_report *report, const unit_words *unit) {
+static void print_list(FILE *stream, const run_report *report, const gough_units *unit) {
     for (size_t i = 0; i < report->crossings.count; i++) {
         const gough_crossing *c = &report->crossings.list[i];
         fprintf(stream, "    leg %d %-16s t = %.6g", c->leg, kind_name(c->cause), c->enter);
         if (isfinite(c->leave))
-            fprintf(stream, " to %.6g%s", c->leave, unit->time);
+            fprintf(stream, " to %.6g%s", c->leave, unit_word(unit, GOUGH_UNIT_TIME));
         else
-            fprintf(stream, "%s to the end", unit->time);
+            fprintf(stream, "%s to the end", unit_word(unit, GOUGH_UNIT_TIME));
         fprintf(stream, ", at worst %.6g%s at t = %.6g%s\n", c->worst, kind_unit(c->cause, unit),
-                c->worst_time, unit->time);
+                c->worst_time, unit_word(unit, GOUGH_UNIT_TIME));
     }
 }
 
 void limits_print(FILE *stream, const run_report *report, bool all) {
-    const unit_words *unit = unit_words_of(&report->units);
+    const gough_units *unit = &report->units;
     limit_use use[MOST_LIMITS];
     const int count = limits_used(report, use);
     if (count == 0) return;

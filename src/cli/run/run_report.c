@@ -2,6 +2,7 @@
 #include "cli/run/run_report.h"
 #include "cli/common/talk.h"
 
+#include "cli/common/leg_table.h"
 #include "cli/common/scale.h"
 #include "cli/run/limits_used.h"
 
@@ -34,9 +35,9 @@ static const scaled_member report_members[] = {SCALED(run_report, statistics.sti
                                                SCALED(run_report, stroke, LENGTH)};
 
 double limit_factor(gough_cause cause, const gough_units *u) {
-    return scale_factor(u, cause == GOUGH_END_LEG_SPEED   ? DIMENSION_SPEED
-                           : cause == GOUGH_END_LEG_FORCE ? DIMENSION_FORCE
-                                                          : DIMENSION_LENGTH);
+    return gough_unit_factor(u, cause == GOUGH_END_LEG_SPEED   ? GOUGH_UNIT_SPEED
+                                : cause == GOUGH_END_LEG_FORCE ? GOUGH_UNIT_FORCE
+                                                               : GOUGH_UNIT_LENGTH);
 }
 
 static void scale_crossing(gough_crossing *crossing, const gough_units *u) {
@@ -46,16 +47,17 @@ static void scale_crossing(gough_crossing *crossing, const gough_units *u) {
 
 /* time and limit in the output's units, and the sentence with them */
 static void scale_end(gough_end *end, const gough_units *u) {
-    const unit_words *unit = unit_words_of(u);
-    end->time *= scale_factor(u, DIMENSION_TIME);
+    const gough_units *unit = u;
+    end->time *= gough_unit_factor(u, GOUGH_UNIT_TIME);
     end->limit *= limit_factor(end->cause, u);
-    gough_end_say(end, unit->length, unit->speed, unit->force, unit->time);
+    gough_end_say(end, unit_word(unit, GOUGH_UNIT_LENGTH), unit_word(unit, GOUGH_UNIT_SPEED),
+                  unit_word(unit, GOUGH_UNIT_FORCE), unit_word(unit, GOUGH_UNIT_TIME));
 }
 
 /* "… from t = 3 to 4 s" in place of "… at t = 3 s": of forces, which go on beyond a limit */
 static void say_span(gough_end *end, const run_report *report) {
     const gough_units *u = &report->units;
-    const char *unit = unit_words_of(u)->time;
+    const char *unit = unit_word(u, GOUGH_UNIT_TIME);
     const crossing_list *crossings = &report->crossings;
     char *at = strstr(end->message, " at t = ");
     double leave = 0;
@@ -69,7 +71,8 @@ static void say_span(gough_end *end, const run_report *report) {
     }
     char until[64] = "the end", more[64] = "";
     if (isfinite(leave))
-        snprintf(until, sizeof until, "%.6g%s", leave * scale_factor(u, DIMENSION_TIME), unit);
+        snprintf(until, sizeof until, "%.6g%s", leave * gough_unit_factor(u, GOUGH_UNIT_TIME),
+                 unit);
     if (crossings->count > 1)
         snprintf(more, sizeof more, "; limits are exceeded %zu times", crossings->count);
     gough_fail(&said, GOUGH_ERROR_NUMERICAL, "%.*s from t = %.6g%s to %s%s",
@@ -124,9 +127,9 @@ static table_column lone_column(const char *name, const table_heading *unit) {
                        : (table_column){"", name, {0}, 5};
 }
 
-static void print_strokes(FILE *stream, const run_report *report, const unit_words *unit) {
-    const table_heading length = heading_of("length", unit->length);
-    const table_heading speed = heading_of("", unit->speed);
+static void print_strokes(FILE *stream, const run_report *report, const gough_units *unit) {
+    const table_heading length = heading_of("length", unit_word(unit, GOUGH_UNIT_LENGTH));
+    const table_heading speed = heading_of("", unit_word(unit, GOUGH_UNIT_SPEED));
     table_column column[] = {{length.text, "least", {0}, 6},    {length.text, "greatest", {0}, 6},
                              {length.text, "used", {0}, 6},     {"stroke", "used %", {0}, 3},
                              lone_column("peak speed", &speed), {"swing [deg] at", "base", {0}, 4},
@@ -151,17 +154,17 @@ static void print_strokes(FILE *stream, const run_report *report, const unit_wor
     table_print(stream, column, true);
     if (limited)
         fprintf(stream, "  stroke      %.6g%s available, from %.6g to %.6g%s\n",
-                report->stroke[1] - report->stroke[0], unit->length, report->stroke[0],
-                report->stroke[1], unit->length);
+                report->stroke[1] - report->stroke[0], unit_word(unit, GOUGH_UNIT_LENGTH),
+                report->stroke[0], report->stroke[1], unit_word(unit, GOUGH_UNIT_LENGTH));
 }
 
 /* time integrals are right to this share of the largest power times the time */
 static const double INTEGRAL_ERROR = 1e-8;
 
-static void print_loads(FILE *stream, const run_report *report, const unit_words *unit) {
-    const table_heading force = heading_of("force", unit->force),
-                        power = heading_of("power", unit->power);
-    const table_heading energy = heading_of("", unit->energy);
+static void print_loads(FILE *stream, const run_report *report, const gough_units *unit) {
+    const table_heading force = heading_of("force", unit_word(unit, GOUGH_UNIT_FORCE)),
+                        power = heading_of("power", unit_word(unit, GOUGH_UNIT_POWER));
+    const table_heading energy = heading_of("", unit_word(unit, GOUGH_UNIT_ENERGY));
     table_column column[] = {{force.text, "least", {0}, 5},  {force.text, "greatest", {0}, 5},
                              {force.text, "peak", {0}, 5},   {force.text, "RMS", {0}, 5},
                              {power.text, "least", {0}, 5},  {power.text, "greatest", {0}, 5},
@@ -229,7 +232,7 @@ static void print_left_out(FILE *stream, const gough_disturbance *d) {
 static const double AT_REST = 1e-9;
 
 /* Rows that miss more than a twentieth of the longest stroke do not draw the motion. */
-static void print_between(FILE *stream, const gough_summary *s, const unit_words *unit) {
+static void print_between(FILE *stream, const gough_summary *s, const gough_units *unit) {
     double stroke = 0, length = 0;
     for (int v = 0; v < GOUGH_LEGS; v++) {
         stroke = fmax(stroke, s->leg[v].length_max - s->leg[v].length_min);
@@ -244,7 +247,8 @@ static void print_between(FILE *stream, const gough_summary *s, const unit_words
             "  rows        too far apart to draw the motion: between two rows leg %d moves up to\n"
             "              %.4g%s beyond both; to draw it, set simulation.output_step to %.3g%s or "
             "less\n",
-            s->between_leg, s->between_rows, unit->length, step, unit->time);
+            s->between_leg, s->between_rows, unit_word(unit, GOUGH_UNIT_LENGTH), step,
+            unit_word(unit, GOUGH_UNIT_TIME));
 }
 
 static void print_steps(FILE *stream, const gough_statistics *s, bool adaptive) {
@@ -255,7 +259,7 @@ static void print_steps(FILE *stream, const gough_statistics *s, bool adaptive) 
 
 void remark_stiffness(const char *verb, const run_report *report) {
     const gough_statistics *s = &report->statistics;
-    const char *unit = unit_words_of(&report->units)->time;
+    const char *unit = unit_word(&report->units, GOUGH_UNIT_TIME);
     if (!(s->stiff_rate > 0)) return;
     remark(verb,
            "the loop is stiff from t = %.4g%s on: its fastest mode, with |lambda| about %.3g%s%s, "
@@ -266,28 +270,30 @@ void remark_stiffness(const char *verb, const run_report *report) {
            stiff_reach / s->stiff_rate, unit, s->steps);
 }
 
-static void print_end(FILE *stream, const run_report *report, const unit_words *unit) {
+static void print_end(FILE *stream, const run_report *report, const gough_units *unit) {
     const gough_end *end = &report->end;
     fprintf(stream, "  end         ");
     if (end->cause == GOUGH_END_DONE)
-        fprintf(stream, "the whole duration, t = %.6g%s\n", end->time, unit->time);
+        fprintf(stream, "the whole duration, t = %.6g%s\n", end->time,
+                unit_word(unit, GOUGH_UNIT_TIME));
     else if (!report->simulated && report->crossings.count)
         fprintf(stream, "t = %.6g%s; limits are exceeded, first at t = %.6g%s\n",
-                report->summary.last_time, unit->time, end->time, unit->time);
+                report->summary.last_time, unit_word(unit, GOUGH_UNIT_TIME), end->time,
+                unit_word(unit, GOUGH_UNIT_TIME));
     else
         fprintf(stream, "%s\n", end->message);
 }
 
 void run_report_print(FILE *stream, const run_report *report) {
     const gough_summary *s = &report->summary;
-    const unit_words *unit = unit_words_of(&report->units);
+    const gough_units *unit = &report->units;
     print_title(stream, report->study->title);
     fprintf(stream, "%s: ",
             report->simulated ? "Motion under control and disturbance"
                               : "Forces along the program");
     if (s->rows > 0)
         fprintf(stream, "%zu rows, t = %.6g to %.6g%s\n", s->rows, s->first_time, s->last_time,
-                unit->time);
+                unit_word(unit, GOUGH_UNIT_TIME));
     else
         fprintf(stream, "no rows\n");
     fprintf(stream, "%s\n\n", units_sentence(report->study, &report->units));
@@ -298,11 +304,11 @@ void run_report_print(FILE *stream, const run_report *report) {
         fputc('\n', stream);
         fprintf(stream,
                 "  condition   at most %.4g, at t = %.6g%s (1 is best, 1e8 counts as singular)\n",
-                s->condition, s->condition_time, unit->time);
+                s->condition, s->condition_time, unit_word(unit, GOUGH_UNIT_TIME));
     }
     if (report->simulated && s->rows > 0) {
         fprintf(stream, "  deviation   at most %.4g%s and %.4g deg from the program\n",
-                s->position_deviation, unit->length, s->angle_deviation);
+                s->position_deviation, unit_word(unit, GOUGH_UNIT_LENGTH), s->angle_deviation);
         fprintf(stream,
                 "  drift       at most %.2g (violation of the constraints before projection)\n",
                 s->drift);

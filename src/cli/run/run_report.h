@@ -50,33 +50,4 @@ void remark_stiffness(const char *verb, const run_report *report);
 /* One JSON object on standard output. Returns 0, or -1 when out of memory or the output cannot be written. */
 int run_report_print_json(const run_report *report);
 
-/* ---- leg_table.c: columns of numbers, one row a leg ---- */
-
-/* Ends a list of columns: a column without a head. Neighbours with the same group share one heading. */
-typedef struct table_column {
-    const char *group, *head;
-    double value[GOUGH_LEGS + 1]; /* legs 1 … 6 and all of them together; NaN: no entry */
-    int digits;                   /* significant, of the largest of the group */
-} table_column;
-
-void table_print(FILE *stream, const table_column *column, bool with_all);
-
-/* ---- units as words: " m" in SI, "" where numbers have no unit; they follow a number ---- */
-
-typedef struct unit_words {
-    const char *length, *speed, *force, *power, *energy, *time;
-    const char *mass, *inertia, *stiffness, *damping;
-} unit_words;
-
-const unit_words *unit_words_of(const gough_units *units);
-
-/* "length [m]", or "length" without a unit */
-typedef struct table_heading {
-    char text[32];
-} table_heading;
-table_heading heading_of(const char *what, const char *unit);
-
-/* What the numbers mean, for the head of a summary: "SI units", "lengths in R_b …". */
-const char *units_sentence(const gough_study *study, const gough_units *units);
-
 #endif

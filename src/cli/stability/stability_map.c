@@ -114,9 +114,9 @@ static size_t find_own_row(const map_report *report) {
 
 /* ---- units ------------------------------------------------------------------------------------------------------- */
 
-static void scale_range(gough_map_range *range, const gough_units *u, dimension d) {
-    range->from *= scale_factor(u, d);
-    range->to *= scale_factor(u, d);
+static void scale_range(gough_map_range *range, const gough_units *u, gough_unit d) {
+    range->from *= gough_unit_factor(u, d);
+    range->to *= gough_unit_factor(u, d);
 }
 
 static const scaled_member point_members[] = {SCALED(gough_map_point, rate, RATE)};
@@ -135,8 +135,8 @@ static const scaled_member threshold_members[] = {SCALED(gough_threshold, stiffn
 static void scale_map(map_report *report) {
     const gough_units *u = &report->units;
     const bool damped = report->options.axis == GOUGH_MAP_DAMPING;
-    scale_range(&report->options.stiffness, u, DIMENSION_STIFFNESS);
-    if (damped) scale_range(&report->options.second, u, DIMENSION_DAMPING);
+    scale_range(&report->options.stiffness, u, GOUGH_UNIT_STIFFNESS);
+    if (damped) scale_range(&report->options.second, u, GOUGH_UNIT_DAMPING);
     for (size_t p = 0; p < report->rows * report->options.stiffness.count; p++)
         SCALE(&report->map.point[p], point_members, u);
     for (size_t r = 0; r < report->rows; r++) {

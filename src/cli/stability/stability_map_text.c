@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli/common/json.h"
+#include "cli/common/scale.h"
 #include "cli/common/talk.h"
 #include "cli/run/run_report.h"
 #include "cli/stability/stability_map.h"
@@ -15,13 +16,15 @@ static void print_range(FILE *stream, const gough_map_range *range, const char *
 }
 
 static const char *second_unit(const map_report *report) {
-    return report->options.axis == GOUGH_MAP_DAMPING ? unit_words_of(&report->units)->damping : "";
+    return report->options.axis == GOUGH_MAP_DAMPING ? unit_word(&report->units, GOUGH_UNIT_DAMPING)
+                                                     : "";
 }
 
 static void print_axes(FILE *stream, const map_report *report) {
     const char *axis = map_axis_name(report);
     fprintf(stream, "Stability map over the stiffness G, the same in all legs: ");
-    print_range(stream, &report->options.stiffness, unit_words_of(&report->units)->stiffness);
+    print_range(stream, &report->options.stiffness,
+                unit_word(&report->units, GOUGH_UNIT_STIFFNESS));
     if (axis) {
         fprintf(stream, ";\nover the %s%s: ", axis,
                 report->options.axis == GOUGH_MAP_DAMPING ? "" : ", a factor on the study's");
@@ -31,7 +34,7 @@ static void print_axes(FILE *stream, const map_report *report) {
 }
 
 static void print_thresholds(FILE *stream, const map_report *report) {
-    const char *unit = unit_words_of(&report->units)->stiffness;
+    const char *unit = unit_word(&report->units, GOUGH_UNIT_STIFFNESS);
     if (!report->rest) return;
     fprintf(stream, "\nLeast stiffness at home and at rest, for each mode\n");
     for (int i = 0; i < 6; i++) {
@@ -84,7 +87,7 @@ static void print_interval(FILE *stream, const gough_interval *i, bool resting) 
 
 /* "At amplitude 0.5" */
 static void print_row_heading(FILE *stream, const map_report *report, const gough_map_row *row) {
-    const unit_words *unit = unit_words_of(&report->units);
+    const gough_units *unit = &report->units;
     const bool lower = map_axis_name(report) != NULL;
     fprintf(stream, "\n");
     if (lower)
@@ -96,12 +99,12 @@ static void print_row_heading(FILE *stream, const map_report *report, const goug
         fprintf(stream, "%s the program is at rest: ", lower ? "where" : "Where");
     else
         fprintf(stream, "%s the program, of period %.9g%s: ", lower ? "along" : "Along",
-                row->period.period, unit->time);
+                row->period.period, unit_word(unit, GOUGH_UNIT_TIME));
 }
 
 static void print_row(FILE *stream, const map_report *report, size_t r) {
     const gough_map_row *row = &report->map.row[r];
-    const unit_words *unit = unit_words_of(&report->units);
+    const gough_units *unit = &report->units;
     bool cut = false;
     print_row_heading(stream, report, row);
     if (row->error.status) return;
@@ -109,8 +112,8 @@ static void print_row(FILE *stream, const map_report *report, size_t r) {
         fprintf(stream, "nothing grows at any G in this range\n");
         return;
     }
-    const table_heading from = heading_of("from G", unit->stiffness),
-                        rate = heading_of("rate", *unit->time ? " 1/s" : "");
+    const table_heading from = heading_of("from G", unit_word(unit, GOUGH_UNIT_STIFFNESS)),
+                        rate = heading_of("rate", unit_word(unit, GOUGH_UNIT_RATE));
     fprintf(stream, "ranges of G in which a mode grows\n  %-19s%12s%12s %12s%12s%12s\n", "mode",
             from.text, "to", row->period.resting ? "" : "per period", rate.text, "at G");
     for (size_t i = 0; i < row->intervals; i++) {

@@ -108,7 +108,8 @@ static void print_moves(FILE *stream, const stability_report *report, const valu
     int count = 0;
     for (int i = 0; i < group->count; i++) /* λ = 0 of what drifts is double, with one shape */
         if (!count || !same_shape(mode[count - 1], group->mode[i])) mode[count++] = group->mode[i];
-    stability_mode_words(mode, count, report->arm, unit_words_of(&report->units)->length, words);
+    stability_mode_words(mode, count, report->arm, unit_word(&report->units, GOUGH_UNIT_LENGTH),
+                         words);
     if (used + 3 + text_columns(words) <= 100) {
         fprintf(stream, "   %s\n", words);
     } else {
@@ -136,7 +137,7 @@ static void print_heading(FILE *stream, const char *what, const char *unit, int 
 static void print_eigenvalues(FILE *stream, const stability_report *report,
                               const gough_rest *rest) {
     enum { RATE = 13, FREQUENCY = 18, TIME = 15 };
-    const unit_words *unit = unit_words_of(&report->units);
+    const gough_units *unit = &report->units;
     mode_value value[GOUGH_LINEAR];
     value_group group[GOUGH_LINEAR];
     for (int i = 0; i < GOUGH_LINEAR; i++)
@@ -147,10 +148,11 @@ static void print_eigenvalues(FILE *stream, const stability_report *report,
                     "lambda are listed once\n"
                     "    ");
     stability_pad(stream, "mode", width);
-    print_heading(stream, "growth", *unit->time ? " 1/s" : "", RATE);
-    print_heading(stream, "frequency", *unit->time ? " rad/s" : "", FREQUENCY);
-    print_heading(stream, "tenfold in", unit->time, TIME);
-    print_heading(stream, "period", unit->time, TIME);
+    print_heading(stream, "growth", unit_word(unit, GOUGH_UNIT_RATE), RATE);
+    print_heading(stream, "frequency", *unit_word(unit, GOUGH_UNIT_TIME) ? " rad/s" : "",
+                  FREQUENCY);
+    print_heading(stream, "tenfold in", unit_word(unit, GOUGH_UNIT_TIME), TIME);
+    print_heading(stream, "period", unit_word(unit, GOUGH_UNIT_TIME), TIME);
     fprintf(stream, "   moves\n");
     for (int g = 0; g < groups; g++) {
         const double rate = group[g].value[0], frequency = group[g].value[1];
@@ -193,10 +195,10 @@ static bool same_threshold(const gough_threshold *a, const gough_threshold *b) {
 }
 
 static void print_thresholds(FILE *stream, const stability_report *report, const gough_rest *rest) {
-    const unit_words *unit = unit_words_of(&report->units);
-    const double factor = scale_factor(&report->units, DIMENSION_STIFFNESS);
-    const gain_words gain =
-        words_of_gain(report->study->model->control.stiffness, factor, unit->stiffness);
+    const gough_units *unit = &report->units;
+    const double factor = gough_unit_factor(&report->units, GOUGH_UNIT_STIFFNESS);
+    const gain_words gain = words_of_gain(report->study->model->control.stiffness, factor,
+                                          unit_word(unit, GOUGH_UNIT_STIFFNESS));
     bool told[6] = {false};
     fprintf(stream, "  Least stiffness G, the same in all legs, above which each mode is stable\n");
     for (int i = 0; i < 6; i++) {
@@ -210,7 +212,7 @@ static void print_thresholds(FILE *stream, const stability_report *report, const
         }
         fprintf(stream, "    ");
         stability_pad(stream, t->mode.name, 20);
-        fprintf(stream, "%12.6g%s", t->stiffness, unit->stiffness);
+        fprintf(stream, "%12.6g%s", t->stiffness, unit_word(unit, GOUGH_UNIT_STIFFNESS));
         if (modes > 1) fprintf(stream, "   (%d modes)", modes);
         if (t->neutral)
             fprintf(stream, "   neutral without feedback; any G > 0 holds it");
@@ -223,7 +225,7 @@ static void print_thresholds(FILE *stream, const stability_report *report, const
 
 /* What constant leg forces do in this pose: as computed, and by (stab-5) where that holds. */
 static void print_trace(FILE *stream, const stability_report *report, const gough_rest *rest) {
-    const char *unit = unit_words_of(&report->units)->stiffness;
+    const char *unit = unit_word(&report->units, GOUGH_UNIT_STIFFNESS);
     const bool theorem = fabs(rest->trace_theorem) > 0;
     const gough_threshold *largest = &rest->threshold[0];
     if (!(largest->stiffness > 0)) {
@@ -291,19 +293,20 @@ static void print_decay(FILE *stream, const gough_rest *rest, const char *time) 
 
 static void print_rest_verdict(FILE *stream, const stability_report *report,
                                const gough_rest *rest) {
-    const unit_words *unit = unit_words_of(&report->units);
+    const gough_units *unit = &report->units;
     char neutral[6 * GOUGH_MODE_NAME];
     name_neutral(rest, neutral);
     if (rest->growing > 0)
         fprintf(stream, "  Unstable: a deviation in %s grows tenfold every %.4g%s.\n",
-                rest->eigenvalue[0].mode.name, TENFOLD / rest->growth, unit->time);
+                rest->eigenvalue[0].mode.name, TENFOLD / rest->growth,
+                unit_word(unit, GOUGH_UNIT_TIME));
     else if (rest->drifting > 0)
         print_paragraph(stream, "  ", 2,
                         "Unstable: nothing resists motion in %s. Once moving, the platform keeps "
                         "its velocity and drifts away.",
                         neutral);
     else if (rest->decaying)
-        print_decay(stream, rest, unit->time);
+        print_decay(stream, rest, unit_word(unit, GOUGH_UNIT_TIME));
     else if (rest->neutral > 0)
         print_paragraph(stream, "  ", 2,
                         "Bounded, but not asymptotically stable: nothing grows, but a displacement "
@@ -318,12 +321,12 @@ static void print_rest_verdict(FILE *stream, const stability_report *report,
 }
 
 /* "heave 0.1, yaw 10 deg" */
-static void print_pose(FILE *stream, const double pose[GOUGH_COMPONENTS], const unit_words *unit) {
+static void print_pose(FILE *stream, const double pose[GOUGH_COMPONENTS], const gough_units *unit) {
     const char *joint = "";
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         if (!(fabs(pose[c]) > 0)) continue;
         fprintf(stream, "%s%s %.6g%s", joint, gough_component_name(c), pose[c],
-                c < GOUGH_ROLL ? unit->length : " deg");
+                c < GOUGH_ROLL ? unit_word(unit, GOUGH_UNIT_LENGTH) : " deg");
         joint = ", ";
     }
     if (!*joint) fprintf(stream, "home");
@@ -337,12 +340,12 @@ static void print_sag(FILE *stream, const stability_report *report, const double
     fprintf(stream,
             "  Without feed-forward the loop rests where springs and load balance, with the top at"
             "\n  %.6g, %.6g, %.6g%s\n",
-            shown[0], shown[1], shown[2], unit_words_of(&report->units)->length);
+            shown[0], shown[1], shown[2], unit_word(&report->units, GOUGH_UNIT_LENGTH));
 }
 
 static void print_rest(FILE *stream, const stability_report *report, const gough_rest *rest,
                        const double pose[GOUGH_COMPONENTS], const char *where) {
-    const unit_words *unit = unit_words_of(&report->units);
+    const gough_units *unit = &report->units;
     fprintf(stream, "\nAt rest%s: ", where);
     print_pose(stream, pose, unit);
     fprintf(stream, "\n");
@@ -373,7 +376,7 @@ static void print_multipliers(FILE *stream, const stability_report *report) {
                                 &f->multiplier[i].mode};
     const int groups = group_values(value, true, group), width = name_width(group, groups);
     const table_heading rate_heading =
-        heading_of("growth", *unit_words_of(&report->units)->time ? " 1/s" : "");
+        heading_of("growth", unit_word(&report->units, GOUGH_UNIT_RATE));
     fprintf(stream, "  A small deviation is multiplied by mu in each period; conjugate pairs of "
                     "the twelve mu are\n"
                     "  listed once, modes are those at the period's beginning\n"
@@ -420,7 +423,7 @@ static const gough_mode *nearest_one(const gough_floquet *f) {
 }
 
 static void print_floquet_verdict(FILE *stream, const stability_report *report) {
-    const unit_words *unit = unit_words_of(&report->units);
+    const gough_units *unit = &report->units;
     const gough_floquet *f = &report->floquet;
     const double tenfold = f->period * TENFOLD / fabs(log(f->growth));
     if (f->drifting > 0 && f->growth < 1 + near_one)
@@ -432,11 +435,12 @@ static void print_floquet_verdict(FILE *stream, const stability_report *report) 
         print_paragraph(stream, "  ", 2,
                         "Unstable: a deviation in %s grows %.6g-fold in each period, tenfold in "
                         "%.4g%s.",
-                        f->multiplier[0].mode.name, f->growth, tenfold, unit->time);
+                        f->multiplier[0].mode.name, f->growth, tenfold,
+                        unit_word(unit, GOUGH_UNIT_TIME));
     else if (f->growth < 1 - GOUGH_GROWTH_LIMIT)
         fprintf(stream,
                 "  Stable: every deviation dies out; the slowest falls to a tenth in %.4g%s.\n",
-                tenfold, unit->time);
+                tenfold, unit_word(unit, GOUGH_UNIT_TIME));
     else if (report->damped)
         fprintf(stream, "  Bounded: nothing grows, but not every deviation dies out.\n");
     else
@@ -445,22 +449,23 @@ static void print_floquet_verdict(FILE *stream, const stability_report *report) 
 }
 
 static void print_program(FILE *stream, const stability_report *report) {
-    const unit_words *unit = unit_words_of(&report->units);
+    const gough_units *unit = &report->units;
     const gough_motion *motion = &report->study->model->motion;
     fprintf(stream,
             "\n"
             "Along the program, of period %.9g%s, %s",
-            report->floquet.period, unit->time,
+            report->floquet.period, unit_word(unit, GOUGH_UNIT_TIME),
             motion->period > 0 ? "given in the study" : "found from its formulas");
     if (report->floquet.start > 0)
-        fprintf(stream, ", from t = %.4g%s on", report->floquet.start, unit->time);
+        fprintf(stream, ", from t = %.4g%s on", report->floquet.start,
+                unit_word(unit, GOUGH_UNIT_TIME));
     fprintf(stream, "\n");
     if (!report->study->model->control.feedforward)
         print_paragraph(stream, "  ", 2,
                         "Without feed-forward the loop has a periodic motion of its own, %.4g%s "
                         "from the program when the period begins. The multipliers are those of "
                         "this motion; a run that starts far from it may not reach it.",
-                        report->sag, unit->length);
+                        report->sag, unit_word(unit, GOUGH_UNIT_LENGTH));
     print_multipliers(stream, report);
     print_floquet_checks(stream, &report->floquet);
     print_floquet_verdict(stream, report);
@@ -469,12 +474,14 @@ static void print_program(FILE *stream, const stability_report *report) {
 void stability_print(FILE *stream, const stability_report *report) {
     const gough_control *control = &report->study->model->control;
     const gough_units *u = &report->units;
-    const unit_words *unit = unit_words_of(u);
+    const gough_units *unit = u;
     print_title(stream, report->study->title);
     const gain_words stiffness =
-        words_of_gain(control->stiffness, scale_factor(u, DIMENSION_STIFFNESS), unit->stiffness);
+        words_of_gain(control->stiffness, gough_unit_factor(u, GOUGH_UNIT_STIFFNESS),
+                      unit_word(unit, GOUGH_UNIT_STIFFNESS));
     const gain_words damping =
-        words_of_gain(control->damping, scale_factor(u, DIMENSION_DAMPING), unit->damping);
+        words_of_gain(control->damping, gough_unit_factor(u, GOUGH_UNIT_DAMPING),
+                      unit_word(unit, GOUGH_UNIT_DAMPING));
     print_paragraph(stream, "", 0,
                     "Stability of the closed loop: %s, stiffness G = %s, damping D = %s",
                     control->feedforward ? "the program's forces fed forward" : "no feed-forward",

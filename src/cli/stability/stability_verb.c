@@ -69,9 +69,10 @@ static const group_use groups[] = {
 
 /* ξ is (δr, δθ, δv, δω): powers of length and of time in each part. */
 static void scale_matrix(double matrix[GOUGH_LINEAR][GOUGH_LINEAR], const gough_units *u) {
-    const double unit[4] = {scale_unit(u, DIMENSION_LENGTH), 1.0, scale_unit(u, DIMENSION_SPEED),
-                            scale_unit(u, DIMENSION_RATE)},
-                 rate = scale_factor(u, DIMENSION_RATE);
+    const double unit[4] = {gough_unit_size(u, GOUGH_UNIT_LENGTH), 1.0,
+                            gough_unit_size(u, GOUGH_UNIT_SPEED),
+                            gough_unit_size(u, GOUGH_UNIT_RATE)},
+                 rate = gough_unit_factor(u, GOUGH_UNIT_RATE);
     for (int i = 0; i < GOUGH_LINEAR; i++)
         for (int j = 0; j < GOUGH_LINEAR; j++) matrix[i][j] *= unit[j / 3] / unit[i / 3] * rate;
 }
@@ -81,10 +82,10 @@ static void scale_mode(gough_mode *mode, const gough_units *u) {
     double lead = 0;
     for (int a = 0; a < 6; a++)
         if (fabs(mode->shape[a][0] - 1.0) <= 0.0 && fabs(mode->shape[a][1]) <= 0.0 && !(lead > 0))
-            lead = a < 3 ? scale_unit(u, DIMENSION_LENGTH) : 1.0;
+            lead = a < 3 ? gough_unit_size(u, GOUGH_UNIT_LENGTH) : 1.0;
     for (int a = 0; a < 6; a++)
         for (int part = 0; part < 2 && lead > 0; part++)
-            mode->shape[a][part] *= lead / (a < 3 ? scale_unit(u, DIMENSION_LENGTH) : 1.0);
+            mode->shape[a][part] *= lead / (a < 3 ? gough_unit_size(u, GOUGH_UNIT_LENGTH) : 1.0);
 }
 
 static const scaled_member rest_members[] = {
@@ -120,8 +121,8 @@ void stability_scale(stability_report *report) {
     const gough_units *u = &report->units;
     SCALE(report, report_members, u);
     for (int c = 0; c < GOUGH_ROLL; c++) {
-        report->pose[c] *= scale_factor(u, DIMENSION_LENGTH);
-        report->last_pose[c] *= scale_factor(u, DIMENSION_LENGTH);
+        report->pose[c] *= gough_unit_factor(u, GOUGH_UNIT_LENGTH);
+        report->last_pose[c] *= gough_unit_factor(u, GOUGH_UNIT_LENGTH);
     }
     scale_rest(&report->rest, u);
     if (report->ends) scale_rest(&report->last, u);

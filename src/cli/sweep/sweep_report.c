@@ -89,7 +89,7 @@ static void print_extreme(FILE *stream, const sweep_report *report, const char *
 
 static void print_summary(FILE *stream, const sweep_report *report) {
     const gough_sweep_summary summary = scaled_summary(report), *s = &summary;
-    const unit_words *unit = unit_words_of(&report->units);
+    const gough_units *unit = &report->units;
     print_title(stream, report->title);
     fprintf(stream, "%zu run%s", s->runs, s->runs == 1 ? "" : "s");
     if (s->resumed) fprintf(stream, ", %zu of them finished earlier", s->resumed);
@@ -102,17 +102,18 @@ static void print_summary(FILE *stream, const sweep_report *report) {
             fprintf(stream, "  %-30s %zu\n", cause_words((gough_cause)c), s->ended[c]);
     if (s->least_position_run) {
         fprintf(stream, "  largest deviation of position (runs that reached their end)\n");
-        print_extreme(stream, report, "least", s->least_position, unit->length,
-                      s->least_position_run);
-        print_extreme(stream, report, "greatest", s->greatest_position, unit->length,
-                      s->greatest_position_run);
+        print_extreme(stream, report, "least", s->least_position,
+                      unit_word(unit, GOUGH_UNIT_LENGTH), s->least_position_run);
+        print_extreme(stream, report, "greatest", s->greatest_position,
+                      unit_word(unit, GOUGH_UNIT_LENGTH), s->greatest_position_run);
         fprintf(stream, "  largest deviation of angle\n");
         print_extreme(stream, report, "least", s->least_angle, " deg", s->least_angle_run);
         print_extreme(stream, report, "greatest", s->greatest_angle, " deg", s->greatest_angle_run);
         fprintf(stream, "  power of a leg (below 0 the leg brakes)\n");
-        print_extreme(stream, report, "least", s->least_power, unit->power, s->least_power_run);
-        print_extreme(stream, report, "greatest", s->greatest_power, unit->power,
-                      s->greatest_power_run);
+        print_extreme(stream, report, "least", s->least_power, unit_word(unit, GOUGH_UNIT_POWER),
+                      s->least_power_run);
+        print_extreme(stream, report, "greatest", s->greatest_power,
+                      unit_word(unit, GOUGH_UNIT_POWER), s->greatest_power_run);
     }
     for (size_t i = 0; i < report->outputs; i++)
         if (strcmp(report->output[i], "-") != 0) print_line(stream, "wrote %s", report->output[i]);

@@ -44,7 +44,7 @@ void tune_scale(tune_report *report) {
         gough_tuning *tuning = &choice->tuning;
         SCALE(tuning, tuning_members, u);
         /* the deviation is scale · G^slope */
-        tuning->scale *= pow(scale_factor(u, DIMENSION_STIFFNESS), -tuning->slope);
+        tuning->scale *= pow(gough_unit_factor(u, GOUGH_UNIT_STIFFNESS), -tuning->slope);
         for (size_t i = 0; i < tuning->exceptions; i++)
             SCALE(&tuning->exception[i], exception_members, u);
         for (size_t i = 0; i < tuning->points; i++) SCALE(&choice->point[i], point_members, u);
@@ -75,7 +75,7 @@ static const char *end_words(gough_cause cause) {
 }
 
 /* Why a smaller G is not enough. */
-static void print_binding(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+static void print_binding(FILE *stream, const gough_tuning *tuning, const gough_units *unit) {
     const char *mode = *tuning->mode.name ? tuning->mode.name : "a mode";
     char text[300] = "", fails[80] = "";
     switch (tuning->binding) {
@@ -101,29 +101,32 @@ static void print_binding(FILE *stream, const gough_tuning *tuning, const unit_w
         break;
     }
     if (isfinite(tuning->fails))
-        snprintf(fails, sizeof fails, "; G = %.6g%s is not enough", tuning->fails, unit->stiffness);
+        snprintf(fails, sizeof fails, "; G = %.6g%s is not enough", tuning->fails,
+                 unit_word(unit, GOUGH_UNIT_STIFFNESS));
     print_paragraph(stream, "  limited by", 14, "%s%s", text, fails);
 }
 
-static void print_legs(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+static void print_legs(FILE *stream, const gough_tuning *tuning, const gough_units *unit) {
     char force[60] = "", speed[60] = "";
     if (isfinite(tuning->force_share))
         snprintf(force, sizeof force, " (%.3g %% of the limit)", 100 * tuning->force_share);
     if (isfinite(tuning->speed_share))
         snprintf(speed, sizeof speed, " (%.3g %% of the limit)", 100 * tuning->speed_share);
     print_paragraph(stream, "  legs", 14, "force up to %.5g%s in leg %d%s; rate up to %.5g%s%s",
-                    tuning->force, unit->force, tuning->leg, force, tuning->speed, unit->speed,
-                    speed);
+                    tuning->force, unit_word(unit, GOUGH_UNIT_FORCE), tuning->leg, force,
+                    tuning->speed, unit_word(unit, GOUGH_UNIT_SPEED), speed);
 }
 
 /* so far off the trend a reader doubts the run */
 static const double far_off = 100;
 
-static void print_exception(FILE *stream, const gough_tuning_exception *e, const unit_words *unit) {
+static void print_exception(FILE *stream, const gough_tuning_exception *e,
+                            const gough_units *unit) {
     if (e->to > e->from)
-        fprintf(stream, "    G = %.6g to %.6g%s: ", e->from, e->to, unit->stiffness);
+        fprintf(stream, "    G = %.6g to %.6g%s: ", e->from, e->to,
+                unit_word(unit, GOUGH_UNIT_STIFFNESS));
     else
-        fprintf(stream, "    G = %.6g%s: ", e->from, unit->stiffness);
+        fprintf(stream, "    G = %.6g%s: ", e->from, unit_word(unit, GOUGH_UNIT_STIFFNESS));
     if (e->kind == GOUGH_TUNING_UNSTABLE && *e->mode)
         fprintf(stream, "unstable (%s)", e->mode);
     else if (e->kind == GOUGH_TUNING_UNSTABLE)
@@ -139,7 +142,7 @@ static void print_exception(FILE *stream, const gough_tuning_exception *e, const
 }
 
 /* Resonances so narrow that hardly anybody meets one are counted only; JSON has them all. */
-static void print_exceptions(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+static void print_exceptions(FILE *stream, const gough_tuning *tuning, const gough_units *unit) {
     static const double narrow = 2e-3;
     size_t left_out = 0;
     if (tuning->exceptions)
@@ -156,29 +159,31 @@ static void print_exceptions(FILE *stream, const gough_tuning *tuning, const uni
                 left_out == 1 ? "" : "s", 100 * narrow);
 }
 
-static void print_curve(FILE *stream, const gough_tuning *tuning, const unit_words *unit) {
+static void print_curve(FILE *stream, const gough_tuning *tuning, const gough_units *unit) {
     if (isfinite(tuning->slope))
         fprintf(stream,
                 "  curve       the deviation varies as G^%.3f (%.4g%s at G = 1%s); %zu points\n",
-                tuning->slope, tuning->scale, unit->length, unit->stiffness, tuning->points);
+                tuning->slope, tuning->scale, unit_word(unit, GOUGH_UNIT_LENGTH),
+                unit_word(unit, GOUGH_UNIT_STIFFNESS), tuning->points);
     else
         fprintf(stream, "  curve       no trend: the deviation is round-off, or too few runs reach "
                         "their end\n");
     print_exceptions(stream, tuning, unit);
 }
 
-static void print_choice(FILE *stream, const tune_choice *choice, const unit_words *unit) {
+static void print_choice(FILE *stream, const tune_choice *choice, const gough_units *unit) {
     const gough_tuning *tuning = &choice->tuning;
     fprintf(stream, "\n%s feed-forward\n", choice->feedforward ? "With" : "Without");
     if (tuning->found) {
         fprintf(stream, "  stiffness   G = %.10g%s in each leg\n", tuning->stiffness,
-                unit->stiffness);
+                unit_word(unit, GOUGH_UNIT_STIFFNESS));
         fprintf(stream,
                 "  damping     D = %.9g%s; damping ratio of the least damped mode at home %.4g\n",
-                tuning->damping, unit->damping, tuning->damping_ratio);
+                tuning->damping, unit_word(unit, GOUGH_UNIT_DAMPING), tuning->damping_ratio);
         fprintf(stream, "  deviation   %.5g%s at t = %.6g%s, and %.4g deg at t = %.6g%s\n",
-                tuning->deviation, unit->length, tuning->deviation_time, unit->time,
-                tuning->angle_deviation, tuning->angle_time, unit->time);
+                tuning->deviation, unit_word(unit, GOUGH_UNIT_LENGTH), tuning->deviation_time,
+                unit_word(unit, GOUGH_UNIT_TIME), tuning->angle_deviation, tuning->angle_time,
+                unit_word(unit, GOUGH_UNIT_TIME));
         print_binding(stream, tuning, unit);
         print_legs(stream, tuning, unit);
     } else {
@@ -190,64 +195,50 @@ static void print_choice(FILE *stream, const tune_choice *choice, const unit_wor
 }
 
 void tune_print(FILE *stream, const tune_report *report) {
-    const unit_words *unit = unit_words_of(&report->units);
+    const gough_units *unit = &report->units;
     const gough_tuning_options *asked = &report->asked;
     const gough_tuning *first = &report->choice[0].tuning;
     print_title(stream, report->study->title);
-    fprintf(stream, "Feedback for a deviation of at most %.6g%s", asked->deviation, unit->length);
+    fprintf(stream, "Feedback for a deviation of at most %.6g%s", asked->deviation,
+            unit_word(unit, GOUGH_UNIT_LENGTH));
     if (isfinite(asked->angle_deviation)) fprintf(stream, " and %.6g deg", asked->angle_deviation);
     fprintf(stream, ", with a margin of %.3g %% in G to instability\n%s\n", 100 * asked->margin,
             units_sentence(report->study, &report->units));
     if (first->threshold > 0)
         fprintf(stream,
                 "At rest at home, with feed-forward, the machine needs G above %.6g%s (%s)\n",
-                first->threshold, unit->stiffness, first->least_mode.name);
+                first->threshold, unit_word(unit, GOUGH_UNIT_STIFFNESS), first->least_mode.name);
     for (int c = 0; c < report->choices; c++) print_choice(stream, &report->choice[c], unit);
 }
 
 /* ---- table -------------------------------------------------------------------------------------------------------- */
 
-enum {
-    FEEDFORWARD,
-    G,
-    D,
-    POSITION,
-    ANGLE,
-    FORCE,
-    SPEED,
-    GROWTH,
-    STABLE,
-    REGULAR,
-    ENDED,
-    CAUSE,
-    LEG,
-    END_TIME,
-    NAMED,
-    ASKED,
-    COLUMNS
-};
+/* The columns, in the order of set_row(). */
+static const struct {
+    const char *name;
+    gough_unit unit;
+} columns[] = {{"feedforward", GOUGH_UNIT_NONE},
+               {"G", GOUGH_UNIT_STIFFNESS},
+               {"D", GOUGH_UNIT_DAMPING},
+               {"position_deviation", GOUGH_UNIT_LENGTH},
+               {"angle_deviation", GOUGH_UNIT_ANGLE},
+               {"force", GOUGH_UNIT_FORCE},
+               {"speed", GOUGH_UNIT_SPEED},
+               {"growth", GOUGH_UNIT_NONE},
+               {"stable", GOUGH_UNIT_NONE},
+               {"regular", GOUGH_UNIT_NONE},
+               {"ended", GOUGH_UNIT_NONE},
+               {"end_cause", GOUGH_UNIT_NONE},
+               {"end_leg", GOUGH_UNIT_NONE},
+               {"end_time", GOUGH_UNIT_TIME},
+               {"named", GOUGH_UNIT_NONE},
+               {"asked", GOUGH_UNIT_LENGTH}};
+enum { COLUMNS = sizeof columns / sizeof columns[0] };
 
 static void name_columns(gough_table *table, bool dimensionless, double *column[COLUMNS]) {
-    static const char *const name[COLUMNS][2] = {{"feedforward", "1"},
-                                                 {"G", "N/m"},
-                                                 {"D", "N s/m"},
-                                                 {"position_deviation", "m"},
-                                                 {"angle_deviation", "degree"},
-                                                 {"force", "N"},
-                                                 {"speed", "m/s"},
-                                                 {"growth", "1"},
-                                                 {"stable", "1"},
-                                                 {"regular", "1"},
-                                                 {"ended", "1"},
-                                                 {"end_cause", "1"},
-                                                 {"end_leg", "1"},
-                                                 {"end_time", "s"},
-                                                 {"named", "1"},
-                                                 {"asked", "m"}};
-    for (int c = 0; c < COLUMNS; c++) {
-        const char *unit = dimensionless && c != ANGLE ? "1" : name[c][1];
-        column[c] = gough_table_name(table, (size_t)c, name[c][0], unit);
-    }
+    for (int c = 0; c < COLUMNS; c++)
+        column[c] = gough_table_name(table, (size_t)c, columns[c].name,
+                                     gough_unit_label(columns[c].unit, dimensionless));
 }
 
 static void set_row(double *const column[COLUMNS], size_t row, const tune_report *report,
@@ -276,7 +267,7 @@ static gough_tuning_point named_point(const tune_report *report, const gough_tun
     return (gough_tuning_point){.stiffness = tuning->stiffness,
                                 .damping = tuning->damping,
                                 .end_time = report->study->simulation.duration *
-                                            scale_factor(&report->units, DIMENSION_TIME),
+                                            gough_unit_factor(&report->units, GOUGH_UNIT_TIME),
                                 .position_deviation = tuning->deviation,
                                 .angle_deviation = tuning->angle_deviation,
                                 .force = tuning->force,
@@ -296,7 +287,7 @@ gough_table *tune_table(const tune_report *report) {
     name_columns(table, report->units.dimensionless, column);
     const gough_simulation *simulation = &report->study->simulation;
     if (simulation->step > 0)
-        table->step = simulation->step * scale_factor(&report->units, DIMENSION_TIME);
+        table->step = simulation->step * gough_unit_factor(&report->units, GOUGH_UNIT_TIME);
     else
         table->tolerance = simulation->tolerance;
     for (int c = 0; c < COLUMNS; c++) {

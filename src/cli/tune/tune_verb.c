@@ -179,8 +179,8 @@ typedef struct watch {
 static void bracket_words(const tune_report *report, const tune_choice *choice, char *text,
                           size_t size) {
     const gough_units *u = &report->units;
-    const double unit = scale_factor(u, DIMENSION_STIFFNESS);
-    const char *word = unit_words_of(u)->stiffness;
+    const double unit = gough_unit_factor(u, GOUGH_UNIT_STIFFNESS);
+    const char *word = unit_word(u, GOUGH_UNIT_STIFFNESS);
     const gough_tuning *tuning = &choice->tuning;
     char fails[80] = "";
     if (tuning->fails > 0) snprintf(fails, sizeof fails, "G = %.6g%s", tuning->fails * unit, word);
@@ -224,13 +224,6 @@ static int look(void *context, double part) {
     return 0;
 }
 
-/* The library's sentences have numbers in the study's own units. */
-static const unit_words *words_of_study(const gough_study *study) {
-    gough_units own = {.dimensionless = true};
-    (void)gough_units_of_study(study, false, &own, NULL);
-    return unit_words_of(&own);
-}
-
 static gough_status search(const command_line *line, tune_report *report, gough_error *error) {
     const gough_study *study = report->study;
     watch w = {.bar = progress_begin(line->verb, report->choices, line->quiet),
@@ -239,11 +232,12 @@ static gough_status search(const command_line *line, tune_report *report, gough_
                .all = report->choices,
                .fails = NAN};
     gough_tuning_options options = report->asked;
-    const unit_words *own = words_of_study(study);
+    gough_units own; /* the library's sentences have numbers in the study's own units */
     size_t bytes = 0;
-    options.length_unit = own->length;
-    options.time_unit = own->time;
-    options.stiffness_unit = own->stiffness;
+    (void)gough_units_of_study(study, false, &own, NULL);
+    options.length_unit = unit_word(&own, GOUGH_UNIT_LENGTH);
+    options.time_unit = unit_word(&own, GOUGH_UNIT_TIME);
+    options.stiffness_unit = unit_word(&own, GOUGH_UNIT_STIFFNESS);
     options.progress = look;
     options.context = &w;
     gough_status status = gough_tune_size(study->model, &options, &bytes, error);
