@@ -2,6 +2,11 @@
  *  Many runs of forward dynamics at once: runs that share a program are computed side by side in the lanes of vector registers,
  *  and distributed over threads. The bits are the same for any number of lanes and threads, and for fixed steps the same as those
  *  of gough_simulate(). Numbers are in the units of the models, angles in radians.
+ *
+ *  Accuracy: the same bits as gough_simulate() with fixed steps, and as accurate with adaptive ones.
+ *  Overlap: outcomes and memory must not overlap each other or what the runs point to.
+ *  Threads: functions may be called from several threads at once, on distinct outcomes and memory. gough_batch() starts threads
+ *  of its own and waits for them.
  */
 #ifndef GOUGH_BATCH_H
 #define GOUGH_BATCH_H
@@ -85,7 +90,7 @@ GOUGH_API size_t gough_batch_size(const gough_batch_options *options);
  *                     system for threads
  *  @return GOUGH_OK, even if runs ended early (see their outcomes); GOUGH_ERROR_INPUT for invalid options, or runs
  *  that differ in height or feed-forward; GOUGH_ERROR_NUMERICAL if the progress function stopped it
- *  (unfinished runs have 0 rows). */
+ *  (unfinished runs have 0 rows). Bits do not depend on lanes and threads. */
 GOUGH_API gough_status gough_batch(const gough_motion *motion, const gough_simulation *simulation,
                                    const gough_batch_run *runs, size_t count,
                                    const gough_batch_options *options, gough_outcome *outcomes,

@@ -1,7 +1,6 @@
 /** @file dynamics.h
  *  One pose at a time: leg lengths and rates, Jacobian, inverse and forward dynamics, reactions, control law. The functions
- *  suit a real-time control loop: they allocate nothing, keep no state, and may be called from several threads at once, with the
- *  same machine too. Outputs must not overlap inputs, except in gough_control_law().
+ *  suit a real-time control loop: they allocate nothing and keep no state.
  *
  *  Units are any consistent set, such as SI; angles are in radians. Leg forces push when positive. The machine must have been
  *  filled by gough_machine_init().
@@ -10,6 +9,10 @@
  *  of the unit matrix, and a positive determinant. Otherwise it returns GOUGH_ERROR_INPUT and writes nothing. The check costs
  *  about 40 multiplications and additions; it is the only branch that depends on data. Other inputs are not checked: results
  *  are NaN or infinite if they are.
+ *
+ *  Accuracy: as each function says; ε is 2.2e-16.
+ *  Overlap: outputs must not overlap inputs or each other, except in gough_control_law().
+ *  Threads: every function may be called from several threads at once, with the same machine too, on distinct outputs.
  */
 #ifndef GOUGH_DYNAMICS_H
 #define GOUGH_DYNAMICS_H
@@ -55,13 +58,17 @@ static inline gough_state gough_state_home(const gough_machine *machine) {
 
 /** R = Rz(yaw) Ry(pitch) Rx(roll) (motion-1).
  *  @param angles         roll, pitch, yaw in radians
- *  @param[out] rotation  columns are the top frame's axes in the base frame */
+ *  @param[out] rotation  columns are the top frame's axes in the base frame
+ *
+ *  Each element has an error below 4 ε: roundings of sines and cosines and their products. */
 GOUGH_API void gough_rotation_from_angles(const double angles[3], double rotation[3][3]);
 
 /** Roll, pitch and yaw of R in radians, the inverse of gough_rotation_from_angles(): pitch in [−π/2, π/2], roll and yaw in
  *  [−π, π]. At a pitch of ±π/2 (gimbal lock) only a combination of roll and yaw is determined; their single values are then
  *  arbitrary.
- *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if R is not a rotation. */
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if R is not a rotation.
+ *
+ *  The angles are accurate to a few ε divided by the cosine of the pitch. */
 GOUGH_API gough_status gough_angles_from_rotation(double rotation[3][3], double angles[3]);
 
 /** Leg lengths, joint to joint (inverse kinematics), their rates l̇ and second rates l̈: (legs-2), (legs-4), (legs-6).
@@ -69,7 +76,8 @@ GOUGH_API gough_status gough_angles_from_rotation(double rotation[3][3], double 
  *  @param[out] length,rate,second_rate  six numbers each, in the order of the legs; any may be NULL
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if the matrix of the state is not a rotation.
  *
- *  Limits of the legs are not checked. If the joints of a leg coincide, its length is 0 and its rates are NaN. */
+ *  Limits of the legs are not checked. If the joints of a leg coincide, its length is 0 and its rates are NaN. Lengths are accurate
+ *  to 10 ε of the machine's size, rates to 20 ε of the velocities of the joints, second rates to 100 ε of their accelerations. */
 GOUGH_API gough_status gough_leg_kinematics(const gough_machine *machine, const gough_state *state,
                                             const gough_acceleration *acceleration,
                                             double length[GOUGH_LEGS], double rate[GOUGH_LEGS],
@@ -80,7 +88,8 @@ GOUGH_API gough_status gough_leg_kinematics(const gough_machine *machine, const 
  *  @param[out] jacobian  a row for each leg; the first three columns have no unit, the last three are lengths
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if the matrix of the state is not a rotation.
  *
- *  The velocities of the state are not used. The row of a leg of zero length is NaN. */
+ *  The velocities of the state are not used. The row of a leg of zero length is NaN. Elements are accurate to a few ε of the
+ *  machine's size over the length of the leg. */
 GOUGH_API gough_status gough_jacobian(const gough_machine *machine, const gough_state *state,
                                       double jacobian[GOUGH_LEGS][6]);
 
@@ -96,7 +105,8 @@ GOUGH_API gough_status gough_jacobian(const gough_machine *machine, const gough_
  *                           rounding in a singular pose; its sign changes across a singular surface. May be NULL
  *  @return GOUGH_OK, for singular poses too; GOUGH_ERROR_INPUT if the matrix of the state is not a rotation.
  *
- *  Depends on the pose only, not on velocities, load or gravity. */
+ *  Depends on the pose only, not on velocities, load or gravity. The condition number has a relative error below 1e-12
+ *  times itself; the determinant is accurate to a few ε. */
 GOUGH_API gough_status gough_conditioning(const gough_machine *machine, const gough_state *state,
                                           double *condition, double *determinant);
 
@@ -125,7 +135,8 @@ GOUGH_API gough_status gough_inverse_dynamics(const gough_machine *machine,
  *          if the matrix of the state is not a rotation.
  *
  *  Defined in singular poses too: there the legs cannot carry every load, but any leg forces give an acceleration. The inverse
- *  of gough_inverse_dynamics() elsewhere. */
+ *  of gough_inverse_dynamics() elsewhere. Accurate to roundings: 1e-14 of what the legs, weight and rotation give by
+ *  themselves. */
 GOUGH_API gough_status gough_forward_dynamics(const gough_machine *machine,
                                               const gough_state *state,
                                               const double force[GOUGH_LEGS],
@@ -140,7 +151,8 @@ GOUGH_API gough_status gough_forward_dynamics(const gough_machine *machine,
  *  @param[out] reactions  six numbers in the order above
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if the matrix of the state is not a rotation.
  *
- *  Defined in singular poses too; NaN if a leg has no length. They are internal to the load and do no work. */
+ *  Defined in singular poses too; NaN if a leg has no length. They are internal to the load and do no work. Accurate to roundings:
+ *  1e-14 of the moments of the legs about the centre of mass. */
 GOUGH_API gough_status gough_reactions(const gough_machine *machine, const gough_state *state,
                                        const double force[GOUGH_LEGS], const gough_wrench *external,
                                        double reactions[6]);
@@ -156,7 +168,7 @@ GOUGH_API gough_status gough_reactions(const gough_machine *machine, const gough
  *  @param[out] force      six leg forces; a push is positive. May be the same array as any input
  *
  *  Nothing is limited: saturation and limits of the legs are the caller's. A leg with a NaN in its inputs gets NaN, the others
- *  do not. */
+ *  do not. Exact but for five roundings, of G l and D l̇ before their differences. */
 GOUGH_API void gough_control_law(const gough_control *control,
                                  const double program_force[GOUGH_LEGS],
                                  const double program_length[GOUGH_LEGS],
@@ -165,7 +177,7 @@ GOUGH_API void gough_control_law(const gough_control *control,
                                  double force[GOUGH_LEGS]);
 
 /** State and acceleration of the top that the program commands at time @p t. If a formula is not finite there, neither are
- *  they. Recorded motion keeps its first or last pose outside its record, at rest. */
+ *  they. Recorded motion keeps its first or last pose outside its record, at rest. As accurate as gough_motion_evaluate(). */
 GOUGH_API void gough_program(const gough_machine *machine, const gough_motion *motion, double t,
                              gough_state *state, gough_acceleration *acceleration);
 

@@ -2,6 +2,10 @@
  *  Every field of a study as data: the keys of the study file with their types, units, ranges and defaults, and the members of
  *  gough_model, gough_simulation and gough_move that they fill. One table drives the reader of study files, the flat form of
  *  models, sweeps and output; bindings and exports can use it too.
+ *
+ *  Accuracy: defaults are exact.
+ *  Overlap: a place is not part of the struct that is reset.
+ *  Threads: every function may be called from several threads at once, on distinct structs.
  */
 #ifndef GOUGH_FIELDS_H
 #define GOUGH_FIELDS_H

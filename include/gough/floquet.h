@@ -1,7 +1,11 @@
 /** @file floquet.h
  *  Stability of the closed loop about a periodic program: its period, and Floquet multipliers. Theory: docs/theory/floquet.md.
- *  In libgough-analyse. The linear state ξ is that of gough/linear.h. All functions may be called from several threads at once;
- *  outputs must not overlap inputs; an error argument may be NULL.
+ *  In libgough-analyse. The linear state ξ is that of gough/linear.h. An error argument may be NULL.
+ *
+ *  Accuracy: as each function says.
+ *  Overlap: outputs must not overlap inputs.
+ *  Threads: every function may be called from several threads at once, on distinct outputs, if LAPACK allows that, as usual
+ *  builds do.
  */
 #ifndef GOUGH_FLOQUET_H
 #define GOUGH_FLOQUET_H
@@ -25,7 +29,8 @@ typedef struct gough_period {
  *  ramps have died out. A program that comes to rest, as moves do, is reported as resting. Recorded motion needs its period
  *  given; the last period of the record is used.
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, or not with the period given; the sentence names the component and the
- *  difference, and suggests a remedy. Takes less than a millisecond. Allocates nothing. */
+ *  difference, and suggests a remedy. Takes less than a millisecond. Allocates nothing. A period found is
+ *  exact but for rounding; the start is where the program is periodic within 1e-12. */
 GOUGH_API gough_status gough_motion_period(const gough_motion *motion, gough_period *period,
                                            gough_error *error);
 
@@ -61,7 +66,8 @@ typedef struct gough_floquet {
  *  1e-15 … 1e-3; GOUGH_ERROR_NUMERICAL: the program passes a singular pose, more than 20000 steps a period, or without
  *  feed-forward no periodic motion was found near the program, (floquet-8); do not use @p floquet then.
  *  It takes about 20 ms for a period with a few oscillations of the platform, some tenths of a second without feed-forward.
- *  Allocates nothing. */
+ *  Allocates nothing. With the default tolerance multipliers are accurate to 1e-11 of the largest; two that are equal, as on the
+ *  unit circle without damping, only to the root of that. */
 GOUGH_API gough_status gough_floquet_multipliers(const gough_model *model,
                                                  const gough_period *period, double tolerance,
                                                  gough_floquet *floquet, gough_error *error);

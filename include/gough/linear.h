@@ -4,8 +4,12 @@
  *
  *  Linear state ξ = (δr, δθ, δv, δω), twelve numbers: displacement of the centre of mass, small rotation, and the changes of its
  *  velocity and of the angular velocity, all in base axes and in the units of the model, angles in radians. Disturbances are not
- *  part of the loop; here they are 0. All functions may be called from several threads at once; outputs must not overlap inputs;
- *  an error argument may be NULL. `name`s are UTF-8.
+ *  part of the loop; here they are 0. An error argument may be NULL. `name`s are UTF-8.
+ *
+ *  Accuracy: as each function says.
+ *  Overlap: outputs must not overlap inputs.
+ *  Threads: every function may be called from several threads at once, on distinct outputs, if LAPACK allows that, as usual
+ *  builds do.
  */
 #ifndef GOUGH_LINEAR_H
 #define GOUGH_LINEAR_H
@@ -22,7 +26,7 @@ enum { GOUGH_LINEAR = 12 };
  *  in a multiplier on the unit circle. */
 #define GOUGH_GROWTH_LIMIT 1e-7
 
-/** Numbers of the deviation ξ of a model's closed loop: 12 today, more where parts of the loop have states of their own. */
+/** How many numbers the deviation ξ of a model's loop has: 12 today, more where parts of the loop have states of their own. */
 GOUGH_API size_t gough_linear_size(const gough_model *model);
 
 /** ξ̇ = matrix · ξ, the closed loop linearised about a state at time t, (stab-13).
@@ -92,7 +96,8 @@ typedef struct gough_rest {
 /** The loop at rest in a pose.
  *
  *  Without feed-forward the equilibrium is found by applying the load gradually, starting from the requested pose, (stab-14).
- *  Without damping eigenvalues are exactly real or imaginary, (stab-15).
+ *  Without damping eigenvalues are exactly real or imaginary, (stab-15). Eigenvalues, stiffnesses and thresholds are accurate to
+ *  1e-10 of the largest of them, an equilibrium to 1e-11.
  *  @param component  surge … yaw from home of the point `about` of the motion, radians; NULL: home
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT: a component that is not finite; GOUGH_ERROR_NUMERICAL: singular pose, or no equilibrium
  *  found without feed-forward (the sentence names the pose where the search began); do not use @p rest then. Allocates nothing. */

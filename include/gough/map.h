@@ -4,8 +4,12 @@
  *  the grid. Theory: docs/theory/floquet.md. The bits are the same for any number of lanes and threads. In libgough-analyse.
  *
  *  A row of the map is one value of the second axis; without a second axis there is one row. If the program of a row is at rest,
- *  the row has growth rates at rest only. Numbers are in the units of the model. Functions may be called from several threads at
- *  once; an error argument may be NULL.
+ *  the row has growth rates at rest only. Numbers are in the units of the model. An error argument may be NULL.
+ *
+ *  Accuracy: that of gough_map_options.accuracy for multipliers, and of its `resolution` for the edges of intervals.
+ *  Overlap: the arrays of the map, memory and inputs must not overlap.
+ *  Threads: every function may be called from several threads at once, on distinct outputs, if LAPACK allows that, as usual
+ *  builds do. gough_map_find() starts threads of its own and waits for them.
  */
 #ifndef GOUGH_MAP_H
 #define GOUGH_MAP_H
@@ -137,7 +141,7 @@ GOUGH_API gough_status gough_map_size(const gough_model *model, const gough_map_
  *  @return GOUGH_OK, even if rows have no results, for example because the program is not periodic or passes a singular pose at
  *  that amplitude (see their errors); GOUGH_ERROR_INPUT for invalid options; GOUGH_ERROR_NUMERICAL if progress stopped it.
  *  Without feed-forward the periodic motion depends on G and must be found for each G: this is about a hundred times slower, and
- *  intervals are found on the grid only. */
+ *  intervals are found on the grid only. Multipliers and edges are as accurate as the options ask. */
 GOUGH_API gough_status gough_map_find(const gough_model *model, const gough_map_options *options,
                                       gough_map *map, void *memory, gough_error *error);
 

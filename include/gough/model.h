@@ -4,9 +4,12 @@
  *  Units: any consistent set (SI, or the dimensionless one of docs/theory/units.md); angles in radians.
  *  Frames: the base frame has x forward, y left, z up; at home the top frame is parallel to it, with its origin
  *  at (0, 0, height). A leg force is positive when it pushes the top away from the base. Legs are massless.
- *  All structs are plain data: fill, copy and share them freely. Nothing here allocates or keeps state, so every function may be
- *  called from several threads at once. Outputs must not overlap inputs, unless a function works in place. An error argument may
- *  be NULL.
+ *  All structs are plain data: fill, copy and share them freely. Nothing here allocates or keeps state. An error argument may be
+ *  NULL.
+ *
+ *  Accuracy: a few roundings of the largest number involved, unless a function says otherwise.
+ *  Overlap: outputs must not overlap inputs or each other, unless a function works in place.
+ *  Threads: every function may be called from several threads at once, on distinct outputs; inputs may be shared.
  */
 #ifndef GOUGH_MODEL_H
 #define GOUGH_MODEL_H
@@ -98,7 +101,10 @@ typedef struct gough_machine {
  *  A flat body (J_x + J_y = J_z within 1e-12) is accepted, and its vanishing second moment is set to 0.
  *  @param gravity       acceleration of free fall, base axes; {0, 0, −9.80665} for a machine that stands on the earth, in SI units;
  *                       may be zero
- *  @param[out] machine  copies of the arguments and the derived quantities; incomplete after an error */
+ *  @param[out] machine  copies of the arguments and the derived quantities; unchanged after an error
+ *
+ *  Accurate to 1e-14 of the largest inertia and length, and to 1e-12 times the condition number for home_condition. The platform
+ *  and load may be those in the machine itself. */
 GOUGH_API gough_status gough_machine_init(gough_machine *machine, const gough_platform *platform,
                                           const gough_load *load, const double gravity[3],
                                           gough_error *error);
@@ -189,7 +195,9 @@ GOUGH_API size_t gough_samples_scratch(size_t count);
 
 /** Computes the spline through the samples (motion-4), whose times need not be equally spaced: fills samples->curvature.
  *  @param scratch  gough_samples_scratch(samples->count) doubles, free again afterwards
- *  @return GOUGH_OK, or GOUGH_ERROR_INPUT: fewer than 2 rows, times that do not increase, or a number that is not finite. */
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT: fewer than 2 rows, times that do not increase, or a number that is not finite.
+ *
+ *  Exact for cubics but for rounding of the values, which second derivatives divide by the square of the interval between rows. */
 GOUGH_API gough_status gough_samples_prepare(const gough_samples *samples, double *scratch,
                                              gough_error *error);
 
@@ -209,7 +217,9 @@ typedef struct gough_unwrapping {
  *  @param half_turn  180 for angles in degrees, π for radians
  *  @param[out] done  what was changed
  *  @param size       sizeof(gough_unwrapping)
- *  @return as gough_platform_init(): GOUGH_OK whatever the rows; gough_samples_prepare() reports those that are not finite. */
+ *  @return as gough_platform_init(): GOUGH_OK whatever the rows; gough_samples_prepare() reports those that are not finite.
+ *
+ *  Rows that need no change keep their bits; whole and half turns are added to the others with a few roundings. */
 GOUGH_API gough_status gough_samples_make_continuous(size_t count, double *value, double half_turn,
                                                      gough_unwrapping *done, size_t size);
 
@@ -228,7 +238,7 @@ static inline gough_unwrapping gough_samples_unwrap(size_t count, double *value,
  *  @param[out] axes  for gough_samples_turn() and gough_samples.axes: of those tried, the axes about which the rows stay
  *                    farthest from the pole, a second angle of ±90°; (1, 0, 0, 0) if these are the axes of the base
  *  @return the least distance of a row from that pole, 0 to @p half_turn / 2, in the unit of the angles
- *  Takes time proportional to @p count. */
+ *  Takes time proportional to @p count. The distance is accurate to a few roundings of a half turn. */
 GOUGH_API double gough_samples_axes(size_t count, const double *value, double half_turn,
                                     double axes[4]);
 
@@ -237,7 +247,8 @@ GOUGH_API double gough_samples_axes(size_t count, const double *value, double ha
  *  gough_samples.axes. Zero angles stay zero.
  *  @param count,value,half_turn  as in gough_samples_axes()
  *  @param axes       a quaternion (w, x, y, z) of any length above 0
- *  Always succeeds. */
+ *  Always succeeds. The rotations are the same to a few roundings of the angles. Close to the pole of the new axes, single angles
+ *  lose digits. */
 GOUGH_API void gough_samples_turn(size_t count, double *value, double half_turn,
                                   const double axes[4]);
 
@@ -255,7 +266,8 @@ GOUGH_API size_t gough_samples_smooth_scratch(size_t count);
  *  @param cutoff     > 0, in cycles per unit of time; INFINITY changes nothing
  *  @param scratch    gough_samples_smooth_scratch() doubles
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with @p value unchanged: a number not finite, times not increasing, a cutoff not
- *  above 0. Takes time proportional to @p count. */
+ *  above 0. Takes time proportional to @p count. Accurate to 1e-6 of the largest value at any cutoff; rounding grows
+ *  with the number of rows in a period of the cutoff. */
 GOUGH_API gough_status gough_samples_low_pass(size_t count, const double *time, double *value,
                                               int component, double cutoff, double *scratch,
                                               gough_error *error);
@@ -265,8 +277,8 @@ GOUGH_API gough_status gough_samples_low_pass(size_t count, const double *time, 
  *  @param greatest     allowed change of any one value, in the same unit; INFINITY: any
  *  @param[out] cutoff  the cutoff found, in cycles per unit of time; INFINITY if even the weakest smoothing (two cycles
  *                      per row) changes more; then nothing is changed. Never below half a cycle per record.
- *  The other parameters and the errors are those of gough_samples_low_pass(). For values rounded to steps of q, the
- *  deviation is q/√12. */
+ *  The other parameters, the errors and the accuracy of the values are those of gough_samples_low_pass(). For values rounded to
+ *  steps of q, the deviation is q/√12. */
 GOUGH_API gough_status gough_samples_smooth(size_t count, const double *time, double *value,
                                             int component, double deviation, double greatest,
                                             double *cutoff, double *scratch, gough_error *error);

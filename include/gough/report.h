@@ -1,5 +1,9 @@
 /** @file report.h
  *  Figures of results as PNG, SVG or PDF, drawn by gnuplot, and the page. These functions run gnuplot and write files.
+ *
+ *  Accuracy: numbers on axes have the digits shown; lines of many rows are thinned, as gough_figure_draw() says.
+ *  Overlap: no memory is written.
+ *  Threads: functions may be called from several threads at once, on distinct files.
  */
 #ifndef GOUGH_REPORT_H
 #define GOUGH_REPORT_H

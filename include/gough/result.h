@@ -1,6 +1,10 @@
 /** @file result.h
  *  Results: tables in memory, written as HDF5 or CSV files that are complete or absent. These functions allocate and write files.
- *  Functions on distinct tables are safe to call concurrently, except with HDF5, whose library may be built for one thread only.
+ *
+ *  Accuracy: doubles keep their bits in HDF5, and in CSV, which has 17 digits; a change of units costs two roundings.
+ *  Overlap: nothing that a table owns may be passed where it is written.
+ *  Threads: functions may be called from several threads at once on distinct tables and files, except with HDF5, whose library
+ *  may be built for one thread only.
  */
 #ifndef GOUGH_RESULT_H
 #define GOUGH_RESULT_H
@@ -46,10 +50,11 @@ typedef enum gough_unit {
     GOUGH_UNIT_INERTIA
 } gough_unit;
 
-/** One unit of the output in units of the run; of angles 1, as for pure numbers. */
+/** One unit of the output in units of the run; of angles 1, as for pure numbers. Accurate to a few roundings. */
 GOUGH_API double gough_unit_size(const gough_units *units, gough_unit unit);
 
-/** What a number of the run is multiplied by to be in the units of the output; radians become degrees. */
+/** What a number of the run is multiplied by to be in the units of the output; radians become degrees. Accurate to a few
+ *  roundings. */
 GOUGH_API double gough_unit_factor(const gough_units *units, gough_unit unit);
 
 /** Name of a unit in tables: "m/s2", "N m", "degree", "1"; without dimensions "degree" for all angles and else "1". */
@@ -136,7 +141,7 @@ GOUGH_API gough_table *gough_table_new(const char *title, const char *verb, size
                                        size_t rows);
 
 /** Names a column and its unit ("" or "1": none).
- *  @return its numbers, to be filled; NULL if out of memory */
+ *  @return its numbers, to be filled, which are written with all their digits; NULL if out of memory */
 GOUGH_API double *gough_table_name(gough_table *table, size_t column, const char *name,
                                    const char *unit);
 
@@ -147,7 +152,7 @@ GOUGH_API double *gough_table_name(gough_table *table, size_t column, const char
 GOUGH_API gough_status gough_table_write(const gough_table *table, const char *study,
                                          const char *path, gough_error *error);
 
-/** Column by name; NULL if absent. */
+/** Numbers of a column by its name, with all digits of the file; NULL if absent. */
 GOUGH_API const double *gough_table_column(const gough_table *table, const char *name);
 
 /** Writes bytes to a file that is complete or absent: writes a temporary file beside it, checks write, fsync and close, then

@@ -3,7 +3,11 @@
  *  headers (names.h), and functions such as gough_simulation_default() pass the size of what they return. Other languages, which
  *  declare the structs anew, compare their sizes with gough_struct_size().
  *
- *  Safe to call concurrently; nothing is allocated. An error argument may be NULL.
+ *  An error argument may be NULL.
+ *
+ *  Accuracy: sizes are exact.
+ *  Overlap: arguments do not overlap.
+ *  Threads: every function may be called from several threads at once; nothing is allocated.
  */
 #ifndef GOUGH_SIZES_H
 #define GOUGH_SIZES_H

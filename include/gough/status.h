@@ -1,5 +1,9 @@
 /** @file status.h
  *  Status of a call, the error as a sentence, and how a run ended.
+ *
+ *  Accuracy: no numbers are computed; sentences show numbers with the digits of their formats.
+ *  Overlap: arguments must not lie in the error or text that is written.
+ *  Threads: every function may be called from several threads at once, on distinct errors and texts.
  */
 #ifndef GOUGH_STATUS_H
 #define GOUGH_STATUS_H

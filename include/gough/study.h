@@ -1,5 +1,9 @@
 /** @file study.h
  *  Study files: reads YAML and returns a validated model, or every error with its place. These functions allocate and read files.
+ *
+ *  Accuracy: numbers of a file are read to the nearest double; angles are then converted to radians.
+ *  Overlap: nothing that a study owns may be passed where it is written.
+ *  Threads: functions may be called from several threads at once, on distinct studies; a study that is not changed may be shared.
  */
 #ifndef GOUGH_STUDY_H
 #define GOUGH_STUDY_H

@@ -2,6 +2,11 @@
  *  Many runs of one study with different numbers, as given in the section `sweep` of a study file. They run in lanes and threads,
  *  and a sweep that was killed resumes from its file. Runs are numbered from 1. The bytes are the same for any number of lanes,
  *  threads and shards.
+ *
+ *  Accuracy: that of gough_batch() for each run; swept values are the same bits as when they are read as settings.
+ *  Overlap: outputs must not overlap inputs.
+ *  Threads: a sweep may be shared by threads; a maker is for one thread at a time, and a file for one call. gough_sweep_run() and
+ *  gough_sweep_write() start threads of their own and wait for them.
  */
 #ifndef GOUGH_SWEEP_H
 #define GOUGH_SWEEP_H
@@ -67,7 +72,7 @@ GOUGH_API uint64_t gough_sweep_seed(const gough_sweep *sweep);
 GOUGH_API const gough_sweep_key *gough_sweep_keys(const gough_sweep *sweep, size_t *count);
 
 /** Values of a run, in the units of the study file (angles in degrees). In a product the last key changes fastest. The n-th
- *  distribution from 0 draws gough_random_uniform() or gough_random_normal() of (seed, run, n). */
+ *  distribution from 0 draws gough_random_uniform() or gough_random_normal() of (seed, run, n). The ends of grids are exact. */
 GOUGH_API void gough_sweep_values(const gough_sweep *sweep, size_t run, double *value);
 
 enum { GOUGH_SWEEP_TEXT = 32 };

@@ -1,6 +1,10 @@
 /** @file text.h
  *  Text: the grammar of decimal numbers, common to study files, tables and the command line; UTF-8; and escapes that make any
  *  text safe to print in messages and summaries.
+ *
+ *  Accuracy: numbers are read to the nearest double; counts are exact.
+ *  Overlap: outputs must not overlap the text.
+ *  Threads: every function may be called from several threads at once; the locale has no influence and nothing is allocated.
  */
 #ifndef GOUGH_TEXT_H
 #define GOUGH_TEXT_H

@@ -2,14 +2,18 @@
  *  Choosing the feedback: the least stiffness G, the same in all legs, with which the nonlinear run stays within an accuracy, is
  *  stable and is clear of resonances, and the damping D that goes with it. Theory: docs/theory/tuning.md. In libgough-analyse.
  *
- *  Numbers are in the units of the model, angles in radians. Functions may be called from several threads at once; an error
- *  argument may be NULL.
+ *  Numbers are in the units of the model, angles in radians. An error argument may be NULL.
+ *
+ *  Accuracy: as each function says.
+ *  Overlap: outputs and memory must not overlap each other or inputs.
+ *  Threads: every function may be called from several threads at once, on distinct outputs, if LAPACK allows that, as usual
+ *  builds do. gough_tune() starts threads of its own and waits for them.
  */
 #ifndef GOUGH_TUNE_H
 #define GOUGH_TUNE_H
 
-#include "gough/floquet.h"
 #include "gough/batch.h"
+#include "gough/floquet.h"
 #include "gough/map.h"
 
 #ifdef __cplusplus

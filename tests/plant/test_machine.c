@@ -28,11 +28,14 @@ static gough_machine machine_of(const gough_platform *p, const gough_load *l) {
 
 static void refused(const gough_platform *p, const gough_load *l, const double gravity[3],
                     const char *sentence) {
-    gough_machine m;
+    gough_machine m, before;
     gough_error error = {.message = ""};
+    memset(&m, 7, sizeof m);
+    memcpy(&before, &m, sizeof m);
     ck_assert_msg(gough_machine_init(&m, p, l, gravity, &error) == GOUGH_ERROR_INPUT,
                   "accepted, for all that: %s", sentence);
     ck_assert_msg(strstr(error.message, sentence) != NULL, "%s", error.message);
+    ck_assert_int_eq(memcmp(&m, &before, sizeof m), 0);
 }
 
 /* ---- principal axes ---- */

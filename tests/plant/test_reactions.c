@@ -159,6 +159,54 @@ static vec generalised(const scene *s, const double axis_in_top[3], vec axis) {
     return Q;
 }
 
+/* Euler: J α = moments − ω × J ω, solved by Cramer's rule in the top frame; and the moments' size */
+static vec angular_acceleration(const scene *s, double *moments) {
+    const vec w = at(s->state.angular_velocity), none = {{0, 0, 0}};
+    const double *inertia = s->machine.load.inertia[0];
+    vec turning = at(s->external.moment);
+    *moments = size(turning) + size(spin(s, w, none));
+    for (int v = 0; v < 6; v++) {
+        const vec arm = sum(s->joint[v], times(-1, sum(at(s->state.position), s->center)));
+        turning = sum(turning, outer(arm, times(s->force[v], s->direction[v])));
+        *moments += fabs(s->force[v]) * size(arm);
+    }
+    const vec rest = apply_back(s->state.rotation[0], sum(turning, times(-1, spin(s, w, none))));
+    const vec J[3] = {at(inertia), at(inertia + 3), at(inertia + 6)};
+    const double det = inner(J[0], outer(J[1], J[2]));
+    return apply(s->state.rotation[0], sum(times(rest.x[0] / det, outer(J[1], J[2])),
+                                           sum(times(rest.x[1] / det, outer(J[2], J[0])),
+                                               times(rest.x[2] / det, outer(J[0], J[1])))));
+}
+
+START_TEST(forces_accelerate_as_newton_and_euler_say) {
+    dice d = {seed + 3};
+    double worst[2] = {0, 0};
+    for (int n = 0; n < CASES; n++) {
+        const scene s = random_scene(&d);
+        gough_acceleration a;
+        double moments, forces = size(at(s.external.force));
+        ck_assert_int_eq(gough_forward_dynamics(&s.machine, &s.state, s.force, &s.external, &a),
+                         GOUGH_OK);
+        vec want = sum(at(s.machine.gravity), times(1 / s.machine.load.mass, at(s.external.force)));
+        for (int v = 0; v < 6; v++) {
+            want = sum(want, times(s.force[v] / s.machine.load.mass, s.direction[v]));
+            forces += fabs(s.force[v]);
+        }
+        const vec alpha = angular_acceleration(&s, &moments);
+        const double scale = moments / 0.1; /* the least moment of inertia */
+        const double off[2] = {size(sum(center_acceleration(&s, &a), times(-1, want))) /
+                                   (forces / s.machine.load.mass + scale),
+                               size(sum(at(a.angular), times(-1, alpha))) / scale};
+        for (int k = 0; k < 2; k++) {
+            ck_assert_msg(off[k] <= 1e-14, "seed %llu, case %d: %g", (unsigned long long)(seed + 3),
+                          n, off[k]);
+            worst[k] = fmax(worst[k], off[k]);
+        }
+    }
+    printf("accelerations: %.1e and %.1e of what the legs give\n", worst[0], worst[1]);
+}
+END_TEST
+
 START_TEST(reactions_close_the_equations_of_the_axes) {
     static const int pair[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
     dice d = {seed + 1};
@@ -166,24 +214,11 @@ START_TEST(reactions_close_the_equations_of_the_axes) {
         const scene s = random_scene(&d);
         const vec w = at(s.state.angular_velocity);
         const gough_machine *m = &s.machine;
-        double reactions[6], in_top[3][3];
-        vec e[3], Q[3], turning = at(s.external.moment), alpha = {{0, 0, 0}};
+        double reactions[6], in_top[3][3], moments;
+        vec e[3], Q[3];
         ck_assert_int_eq(gough_reactions(m, &s.state, s.force, &s.external, reactions), GOUGH_OK);
 
-        /* Euler: J α = moments − ω × J ω, solved by Cramer's rule in the top frame */
-        for (int v = 0; v < 6; v++) {
-            const vec arm = sum(s.joint[v], times(-1, sum(at(s.state.position), s.center)));
-            turning = sum(turning, outer(arm, times(s.force[v], s.direction[v])));
-        }
-        const vec rest =
-            apply_back(s.state.rotation[0], sum(turning, times(-1, spin(&s, w, alpha))));
-        const vec J[3] = {at(m->load.inertia[0]), at(m->load.inertia[1]), at(m->load.inertia[2])};
-        const double det = inner(J[0], outer(J[1], J[2]));
-        const vec own = sum(times(rest.x[0] / det, outer(J[1], J[2])),
-                            sum(times(rest.x[1] / det, outer(J[2], J[0])),
-                                times(rest.x[2] / det, outer(J[0], J[1]))));
-        alpha = apply(s.state.rotation[0], own);
-
+        const vec alpha = angular_acceleration(&s, &moments);
         for (int a = 0; a < 3; a++) {
             for (int c = 0; c < 3; c++) in_top[a][c] = m->principal_axes[c][a];
             e[a] = apply(s.state.rotation[0], at(in_top[a]));
@@ -194,8 +229,7 @@ START_TEST(reactions_close_the_equations_of_the_axes) {
                 const int a = pair[k][mirror], b = pair[k][1 - mirror];
                 const vec second = sum(outer(alpha, e[a]), outer(w, outer(w, e[a])));
                 const double want = m->second_moments[a] * inner(second, e[b]) - inner(Q[a], e[b]);
-                /* forces of 2 on arms of 0.6, times roundings and the ratio of second moments */
-                ck_assert_msg(fabs(reactions[k] - want) <= 1e-12,
+                ck_assert_msg(fabs(reactions[k] - want) <= 1e-14 * moments,
                               "seed %llu, case %d, reaction %d: %.17g, not %.17g",
                               (unsigned long long)(seed + 1), n, k, reactions[k], want);
             }
@@ -221,7 +255,8 @@ START_TEST(a_force_at_the_centre_of_mass_has_no_reactions) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("plant/reactions", 60, the_base_carries_weight_load_and_inertia,
+    return SUITE_RUN("plant/reactions", 60, forces_accelerate_as_newton_and_euler_say,
+                     the_base_carries_weight_load_and_inertia,
                      reactions_close_the_equations_of_the_axes,
                      a_force_at_the_centre_of_mass_has_no_reactions);
 }
