@@ -134,6 +134,24 @@ static inline number looks_bound(const number y[QUADRATURE_ROWS]) {
            number_of(0.071) * (number_magnitude(first) + number_magnitude(second));
 }
 
+/* Whether the polynomial of one of some columns may be above the peak in a lane. Where looks in the middle of four do not turn,
+ * peak_between() finds nothing. All columns are asked at once, without a branch for each, which mostly settles it. */
+static inline int looks_reach(const looks_interval *f, int column, int columns, number sign,
+                              number peak) {
+    const number none = number_of(0), all = number_of(1);
+    number most = none;
+
+    if (!f->middle) return 1;
+    for (int c = column; c < column + columns; c++) {
+        number y[QUADRATURE_ROWS];
+        for (int i = 0; i < QUADRATURE_ROWS; i++) y[i] = sign * f->row[i][c];
+        const number bends = (y[1] - y[0]) * (y[3] - y[2]);
+        const number over = f->even ? looks_bound(y) - peak : all;
+        most = number_larger(most, number_select(number_greater(none, bends), over, none));
+    }
+    return number_any(number_greater(most, none));
+}
+
 /* Raises a peak to those of some columns between look a and the next, in the lanes where the polynomial may be above it, whatever
  * the others do. */
 static inline void looks_peaks_of(looks *l, number heard, int column, int columns, number sign,
@@ -141,10 +159,11 @@ static inline void looks_peaks_of(looks *l, number heard, int column, int column
     const number half = number_of(0.5), none = number_of(0);
     number y[QUADRATURE_ROWS], s;
 
+    if (!looks_reach(f, column, columns, sign, *peak)) return;
     for (int c = column; c < column + columns; c++) {
         number near = heard;
         for (int i = 0; i < QUADRATURE_ROWS; i++) y[i] = f->row[i][c];
-        if (f->middle) { /* where the looks do not turn, peak_between() finds none */
+        if (f->middle) {
             const number bends = (y[1] - y[0]) * (y[3] - y[2]);
             near = number_select(number_greater(none, bends), heard, none);
         }

@@ -24,7 +24,7 @@ static inline void rotation_jets(jet roll, jet pitch, jet yaw, jet R[3][3]) {
 }
 
 /* (motion-1) inverted: roll, pitch and yaw; the root keeps pitch exact near ±90° where an arc sine would lose half its digits */
-static inline void rotation_angle_jets(const jet R[3][3], jet angle[3]) {
+KERNEL_INLINE void rotation_angle_jets(const jet R[3][3], jet angle[3]) {
     const jet squares = jet_add(jet_multiply(R[0][0], R[0][0]), jet_multiply(R[1][0], R[1][0]));
 
     angle[0] = jet_atan2(R[2][1], R[2][2]);
