@@ -1,12 +1,9 @@
-/* The summary of forces and simulate as JSON: the same keys in the same order always; null where there is no number. */
-#include <jansson.h>
+/* Numbers that may not be finite and sentences that may be cut, as JSON; and how objects are printed. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/common/json.h"
-#include "cli/run/limits_used.h"
-#include "cli/run/run_report.h"
 
 /* Of all objects printed: within a format keys are added, never changed (docs/guide/json.md). */
 enum { FORMAT = 1 };
@@ -28,6 +25,18 @@ json_t *json_numbers(const double *value, size_t count) {
     return array;
 }
 
+void json_set_members(json_t *json, const void *object, const scaled_member *member, size_t count) {
+    for (size_t m = 0; m < count; m++) {
+        if (!member[m].key) continue;
+        const double *value =
+            object ? (const double *)(const void *)((const char *)object + member[m].at) : NULL;
+        json_object_set_new(json, member[m].key,
+                            !value                ? json_null()
+                            : member[m].count > 1 ? json_numbers(value, member[m].count)
+                                                  : json_number(*value));
+    }
+}
+
 int json_print(json_t *object) {
     json_t *whole = json_object();
     json_object_set_new(whole, "format", json_integer(FORMAT));
@@ -39,100 +48,3 @@ int json_print(json_t *object) {
     json_decref(object);
     return failed ? -1 : 0;
 }
-
-static json_t *pair(double least, double greatest) {
-    return json_numbers((double[]){least, greatest}, 2);
-}
-
-static json_t *leg_object(const run_report *report, const gough_leg_summary *leg) {
-    json_t *object = json_object(), *swing = json_object();
-    const double stroke = report->stroke[1] - report->stroke[0];
-    const int limited = report->stroke[0] > 0 && isfinite(stroke);
-    json_object_set_new(object, "length", pair(leg->length_min, leg->length_max));
-    json_object_set_new(object, "speed", json_number(leg->speed));
-    json_object_set_new(object, "force", pair(leg->force_min, leg->force_max));
-    json_object_set_new(object, "rms_force", json_number(leg->rms_force));
-    json_object_set_new(object, "power", pair(leg->power_min, leg->power_max));
-    json_object_set_new(object, "energy", json_number(leg->energy));
-    json_object_set_new(swing, "base", json_number(leg->swing_base));
-    json_object_set_new(swing, "top", json_number(leg->swing_top));
-    json_object_set_new(object, "swing", swing);
-    json_object_set_new(object, "stroke_used",
-                        limited ? json_number((leg->length_max - leg->length_min) / stroke)
-                                : json_null());
-    return object;
-}
-
-static json_t *limits_array(const run_report *report) {
-    limit_use use[MOST_LIMITS];
-    const int count = limits_used(report, use);
-    json_t *array = json_array();
-    for (int i = 0; i < count; i++) {
-        const limit_use *u = &use[i];
-        json_t *object = json_object();
-        json_object_set_new(object, "leg", json_integer(u->leg));
-        json_object_set_new(object, "kind", json_string(gough_cause_name(u->kind)));
-        json_object_set_new(object, "limit", json_number(u->limit));
-        json_object_set_new(object, "worst", json_number(u->worst));
-        json_object_set_new(object, "share", json_number(u->share));
-        json_object_set_new(object, "count", json_integer((json_int_t)u->count));
-        json_object_set_new(object, "enter", json_number(u->enter));
-        json_object_set_new(object, "leave", json_number(u->leave));
-        json_object_set_new(object, "worst_time", json_number(u->worst_time));
-        json_array_append_new(array, object);
-    }
-    return array;
-}
-
-static json_t *legs_array(unsigned legs) {
-    json_t *array = json_array();
-    for (int v = 0; v < GOUGH_LEGS; v++)
-        if (legs >> v & 1) json_array_append_new(array, json_integer(v + 1));
-    return array;
-}
-
-static json_t *statistics_object(const gough_statistics *s) {
-    json_t *object = json_object(), *stiff = json_null();
-    if (s->stiff_rate > 0) {
-        stiff = json_object();
-        json_object_set_new(stiff, "time", json_number(s->stiff_time));
-        json_object_set_new(stiff, "rate", json_number(s->stiff_rate));
-    }
-    json_object_set_new(object, "steps", json_integer(s->steps));
-    json_object_set_new(object, "rejected", json_integer(s->rejected));
-    json_object_set_new(object, "evaluations", json_integer(s->evaluations));
-    json_object_set_new(object, "stiff", stiff);
-    return object;
-}
-
-json_t *run_report_json(const run_report *report) {
-    const gough_summary *s = &report->summary;
-    const gough_end *ended = &report->end;
-    json_t *object = json_object(), *end = json_object(), *deviation = json_object();
-    json_t *legs = json_array();
-
-    json_object_set_new(end, "status", json_string(gough_cause_name(ended->cause)));
-    json_object_set_new(end, "time", json_number(ended->time));
-    json_object_set_new(end, "leg", ended->leg ? json_integer(ended->leg) : json_null());
-    json_object_set_new(end, "message", json_words(ended->message));
-    json_object_set_new(end, "legs", legs_array(ended->legs));
-    json_object_set_new(end, "limit", json_number(ended->leg ? ended->limit : NAN));
-    for (int i = 0; i < GOUGH_LEGS; i++)
-        json_array_append_new(legs, leg_object(report, &s->leg[i]));
-    json_object_set_new(deviation, "position", json_number(s->position_deviation));
-    json_object_set_new(deviation, "angle", json_number(s->angle_deviation));
-
-    json_object_set_new(object, "verb", json_string(report->verb));
-    json_object_set_new(object, "title", json_words(report->study->title));
-    json_object_set_new(object, "end", end);
-    json_object_set_new(object, "legs", legs);
-    json_object_set_new(object, "condition", json_number(s->condition));
-    json_object_set_new(object, "deviation", deviation);
-    json_object_set_new(object, "drift", json_number(report->simulated ? s->drift : NAN));
-    json_object_set_new(object, "limits", limits_array(report));
-    json_object_set_new(object, "statistics",
-                        report->simulated ? statistics_object(&report->statistics) : json_null());
-    return object;
-}
-
-int run_report_print_json(const run_report *report) { return json_print(run_report_json(report)); }

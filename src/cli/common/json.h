@@ -4,12 +4,19 @@
 
 #include <jansson.h>
 
-#include "cli/run/run_report.h"
+#include "cli/common/scale.h"
+#include "gough/gough.h"
 
 /* null for NaN and infinities, which JSON does not have */
 json_t *json_number(double value);
 json_t *json_numbers(const double *value, size_t count);
 json_t *json_words(const char *text);
+
+/* The members of a struct that have a key in the table, in its order; null for all of them without an object. */
+void json_set_members(json_t *json, const void *object, const scaled_member *member, size_t count);
+
+#define JSON_SET(json, object, table)                                                              \
+    json_set_members(json, object, table, sizeof(table) / sizeof *(table))
 
 /* ---- json_field.c: values of a study by the table of fields, angles in radians ---- */
 
@@ -18,9 +25,6 @@ json_t *json_field(const gough_study *study, const char *path);
 
 /* All keys directly in a section such as "control", by their names. */
 json_t *json_section(const gough_study *study, const char *section);
-
-/* The summary of forces and simulate. */
-json_t *run_report_json(const run_report *report);
 
 /* Prints on standard output and lets go of the object. Returns 0, or -1 when out of memory or the output fails. */
 int json_print(json_t *object);

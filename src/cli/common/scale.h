@@ -12,11 +12,19 @@ typedef struct scaled_member {
     size_t at;
     size_t count;
     gough_unit unit;
+    const char *key; /* in JSON (json_set_members()); NULL: not there */
 } scaled_member;
 
 /* a member that is a double or an array of them */
 #define SCALED(type, member, what)                                                                 \
-    { offsetof(type, member), sizeof(((type *)0)->member) / sizeof(double), GOUGH_UNIT_##what }
+    {                                                                                              \
+        offsetof(type, member), sizeof(((type *)0)->member) / sizeof(double), GOUGH_UNIT_##what,   \
+            NULL                                                                                   \
+    }
+
+/* the same with its key in JSON */
+#define KEYED(type, member, what, key)                                                             \
+    { offsetof(type, member), sizeof(((type *)0)->member) / sizeof(double), GOUGH_UNIT_##what, key }
 
 /* Scales the members of a struct that a table names. */
 void scale_members(void *object, const scaled_member *member, size_t count,

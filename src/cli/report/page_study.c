@@ -8,6 +8,7 @@
 #include "cli/common/memory.h"
 #include "cli/common/talk.h"
 #include "cli/report/page_study.h"
+#include "cli/run/run_report.h"
 #include "cli/stability/stability_report.h"
 
 /* 3 bytes to 4 characters, the last group filled up with '=' */

@@ -4,13 +4,18 @@
 
 #include <math.h>
 
+#define LIMIT(member) offsetof(gough_platform, member)
+
 static const struct {
     gough_cause cause;
     const char *name;
-} kinds[LIMIT_KINDS] = {{GOUGH_END_LEG_SHORT, "least length"},
-                        {GOUGH_END_LEG_LONG, "greatest length"},
-                        {GOUGH_END_LEG_SPEED, "greatest speed"},
-                        {GOUGH_END_LEG_FORCE, "greatest force"}};
+    gough_unit unit;
+    size_t at; /* in the platform */
+} kinds[LIMIT_KINDS] = {
+    {GOUGH_END_LEG_SHORT, "least length", GOUGH_UNIT_LENGTH, LIMIT(length_min)},
+    {GOUGH_END_LEG_LONG, "greatest length", GOUGH_UNIT_LENGTH, LIMIT(length_max)},
+    {GOUGH_END_LEG_SPEED, "greatest speed", GOUGH_UNIT_SPEED, LIMIT(speed_max)},
+    {GOUGH_END_LEG_FORCE, "greatest force", GOUGH_UNIT_FORCE, LIMIT(force_max)}};
 
 static const char *kind_name(gough_cause cause) {
     for (int k = 0; k < LIMIT_KINDS; k++)
@@ -18,19 +23,21 @@ static const char *kind_name(gough_cause cause) {
     return gough_cause_name(cause);
 }
 
-static const char *kind_unit(gough_cause cause, const gough_units *unit) {
-    if (cause == GOUGH_END_LEG_SPEED) return unit_word(unit, GOUGH_UNIT_SPEED);
-    return cause == GOUGH_END_LEG_FORCE ? unit_word(unit, GOUGH_UNIT_FORCE)
-                                        : unit_word(unit, GOUGH_UNIT_LENGTH);
+gough_unit limit_unit(gough_cause cause) {
+    for (int k = 0; k < LIMIT_KINDS; k++)
+        if (kinds[k].cause == cause) return kinds[k].unit;
+    return GOUGH_UNIT_LENGTH;
 }
 
-/* in the units of the output; 0 or INFINITY: none */
-static double limit_of(const run_report *report, gough_cause cause) {
-    const gough_platform *p = &report->study->model->machine.platform;
-    return limit_factor(cause, &report->units) * (cause == GOUGH_END_LEG_SHORT   ? p->length_min
-                                                  : cause == GOUGH_END_LEG_LONG  ? p->length_max
-                                                  : cause == GOUGH_END_LEG_SPEED ? p->speed_max
-                                                                                 : p->force_max);
+static const char *kind_unit(gough_cause cause, const gough_units *unit) {
+    return unit_word(unit, limit_unit(cause));
+}
+
+/* of one of the kinds, in the units of the output; 0 or INFINITY: none */
+static double limit_of(const run_report *report, int kind) {
+    const char *platform = (const char *)&report->study->model->machine.platform;
+    const double limit = *(const double *)(const void *)(platform + kinds[kind].at);
+    return gough_unit_factor(&report->units, kinds[kind].unit) * limit;
 }
 
 /* the value of a leg that is nearest to its limit, or furthest beyond */
@@ -77,7 +84,7 @@ int limits_used(const run_report *report, limit_use use[MOST_LIMITS]) {
     if (report->summary.rows == 0) return 0;
     for (int k = 0; k < LIMIT_KINDS; k++) {
         const gough_cause cause = kinds[k].cause;
-        const double limit = limit_of(report, cause);
+        const double limit = limit_of(report, k);
         if (!(limit > 0) || !isfinite(limit)) continue;
         for (int v = 0; v < GOUGH_LEGS; v++) {
             limit_use *u = &use[count++];

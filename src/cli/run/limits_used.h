@@ -20,6 +20,9 @@ typedef struct limit_use {
     double worst_time; /* of an excess; NaN: never exceeded */
 } limit_use;
 
+/* What a limit of this cause measures; a length for causes that are no limit. */
+gough_unit limit_unit(gough_cause cause);
+
 /* Those that the study gives, kind by kind; returns how many. The report is scaled. */
 int limits_used(const run_report *report, limit_use use[MOST_LIMITS]);
 

@@ -2,8 +2,8 @@
 #include "cli/run/run_report.h"
 #include "cli/common/talk.h"
 
-#include "cli/common/leg_table.h"
 #include "cli/common/scale.h"
+#include "cli/run/leg_quantities.h"
 #include "cli/run/limits_used.h"
 
 #include <math.h>
@@ -11,14 +11,6 @@
 
 /* a step of the stepper may be this long for a decay of rate 1, (step-8) */
 static const double stiff_reach = 6.1;
-
-static const scaled_member leg_members[] = {
-    SCALED(gough_leg_summary, length_min, LENGTH), SCALED(gough_leg_summary, length_max, LENGTH),
-    SCALED(gough_leg_summary, speed, SPEED),       SCALED(gough_leg_summary, force_min, FORCE),
-    SCALED(gough_leg_summary, force_max, FORCE),   SCALED(gough_leg_summary, rms_force, FORCE),
-    SCALED(gough_leg_summary, power_min, POWER),   SCALED(gough_leg_summary, power_max, POWER),
-    SCALED(gough_leg_summary, energy, ENERGY),     SCALED(gough_leg_summary, swing_base, ANGLE),
-    SCALED(gough_leg_summary, swing_top, ANGLE)};
 
 static const scaled_member summary_members[] = {
     SCALED(gough_summary, first_time, TIME),      SCALED(gough_summary, last_time, TIME),
@@ -34,22 +26,16 @@ static const scaled_member report_members[] = {SCALED(run_report, statistics.sti
                                                SCALED(run_report, statistics.stiff_rate, RATE),
                                                SCALED(run_report, stroke, LENGTH)};
 
-double limit_factor(gough_cause cause, const gough_units *u) {
-    return gough_unit_factor(u, cause == GOUGH_END_LEG_SPEED   ? GOUGH_UNIT_SPEED
-                                : cause == GOUGH_END_LEG_FORCE ? GOUGH_UNIT_FORCE
-                                                               : GOUGH_UNIT_LENGTH);
-}
-
 static void scale_crossing(gough_crossing *crossing, const gough_units *u) {
     SCALE(crossing, crossing_members, u);
-    crossing->worst *= limit_factor(crossing->cause, u);
+    crossing->worst *= gough_unit_factor(u, limit_unit(crossing->cause));
 }
 
 /* time and limit in the output's units, and the sentence with them */
 static void scale_end(gough_end *end, const gough_units *u) {
     const gough_units *unit = u;
     end->time *= gough_unit_factor(u, GOUGH_UNIT_TIME);
-    end->limit *= limit_factor(end->cause, u);
+    end->limit *= gough_unit_factor(u, limit_unit(end->cause));
     gough_end_say(end, unit_word(unit, GOUGH_UNIT_LENGTH), unit_word(unit, GOUGH_UNIT_SPEED),
                   unit_word(unit, GOUGH_UNIT_FORCE), unit_word(unit, GOUGH_UNIT_TIME));
 }
@@ -102,7 +88,7 @@ void run_report_scale(run_report *report) {
     const gough_units *u = &report->units;
     gough_summary *s = &report->summary;
     if (s->rows == 0) leave_blank(s);
-    for (int i = 0; i < GOUGH_LEGS; i++) SCALE(&s->leg[i], leg_members, u);
+    for (int i = 0; i < GOUGH_LEGS; i++) leg_scale(&s->leg[i], u);
     SCALE(s, summary_members, u);
     scale_end(&report->end, u);
     for (size_t i = 0; i < report->crossings.count; i++)
@@ -112,94 +98,13 @@ void run_report_scale(run_report *report) {
     SCALE(report, report_members, u);
 }
 
-static double peak(double least, double greatest) { return fmax(fabs(least), fabs(greatest)); }
-
-/* Share of the stroke that a leg uses, in percent; NaN where the legs' lengths are not limited on both sides. */
-static double stroke_share(const run_report *report, double used) {
+/* The stroke that the legs have, if it is limited on both sides. */
+static void print_stroke(FILE *stream, const run_report *report) {
     const double *stroke = report->stroke;
-    if (!(stroke[0] > 0) || !isfinite(stroke[1]) || !(stroke[1] > stroke[0])) return NAN;
-    return 100 * used / (stroke[1] - stroke[0]);
-}
-
-/* A column of its own: its name over its unit, or its name alone. */
-static table_column lone_column(const char *name, const table_heading *unit) {
-    return *unit->text ? (table_column){name, unit->text, {0}, 5}
-                       : (table_column){"", name, {0}, 5};
-}
-
-static void print_strokes(FILE *stream, const run_report *report, const gough_units *unit) {
-    const table_heading length = heading_of("length", unit_word(unit, GOUGH_UNIT_LENGTH));
-    const table_heading speed = heading_of("", unit_word(unit, GOUGH_UNIT_SPEED));
-    table_column column[] = {{length.text, "least", {0}, 6},    {length.text, "greatest", {0}, 6},
-                             {length.text, "used", {0}, 6},     {"stroke", "used %", {0}, 3},
-                             lone_column("peak speed", &speed), {"swing [deg] at", "base", {0}, 4},
-                             {"swing [deg] at", "top", {0}, 4}, {0}};
-    enum { LEAST, GREATEST, USED, SHARE, SPEED, BASE, TOP, COLUMNS };
-    for (int c = 0; c < COLUMNS; c++) column[c].value[GOUGH_LEGS] = c == LEAST ? INFINITY : 0;
-    for (int i = 0; i < GOUGH_LEGS; i++) {
-        const gough_leg_summary *leg = &report->summary.leg[i];
-        const double used = leg->length_max - leg->length_min;
-        const double row[COLUMNS] = {
-            leg->length_min, leg->length_max, used,          stroke_share(report, used),
-            leg->speed,      leg->swing_base, leg->swing_top};
-        for (int c = 0; c < COLUMNS; c++) {
-            double *all = &column[c].value[GOUGH_LEGS];
-            column[c].value[i] = row[c];
-            *all = c == LEAST ? fmin(*all, row[c]) : fmax(*all, row[c]);
-        }
-    }
-    const bool limited = isfinite(stroke_share(report, 0));
-    if (!limited)
-        for (int c = SHARE; c < COLUMNS; c++) column[c] = column[c + 1];
-    table_print(stream, column, true);
-    if (limited)
+    const char *unit = unit_word(&report->units, GOUGH_UNIT_LENGTH);
+    if (isfinite(leg_stroke_share(report, &report->summary.leg[0])))
         fprintf(stream, "  stroke      %.6g%s available, from %.6g to %.6g%s\n",
-                report->stroke[1] - report->stroke[0], unit_word(unit, GOUGH_UNIT_LENGTH),
-                report->stroke[0], report->stroke[1], unit_word(unit, GOUGH_UNIT_LENGTH));
-}
-
-/* time integrals are right to this share of the largest power times the time */
-static const double INTEGRAL_ERROR = 1e-8;
-
-static void print_loads(FILE *stream, const run_report *report, const gough_units *unit) {
-    const table_heading force = heading_of("force", unit_word(unit, GOUGH_UNIT_FORCE)),
-                        power = heading_of("power", unit_word(unit, GOUGH_UNIT_POWER));
-    const table_heading energy = heading_of("", unit_word(unit, GOUGH_UNIT_ENERGY));
-    table_column column[] = {{force.text, "least", {0}, 5},  {force.text, "greatest", {0}, 5},
-                             {force.text, "peak", {0}, 5},   {force.text, "RMS", {0}, 5},
-                             {power.text, "least", {0}, 5},  {power.text, "greatest", {0}, 5},
-                             lone_column("energy", &energy), {0}};
-    enum { LEAST, GREATEST, PEAK, RMS, POWER_LEAST, POWER_GREATEST, ENERGY, COLUMNS };
-    for (int c = 0; c < COLUMNS; c++)
-        column[c].value[GOUGH_LEGS] = c == LEAST || c == POWER_LEAST ? INFINITY : -INFINITY;
-    column[ENERGY].value[GOUGH_LEGS] = 0;
-    for (int i = 0; i < GOUGH_LEGS; i++) {
-        const gough_leg_summary *leg = &report->summary.leg[i];
-        const double row[COLUMNS] = {
-            leg->force_min, leg->force_max, peak(leg->force_min, leg->force_max),
-            leg->rms_force, leg->power_min, leg->power_max,
-            leg->energy};
-        for (int c = 0; c < COLUMNS; c++) {
-            double *all = &column[c].value[GOUGH_LEGS];
-            column[c].value[i] = row[c];
-            if (c == ENERGY)
-                *all += row[c];
-            else if (c == LEAST || c == POWER_LEAST)
-                *all = fmin(*all, row[c]);
-            else
-                *all = fmax(*all, row[c]);
-        }
-    }
-    /* where works cancel, what is left is the error of the integrals */
-    const double span = report->summary.last_time - report->summary.first_time;
-    double most = 0;
-    for (int i = 0; i < GOUGH_LEGS; i++)
-        most = fmax(most, peak(report->summary.leg[i].power_min, report->summary.leg[i].power_max));
-    for (int i = 0; i <= GOUGH_LEGS; i++) {
-        double *net = &column[ENERGY].value[i];
-        if (fabs(*net) < INTEGRAL_ERROR * most * span) *net = 0;
-    }
-    table_print(stream, column, true);
+                stroke[1] - stroke[0], unit, stroke[0], stroke[1], unit);
 }
 
 static bool any_formula(const gough_formula *formula, int count) {
@@ -298,9 +203,10 @@ void run_report_print(FILE *stream, const run_report *report) {
         fprintf(stream, "no rows\n");
     fprintf(stream, "%s\n\n", units_sentence(report->study, &report->units));
     if (s->rows > 0) {
-        print_strokes(stream, report, unit);
+        leg_table_print(stream, report, LEG_MOTION);
+        print_stroke(stream, report);
         fputc('\n', stream);
-        print_loads(stream, report, unit);
+        leg_table_print(stream, report, LEG_LOADS);
         fputc('\n', stream);
         fprintf(stream,
                 "  condition   at most %.4g, at t = %.6g%s (1 is best, 1e8 counts as singular)\n",

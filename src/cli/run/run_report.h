@@ -2,6 +2,7 @@
 #ifndef GOUGH_CLI_RUN_REPORT_H
 #define GOUGH_CLI_RUN_REPORT_H
 
+#include <jansson.h>
 #include <stdio.h>
 
 #include "gough/gough.h"
@@ -40,14 +41,13 @@ void run_report_scale(run_report *report);
 /* The end of a run that is not scaled yet, its sentence in the output's units. */
 gough_end run_report_end(const run_report *report);
 
-/* What a limit of this cause is multiplied by to be in units of the output. */
-double limit_factor(gough_cause cause, const gough_units *units);
 void run_report_print(FILE *stream, const run_report *report);
 
 /* Remarks, if it is so, that stability and not the tolerance kept the steps of a run short. */
 void remark_stiffness(const char *verb, const run_report *report);
 
-/* One JSON object on standard output. Returns 0, or -1 when out of memory or the output cannot be written. */
+/* The summary as JSON, and printed on standard output. Returns 0, or -1 when out of memory or the output cannot be written. */
+json_t *run_report_json(const run_report *report);
 int run_report_print_json(const run_report *report);
 
 #endif

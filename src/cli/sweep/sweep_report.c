@@ -60,18 +60,38 @@ static const char *cause_words(gough_cause cause) {
     return "ended";
 }
 
-static const scaled_member summary_members[] = {
-    SCALED(gough_sweep_summary, least_position, LENGTH),
-    SCALED(gough_sweep_summary, greatest_position, LENGTH),
-    SCALED(gough_sweep_summary, least_angle, ANGLE),
-    SCALED(gough_sweep_summary, greatest_angle, ANGLE),
-    SCALED(gough_sweep_summary, least_power, POWER),
-    SCALED(gough_sweep_summary, greatest_power, POWER)};
+/* What a sweep leaves of a quantity: its least and greatest value, and the runs that have them. */
+static const struct extremes {
+    const char *key, *label;
+    gough_unit unit;
+    size_t least, least_run, greatest, greatest_run;
+} quantities[] = {
+#define MEMBER(name) offsetof(gough_sweep_summary, name)
+#define EXTREMES(name)                                                                             \
+    MEMBER(least_##name), MEMBER(least_##name##_run), MEMBER(greatest_##name),                     \
+        MEMBER(greatest_##name##_run)
+    {"position_deviation", "largest deviation of position (runs that reached their end)",
+     GOUGH_UNIT_LENGTH, EXTREMES(position)},
+    {"angle_deviation", "largest deviation of angle", GOUGH_UNIT_ANGLE, EXTREMES(angle)},
+    {"power", "power of a leg (below 0 the leg brakes)", GOUGH_UNIT_POWER, EXTREMES(power)}};
+enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
+
+static double value_at(const gough_sweep_summary *s, size_t at) {
+    return *(const double *)(const void *)((const char *)s + at);
+}
+
+static size_t run_at(const gough_sweep_summary *s, size_t at) {
+    return *(const size_t *)(const void *)((const char *)s + at);
+}
 
 /* what is printed: in the output's units */
 static gough_sweep_summary scaled_summary(const sweep_report *report) {
     gough_sweep_summary summary = report->summary;
-    SCALE(&summary, summary_members, &report->units);
+    for (int q = 0; q < QUANTITIES; q++) {
+        const scaled_member both[] = {{quantities[q].least, 1, quantities[q].unit, NULL},
+                                      {quantities[q].greatest, 1, quantities[q].unit, NULL}};
+        SCALE(&summary, both, &report->units);
+    }
     return summary;
 }
 
@@ -89,7 +109,6 @@ static void print_extreme(FILE *stream, const sweep_report *report, const char *
 
 static void print_summary(FILE *stream, const sweep_report *report) {
     const gough_sweep_summary summary = scaled_summary(report), *s = &summary;
-    const gough_units *unit = &report->units;
     print_title(stream, report->title);
     fprintf(stream, "%zu run%s", s->runs, s->runs == 1 ? "" : "s");
     if (s->resumed) fprintf(stream, ", %zu of them finished earlier", s->resumed);
@@ -100,20 +119,14 @@ static void print_summary(FILE *stream, const sweep_report *report) {
     for (int c = 0; c <= GOUGH_END_INVALID; c++)
         if (s->ended[c] || c == GOUGH_END_DONE)
             fprintf(stream, "  %-30s %zu\n", cause_words((gough_cause)c), s->ended[c]);
-    if (s->least_position_run) {
-        fprintf(stream, "  largest deviation of position (runs that reached their end)\n");
-        print_extreme(stream, report, "least", s->least_position,
-                      unit_word(unit, GOUGH_UNIT_LENGTH), s->least_position_run);
-        print_extreme(stream, report, "greatest", s->greatest_position,
-                      unit_word(unit, GOUGH_UNIT_LENGTH), s->greatest_position_run);
-        fprintf(stream, "  largest deviation of angle\n");
-        print_extreme(stream, report, "least", s->least_angle, " deg", s->least_angle_run);
-        print_extreme(stream, report, "greatest", s->greatest_angle, " deg", s->greatest_angle_run);
-        fprintf(stream, "  power of a leg (below 0 the leg brakes)\n");
-        print_extreme(stream, report, "least", s->least_power, unit_word(unit, GOUGH_UNIT_POWER),
-                      s->least_power_run);
-        print_extreme(stream, report, "greatest", s->greatest_power,
-                      unit_word(unit, GOUGH_UNIT_POWER), s->greatest_power_run);
+    for (int q = 0; q < QUANTITIES && s->least_position_run; q++) {
+        const struct extremes *e = &quantities[q];
+        const char *unit = unit_word(&report->units, e->unit);
+        fprintf(stream, "  %s\n", e->label);
+        print_extreme(stream, report, "least", value_at(s, e->least), unit,
+                      run_at(s, e->least_run));
+        print_extreme(stream, report, "greatest", value_at(s, e->greatest), unit,
+                      run_at(s, e->greatest_run));
     }
     for (size_t i = 0; i < report->outputs; i++)
         if (strcmp(report->output[i], "-") != 0) print_line(stream, "wrote %s", report->output[i]);
@@ -206,10 +219,11 @@ static json_t *extreme(double value, size_t run) {
     return object;
 }
 
-static json_t *extremes(double least, size_t least_run, double greatest, size_t greatest_run) {
+static json_t *extremes_of(const gough_sweep_summary *s, const struct extremes *e) {
     json_t *object = json_object();
-    json_object_set_new(object, "least", extreme(least, least_run));
-    json_object_set_new(object, "greatest", extreme(greatest, greatest_run));
+    json_object_set_new(object, "least", extreme(value_at(s, e->least), run_at(s, e->least_run)));
+    json_object_set_new(object, "greatest",
+                        extreme(value_at(s, e->greatest), run_at(s, e->greatest_run)));
     return object;
 }
 
@@ -228,15 +242,8 @@ static int print_summary_json(const sweep_report *report) {
     json_object_set_new(object, "resumed", json_integer((json_int_t)s->resumed));
     json_object_set_new(object, "done", json_integer((json_int_t)s->ended[GOUGH_END_DONE]));
     json_object_set_new(object, "ended", ended);
-    json_object_set_new(object, "position_deviation",
-                        extremes(s->least_position, s->least_position_run, s->greatest_position,
-                                 s->greatest_position_run));
-    json_object_set_new(
-        object, "angle_deviation",
-        extremes(s->least_angle, s->least_angle_run, s->greatest_angle, s->greatest_angle_run));
-    json_object_set_new(
-        object, "power",
-        extremes(s->least_power, s->least_power_run, s->greatest_power, s->greatest_power_run));
+    for (int q = 0; q < QUANTITIES; q++)
+        json_object_set_new(object, quantities[q].key, extremes_of(s, &quantities[q]));
     json_object_set_new(object, "time", json_number(timed ? report->time : NAN));
     json_object_set_new(object, "rate", json_number(timed ? made / report->time : NAN));
     return json_print(object);

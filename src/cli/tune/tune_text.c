@@ -9,48 +9,6 @@
 #include "cli/run/run_report.h"
 #include "cli/tune/tune_report.h"
 
-/* ---- units -------------------------------------------------------------------------------------------------------- */
-
-static const scaled_member tuning_members[] = {
-    SCALED(gough_tuning, stiffness, STIFFNESS),   SCALED(gough_tuning, fails, STIFFNESS),
-    SCALED(gough_tuning, threshold, STIFFNESS),   SCALED(gough_tuning, damping, DAMPING),
-    SCALED(gough_tuning, deviation, LENGTH),      SCALED(gough_tuning, deviation_time, TIME),
-    SCALED(gough_tuning, angle_deviation, ANGLE), SCALED(gough_tuning, angle_time, TIME),
-    SCALED(gough_tuning, force, FORCE),           SCALED(gough_tuning, speed, SPEED),
-    SCALED(gough_tuning, scale, LENGTH)};
-
-static const scaled_member exception_members[] = {SCALED(gough_tuning_exception, from, STIFFNESS),
-                                                  SCALED(gough_tuning_exception, to, STIFFNESS)};
-
-static const scaled_member point_members[] = {
-    SCALED(gough_tuning_point, stiffness, STIFFNESS),
-    SCALED(gough_tuning_point, damping, DAMPING),
-    SCALED(gough_tuning_point, end_time, TIME),
-    SCALED(gough_tuning_point, position_deviation, LENGTH),
-    SCALED(gough_tuning_point, angle_deviation, ANGLE),
-    SCALED(gough_tuning_point, force, FORCE),
-    SCALED(gough_tuning_point, speed, SPEED)};
-
-static const scaled_member asked_members[] = {SCALED(gough_tuning_options, deviation, LENGTH),
-                                              SCALED(gough_tuning_options, angle_deviation, ANGLE),
-                                              SCALED(gough_tuning_options, least, STIFFNESS),
-                                              SCALED(gough_tuning_options, greatest, STIFFNESS)};
-
-void tune_scale(tune_report *report) {
-    const gough_units *u = &report->units;
-    SCALE(&report->asked, asked_members, u);
-    for (int c = 0; c < report->choices; c++) {
-        tune_choice *choice = &report->choice[c];
-        gough_tuning *tuning = &choice->tuning;
-        SCALE(tuning, tuning_members, u);
-        /* the deviation is scale · G^slope */
-        tuning->scale *= pow(gough_unit_factor(u, GOUGH_UNIT_STIFFNESS), -tuning->slope);
-        for (size_t i = 0; i < tuning->exceptions; i++)
-            SCALE(&tuning->exception[i], exception_members, u);
-        for (size_t i = 0; i < tuning->points; i++) SCALE(&choice->point[i], point_members, u);
-    }
-}
-
 /* ---- words -------------------------------------------------------------------------------------------------------- */
 
 static const char *end_words(gough_cause cause) {

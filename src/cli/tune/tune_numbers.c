@@ -1,4 +1,5 @@
-/* The choice of gough tune as JSON: the same keys in the same order always; null where there is no number. */
+/* The numbers of gough tune in the units of the output, and as JSON: the same keys in the same order always; null where there is
+ * no number. */
 #include <jansson.h>
 #include <math.h>
 #include <string.h>
@@ -6,15 +7,82 @@
 #include "cli/common/json.h"
 #include "cli/tune/tune_report.h"
 
+/* ---- what each number measures, and its key in the JSON ----------------------------------------------------------- */
+
+/* of the G found */
+static const scaled_member found_members[] = {
+    KEYED(gough_tuning, stiffness, STIFFNESS, "stiffness"),
+    KEYED(gough_tuning, damping, DAMPING, "damping"),
+    KEYED(gough_tuning, damping_ratio, NONE, "damping_ratio"),
+    KEYED(gough_tuning, deviation, LENGTH, "deviation"),
+    KEYED(gough_tuning, deviation_time, TIME, "deviation_time"),
+    KEYED(gough_tuning, angle_deviation, ANGLE, "angle_deviation"),
+    KEYED(gough_tuning, angle_time, TIME, "angle_time"),
+    KEYED(gough_tuning, fails, STIFFNESS, "fails")};
+
+/* of the legs that it needs */
+static const scaled_member leg_members[] = {KEYED(gough_tuning, force, FORCE, "force"),
+                                            KEYED(gough_tuning, force_share, NONE, "force_share"),
+                                            KEYED(gough_tuning, speed, SPEED, "speed"),
+                                            KEYED(gough_tuning, speed_share, NONE, "speed_share")};
+
+/* of the curve of deviation against stiffness */
+static const scaled_member curve_members[] = {KEYED(gough_tuning, slope, NONE, "slope"),
+                                              KEYED(gough_tuning, scale, LENGTH, "scale")};
+
+/* of the machine at rest */
+static const scaled_member rest_members[] = {
+    KEYED(gough_tuning, threshold, STIFFNESS, "stiffness")};
+
+/* of what was asked for */
+static const scaled_member asked_members[] = {
+    KEYED(gough_tuning_options, deviation, LENGTH, "deviation"),
+    KEYED(gough_tuning_options, angle_deviation, ANGLE, "angle_deviation"),
+    KEYED(gough_tuning_options, damping_ratio, NONE, "damping_ratio"),
+    KEYED(gough_tuning_options, margin, NONE, "margin")};
+
+static const scaled_member range_members[] = {SCALED(gough_tuning_options, least, STIFFNESS),
+                                              SCALED(gough_tuning_options, greatest, STIFFNESS)};
+
+static const scaled_member exception_members[] = {SCALED(gough_tuning_exception, from, STIFFNESS),
+                                                  SCALED(gough_tuning_exception, to, STIFFNESS)};
+
+static const scaled_member point_members[] = {
+    SCALED(gough_tuning_point, stiffness, STIFFNESS),
+    SCALED(gough_tuning_point, damping, DAMPING),
+    SCALED(gough_tuning_point, end_time, TIME),
+    SCALED(gough_tuning_point, position_deviation, LENGTH),
+    SCALED(gough_tuning_point, angle_deviation, ANGLE),
+    SCALED(gough_tuning_point, force, FORCE),
+    SCALED(gough_tuning_point, speed, SPEED)};
+
+void tune_scale(tune_report *report) {
+    const gough_units *u = &report->units;
+    SCALE(&report->asked, asked_members, u);
+    SCALE(&report->asked, range_members, u);
+    for (int c = 0; c < report->choices; c++) {
+        tune_choice *choice = &report->choice[c];
+        gough_tuning *tuning = &choice->tuning;
+        SCALE(tuning, found_members, u);
+        SCALE(tuning, leg_members, u);
+        SCALE(tuning, curve_members, u);
+        SCALE(tuning, rest_members, u);
+        /* the deviation is scale · G^slope */
+        tuning->scale *= pow(gough_unit_factor(u, GOUGH_UNIT_STIFFNESS), -tuning->slope);
+        for (size_t i = 0; i < tuning->exceptions; i++)
+            SCALE(&tuning->exception[i], exception_members, u);
+        for (size_t i = 0; i < tuning->points; i++) SCALE(&choice->point[i], point_members, u);
+    }
+}
+
+/* ---- JSON --------------------------------------------------------------------------------------------------------- */
+
 static json_t *text_or_null(const char *text) { return *text ? json_words(text) : json_null(); }
 
 static json_t *asked_object(const tune_report *report) {
     const gough_tuning_options *asked = &report->asked;
     json_t *object = json_object();
-    json_object_set_new(object, "deviation", json_number(asked->deviation));
-    json_object_set_new(object, "angle_deviation", json_number(asked->angle_deviation));
-    json_object_set_new(object, "damping_ratio", json_number(asked->damping_ratio));
-    json_object_set_new(object, "margin", json_number(asked->margin));
+    JSON_SET(object, asked, asked_members);
     json_object_set_new(object, "stiffness",
                         asked->greatest > 0
                             ? json_numbers((double[]){asked->least, asked->greatest}, 2)
@@ -37,10 +105,7 @@ static json_t *binding_object(const gough_tuning *tuning) {
 static json_t *legs_object(const gough_tuning *tuning) {
     json_t *object = json_object();
     json_object_set_new(object, "leg", json_integer(tuning->leg));
-    json_object_set_new(object, "force", json_number(tuning->force));
-    json_object_set_new(object, "force_share", json_number(tuning->force_share));
-    json_object_set_new(object, "speed", json_number(tuning->speed));
-    json_object_set_new(object, "speed_share", json_number(tuning->speed_share));
+    JSON_SET(object, tuning, leg_members);
     return object;
 }
 
@@ -59,8 +124,7 @@ static json_t *exception_object(const gough_tuning_exception *e) {
 
 static json_t *curve_object(const gough_tuning *tuning) {
     json_t *object = json_object(), *list = json_array();
-    json_object_set_new(object, "slope", json_number(tuning->slope));
-    json_object_set_new(object, "scale", json_number(tuning->scale));
+    JSON_SET(object, tuning, curve_members);
     json_object_set_new(object, "points", json_integer((json_int_t)tuning->points));
     for (size_t i = 0; i < tuning->exceptions; i++)
         json_array_append_new(list, exception_object(&tuning->exception[i]));
@@ -76,16 +140,7 @@ static json_t *choice_object(const tune_choice *choice) {
                         json_string(choice->feedforward ? "program" : "none"));
     json_object_set_new(object, "found", json_boolean(found));
     json_object_set_new(object, "reason", text_or_null(tuning->reason));
-    json_object_set_new(object, "stiffness", json_number(found ? tuning->stiffness : NAN));
-    json_object_set_new(object, "damping", json_number(found ? tuning->damping : NAN));
-    json_object_set_new(object, "damping_ratio", json_number(found ? tuning->damping_ratio : NAN));
-    json_object_set_new(object, "deviation", json_number(found ? tuning->deviation : NAN));
-    json_object_set_new(object, "deviation_time",
-                        json_number(found ? tuning->deviation_time : NAN));
-    json_object_set_new(object, "angle_deviation",
-                        json_number(found ? tuning->angle_deviation : NAN));
-    json_object_set_new(object, "angle_time", json_number(found ? tuning->angle_time : NAN));
-    json_object_set_new(object, "fails", json_number(found ? tuning->fails : NAN));
+    JSON_SET(object, found ? tuning : NULL, found_members);
     json_object_set_new(object, "binding", found ? binding_object(tuning) : json_null());
     json_object_set_new(object, "legs", found ? legs_object(tuning) : json_null());
     json_object_set_new(object, "periodic", json_boolean(tuning->periodic));
@@ -98,7 +153,7 @@ static json_t *choice_object(const tune_choice *choice) {
 int tune_print_json(const tune_report *report) {
     const gough_tuning *first = &report->choice[0].tuning;
     json_t *object = json_object(), *threshold = json_object(), *list = json_array();
-    json_object_set_new(threshold, "stiffness", json_number(first->threshold));
+    JSON_SET(threshold, first, rest_members);
     json_object_set_new(threshold, "mode", text_or_null(first->least_mode.name));
     for (int c = 0; c < report->choices; c++)
         json_array_append_new(list, choice_object(&report->choice[c]));
