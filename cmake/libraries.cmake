@@ -1,9 +1,12 @@
 # Three libraries: the core (rooms base to batch: no dependency but the C library and libquadmath); over it the analysis of
 # stability (linear to tune: LAPACK); over both files and figures (study to page). Each is compiled once, as position-independent
 # code with only GOUGH_API visible, and serves as a static library (command, tests) and as a shared one (installed).
-configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/gough/version.h @ONLY)
-
 file(GLOB GOUGH_HEADERS CONFIGURE_DEPENDS include/gough/*.h)
+
+include(cmake/edition.cmake)
+gough_edition(GOUGH_EDITION ${GOUGH_HEADERS})
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${GOUGH_HEADERS})
+configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/gough/version.h @ONLY)
 file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
     src/base/*.c src/kernel/*.c src/program/*.c src/plant/*.c src/model/*.c src/integrate/*.c src/run/*.c src/batch/*.c)
 file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/linear/*.c src/floquet/*.c src/map/*.c src/tune/*.c)

@@ -1,5 +1,5 @@
 /** @file names.h
- *  The edition of the interface, and the linker's name of each function, which ends in it: gough_simulate() is gough_simulate_e2.
+ *  The edition of the interface, and the linker's name of each function, which ends in it: gough_simulate() is gough_simulate_e2 in edition 2.
  *  A program compiled with the headers of another edition, in which structs may have other sizes and enumerations other values,
  *  therefore fails to link or to load; it never runs on wrong memory. Source code uses the plain names.
  *
@@ -9,8 +9,7 @@
 #ifndef GOUGH_NAMES_H
 #define GOUGH_NAMES_H
 
-/** Number of the edition. It is raised whenever a struct, an enumeration or the arguments of a function change. */
-#define GOUGH_EDITION 2
+#include "gough/version.h"
 
 /* The pragma is one of GCC and Clang; it renames a function that is declared later. */
 #define GOUGH_PRAGMA_(text) _Pragma(#text)

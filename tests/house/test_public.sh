@@ -16,7 +16,7 @@ for header in include/gough/*.h; do
 done
 nm -D --defined-only "$BUILD/libgough.so" "$BUILD/libgough-analyse.so" "$BUILD/libgough-files.so" | awk '{ print $3 }' | sort -u >"$scratch/have"
 # as the headers declare them, with the linker's name that names.h gives them
-edition=$(sed -n 's/^#define GOUGH_EDITION //p' include/gough/names.h)
+edition=$(sed -n 's/^#define GOUGH_EDITION //p' "$BUILD/include/gough/version.h")
 cat include/gough/*.h | tr '\n' ' ' | sed 's/;/;\n/g' | grep -oE 'GOUGH_API [^;(]*\bgough_[a-z0-9_]+\(' | grep -oE 'gough_[a-z0-9_]+\($' | tr -d '(' |
     sed -E "/^gough_(version|edition|struct_size)$/!s/$/_e$edition/" | sort -u >"$scratch/want"
 [[ $(wc -l <"$scratch/want") -gt 40 ]] || { echo "found too few declarations: $(wc -l <"$scratch/want")"; failed=1; }

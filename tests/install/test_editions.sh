@@ -9,8 +9,8 @@ trap 'rm -rf "$scratch"' EXIT
 compiler=${CC:-cc}
 failed=0
 fail() { echo "$*"; failed=1; }
-edition=$(sed -n 's/^#define GOUGH_EDITION //p' include/gough/names.h)
-[[ $edition -ge 2 ]] || fail "no edition in names.h"
+edition=$(sed -n 's/^#define GOUGH_EDITION //p' "$BUILD/include/gough/version.h")
+[[ $edition -ge 2 ]] || fail "no edition in version.h"
 
 # no function is found under the name that earlier editions gave it
 for library in "$BUILD"/libgough.so "$BUILD"/libgough-analyse.so "$BUILD"/libgough-files.so "$BUILD"/libgough.a; do
@@ -49,7 +49,7 @@ mkdir "$scratch/next"
 cp -r include/gough "$scratch/next"
 cp "$BUILD/include/gough/version.h" "$scratch/next/gough"
 "$compiler" -std=c17 -I"$scratch/next" -o "$scratch/same" tests/install/program.c -L"$BUILD" -lgough -lm || fail "a program of this edition does not link"
-sed -i "s/^#define GOUGH_EDITION .*/#define GOUGH_EDITION $((edition + 1))/" "$scratch/next/gough/names.h"
+sed -i "s/^#define GOUGH_EDITION .*/#define GOUGH_EDITION $((edition + 1))/" "$scratch/next/gough/version.h"
 said=$("$compiler" -std=c17 -I"$scratch/next" -o "$scratch/linked" tests/install/program.c -L"$BUILD" -lgough -lm 2>&1) && fail "a program of another edition links"
 [[ $said == *"gough_machine_init_e$((edition + 1))"* ]] || fail "$said"
 
