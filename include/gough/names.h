@@ -1,7 +1,8 @@
 /** @file names.h
  *  The linker's name of each function, which ends in the edition of the interface (GOUGH_EDITION): gough_simulate() is
- *  gough_simulate_e2 in edition 2. A program compiled with the headers of another edition, in which structs may have other sizes and
- *  enumerations other values, therefore fails to link or to load; it never runs on wrong memory. Source code uses the plain names.
+ *  gough_simulate_e2 in edition 2. A program compiled with the headers of another edition, in which structs may have other sizes
+ *  and enumerations other values, therefore fails to link or to load; it never runs on wrong memory. Source code uses the plain
+ *  names.
  *
  *  Plain for the linker too, in all editions: gough_version(), gough_edition() and gough_struct_size(), for programs in other
  *  languages, which look functions up by name.
