@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "cli/common/option_values.h"
+#include "figure/sheet.h"
 #include "file.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
