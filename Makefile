@@ -2,6 +2,7 @@
 # make test       install what is missing, build, run the tests
 # make quick      the quick tests only
 # make test-more  the tests and the campaigns
+# make coverage   the share of branches that the tests take, by parts of the library
 # make demo       install what is missing, build, run the paper's whole study into out/
 # make install    into PREFIX (default /usr/local), under DESTDIR if given
 # make package    a Debian package in build/
@@ -18,7 +19,7 @@ CMAKE_FLAGS  ?=
 BENCH        ?=
 STUDIES      ?= 1000
 
-.PHONY: all configure test quick test-more demo install package fuzz campaign bench lint docs clean
+.PHONY: all configure test quick test-more coverage demo install package fuzz campaign bench lint docs clean
 
 all: configure
 	@cmake --build "$(BUILD)" --target gough_command gough_archive gough_shared gough_files_shared
@@ -38,6 +39,10 @@ quick:
 test-more:
 	@scripts/install-packages.sh build test
 	@scripts/test.sh "$(BUILD)" campaign
+
+coverage:
+	@scripts/install-packages.sh build test
+	@scripts/coverage.sh "$(BUILD)"
 
 demo: all
 	@scripts/install-packages.sh demo

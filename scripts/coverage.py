@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""coverage.py BUILD [--list]: branch coverage of a build with --coverage whose tests have run, by groups of files.
+
+A branch is one way out of a condition in the source. A text that is compiled several times (lanes, quadruple and complex
+numbers) is counted once: a branch is taken if any instance takes it. Branches of assertions are not counted, nor are those never
+taken on a line with a comment "unreachable: REASON"; their number is printed. With --list every branch not taken is named. The
+exit status is 1 if a group is below its share.
+"""
+import fnmatch
+import json
+import os
+import re
+import subprocess
+import sys
+
+# group, least share, files; the first group that fits a file counts it
+GROUPS = [
+    ("study files", 1, ["src/study/*"]),
+    ("tables", 1, ["src/table/read*", "src/table/file_format*", "src/table/child_reader*"]),
+    ("parts and shards of sweeps", 1, ["src/sweep/*part*", "src/sweep/*bytes*", "src/sweep/*head*"]),
+    ("formulas and numbers", 1, ["src/program/formula*", "src/base/decimal*"]),
+    ("options", 1, ["src/cli/common/option*"]),
+]
+CORE = "base kernel program plant model integrate system run batch linear floquet map tune".split()
+GROUPS += [(room, 0, [f"src/{room}/*"]) for room in CORE]
+CORE_SHARE = 0.95
+ASSERTION = re.compile(r"\bassert(_true)?\(")
+UNREACHABLE = re.compile(r"/\* (.* )?unreachable: [^*]")
+
+
+def notes(build):
+    for folder, _, files in os.walk(build):
+        if re.search(r"(_objects|gough_command|gough_verbs)\.dir", folder):
+            yield from (os.path.join(folder, name) for name in files if name.endswith(".gcno"))
+
+
+def counted(build, source):
+    """{file: {(line, function): {number of branches: [count]}}} over all instances"""
+    files = {}
+    paths = sorted(notes(build))
+    if not paths:
+        sys.exit(f"coverage.py: {build} is no build with --coverage")
+    for begin in range(0, len(paths), 20):
+        said = subprocess.run(["gcov", "--branch-probabilities", "--json-format", "--stdout", *paths[begin : begin + 20]],
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True, cwd=build).stdout
+        for report in said.splitlines():
+            for file in json.loads(report)["files"] if report.strip() else []:
+                name = os.path.relpath(os.path.join(build, file["file"]), source)
+                if not name.startswith("src/"):
+                    continue
+                lines = files.setdefault(name, {})
+                for line in file["lines"]:
+                    shape = [branch["count"] for branch in line["branches"]]
+                    if shape:
+                        shapes = lines.setdefault((line["line_number"], line.get("function_name", "")), {})
+                        before = shapes.setdefault(len(shape), [0] * len(shape))
+                        shapes[len(shape)] = [a + b for a, b in zip(before, shape)]
+    return files
+
+
+def main():
+    build, listing = os.path.abspath(sys.argv[1]), "--list" in sys.argv[2:]
+    source = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    total = {name: [0, 0, 0] for name, _, _ in GROUPS}  # taken, reachable, marked
+    for file, lines in sorted(counted(build, source).items()):
+        group = next((name for name, _, patterns in GROUPS if any(fnmatch.fnmatch(file, p) for p in patterns)), None)
+        if group is None:
+            continue
+        with open(os.path.join(source, file), encoding="utf-8") as opened:
+            text = opened.read().splitlines()
+        for (number, _), shapes in sorted(lines.items()):
+            counts = shapes[max(shapes)]
+            line = text[number - 1]
+            if ASSERTION.search(line):
+                continue
+            taken = sum(count > 0 for count in counts)
+            missed = len(counts) - taken
+            if missed and UNREACHABLE.search(line):
+                total[group][2] += missed
+                missed = 0
+            total[group][0] += taken
+            total[group][1] += taken + missed
+            if missed and listing:
+                print(f"{file}:{number}: {missed} of {len(counts)} not taken: {line.strip()}")
+
+    failed = False
+    core = [0, 0, 0]
+    print(f"{'branches':28} {'taken':>7} {'of':>7} {'share':>8}  unreachable")
+    for name, least, _ in GROUPS + [("core", CORE_SHARE, [])]:
+        taken, of, marked = total.get(name, core)
+        if name in CORE or name == "formulas and numbers":
+            core = [a + b for a, b in zip(core, total[name])]
+        share = taken / of if of else 1
+        low = share < least
+        failed |= low
+        print(f"{name:28} {taken:7} {of:7} {100 * share:7.2f} %  {marked or ''}{f'  below {100 * least:g} %' if low else ''}")
+    return failed
+
+
+if __name__ == "__main__":
+    sys.exit(main())
