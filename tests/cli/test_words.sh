@@ -25,6 +25,7 @@ compopt() { :; }
 
 [[ $(offered "" | grep -v '^-' | sort) == "$verbs" ]] || fail "bash completes other verbs: $(offered "")"
 for verb in $verbs; do
+    grep -q "^| \`gough $verb " "$SOURCE/README.md" || fail "the table of the README lacks $verb"
     man_has "gough $verb" || fail "the man page lacks $verb"
     grep -q "^ *'$verb:" completions/_gough || fail "the zsh completion lacks $verb"
     grep -q -- "-a $verb " completions/gough.fish || fail "the fish completion lacks $verb"

@@ -109,7 +109,7 @@ bool is_data(const char *path) {
     return strcmp(path, "-") == 0 || ends_in(path, ".csv") || ends_in(path, ".h5");
 }
 
-bool is_picture(const char *path) {
+static bool is_picture(const char *path) {
     return ends_in(path, ".png") || ends_in(path, ".svg") || ends_in(path, ".pdf");
 }
 

@@ -18,7 +18,6 @@ gough_status check_output(const command_line *line, const char *other);
 /* The same where outputs may be data (.csv, .h5, -) or pictures (.png, .svg, .pdf). */
 gough_status check_data_and_pictures(const command_line *line);
 bool is_data(const char *path);
-bool is_picture(const char *path);
 
 /* "studies/heave.yaml" gives "studies/heave" and the ending; `otherwise` for standard input and other pipes, which have no name.
  * Allocated; NULL: out of memory. */

@@ -40,7 +40,9 @@ size_t read_count(const struct argp_state *state, const char *name, const char *
     return value;
 }
 
-void read_counts(const struct argp_state *state, const option *o, const char *text, void *group) {
+/* an int */
+static void read_counts(const struct argp_state *state, const option *o, const char *text,
+                        void *group) {
     *(int *)member(group, o) = (int)read_count(state, o->name, text);
 }
 
@@ -191,8 +193,10 @@ gough_status verb_run(const command_verb *verb, int count, char **argument) {
     struct argp_option known[MOST_OPTIONS + 1] = {{0}};
     const group_use *use;
     const option *o;
-    for (size_t n = 0; n < MOST_OPTIONS && (o = verb_option(verb, n, &use)); n++)
+    for (size_t n = 0; (o = verb_option(verb, n, &use)); n++) {
+        if (n == MOST_OPTIONS) abort(); /* a verb with more needs more room here */
         known[n] = (struct argp_option){o->name, key_of(o, n), o->value, 0, option_text(o, use), 0};
+    }
     const struct argp argp = {.options = known,
                               .parser = read_option,
                               .args_doc = verb->arguments,

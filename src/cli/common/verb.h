@@ -34,10 +34,9 @@ struct command_option {
 #define CHOICES_FILES "FILES"
 #define CHOICES_FIGURES "FIGURES"
 
-option_reader read_flag;   /* a bool */
-option_reader read_word;   /* a const char *, as it is */
-option_reader read_time;   /* a double, a time as in column t */
-option_reader read_counts; /* an int of 1 or more */
+option_reader read_flag; /* a bool */
+option_reader read_word; /* a const char *, as it is */
+option_reader read_time; /* a double, a time as in column t */
 
 /* A whole number of 1 or more. */
 size_t read_count(const struct argp_state *state, const char *name, const char *text);

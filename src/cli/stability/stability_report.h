@@ -31,9 +31,6 @@ typedef struct stability_report {
 /* Finds all of it, at rest and about the program, for the study and the pose in the report, in the study's units. */
 gough_status stability_find(stability_report *report, gough_error *error);
 
-/* Turns the numbers into the output's units. */
-void stability_scale(stability_report *report);
-
 /* Whether nothing grows: about the program, or where it rests. */
 bool stability_holds(const stability_report *report);
 

@@ -117,7 +117,7 @@ static const scaled_member floquet_members[] = {SCALED(stability_report, floquet
                                                 SCALED(stability_report, floquet.period, TIME),
                                                 SCALED(stability_report, sag, LENGTH)};
 
-void stability_scale(stability_report *report) {
+static void stability_scale(stability_report *report) {
     const gough_units *u = &report->units;
     SCALE(report, report_members, u);
     for (int c = 0; c < GOUGH_ROLL; c++) {
