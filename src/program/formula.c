@@ -7,6 +7,7 @@
 
 #include <string.h>
 
+#include "base/assert.h"
 #include "gough/sizes.h"
 #include "gough/text.h"
 #include "program/formula_names.h"
@@ -84,6 +85,8 @@ static gough_status check_rise(compiler *c, size_t at) {
 }
 
 static gough_status emit_operation(compiler *c, int code, size_t at) {
+    assert_true(c->values >=
+                (code < FORMULA_ADD ? 1 : 2)); /* the grammar has seen to its operands */
     if (code < FORMULA_ADD) {
         const bool constant = c->value[c->values - 1].constant;
         return emit(c, code, constant ? FORMULA_FIRST_CONSTANT : 0, 0, at);

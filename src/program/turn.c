@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "program/angles.h"
 
 /* The candidates are quaternions of whole numbers: 40 with numbers up to 1 in magnitude, among them all exchanges of axes, and
@@ -59,7 +60,9 @@ static int list_candidates(int reach, candidate list[CANDIDATES]) {
         for (int code = 0; code < side * side * side * side; code++) {
             int q[4], rest = code;
             for (int i = 3; i >= 0; i--, rest /= side) q[i] = size - rest % side;
-            if (chosen(q) && reach_of(q) == size) fill(&list[count++], q);
+            if (!chosen(q) || reach_of(q) != size) continue;
+            assert_true(count < CANDIDATES);
+            fill(&list[count++], q);
         }
     }
     return count;
