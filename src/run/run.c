@@ -39,10 +39,6 @@ gough_status gough_simulation_init(gough_simulation *simulation, size_t size) {
     return GOUGH_OK;
 }
 
-static gough_status check_size(const gough_simulation *s, gough_error *error) {
-    return gough_size_check(s->size, sizeof(gough_simulation), "gough_simulation", error);
-}
-
 static bool positive(double x) { return x > 0 && isfinite(x); }
 
 static gough_status check_times(const gough_simulation *s, gough_error *error) {
@@ -155,21 +151,23 @@ gough_status gough_simulation_check(const gough_model *model, const gough_simula
                                     gough_error *error) {
     const gough_noise *noise = &model->disturbance.noise;
     const bool noisy = noise->leg_force > 0 || noise->force > 0 || noise->moment > 0;
+    const gough_status status = simulate_check(&model->motion, simulation, error);
 
-    if (check_size(simulation, error) != GOUGH_OK) return GOUGH_ERROR_INPUT;
+    if (status != GOUGH_OK) return status;
     if (noisy && !(simulation->duration / noise->interval <= most_knots)) {
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "disturbance.noise.interval",
                               "disturbance.noise.interval %.9g gives more than 1e12 knots in a run "
                               "of %.9g; choose a longer one",
                               noise->interval, simulation->duration);
     }
-    return simulate_check(&model->motion, simulation, error);
+    return GOUGH_OK;
 }
 
 gough_status simulate_check(const gough_motion *motion, const gough_simulation *simulation,
                             gough_error *error) {
     const gough_simulation *s = simulation;
-    gough_status status = check_size(s, error);
+    gough_status status =
+        gough_size_check(s->size, sizeof(gough_simulation), "gough_simulation", error);
 
     if (status == GOUGH_OK) status = check_times(s, error);
     if (status != GOUGH_OK) return status;
@@ -222,9 +220,8 @@ gough_status gough_forces(const gough_model *model, const gough_simulation *simu
     const gough_status checked = gough_simulation_check(model, simulation, error);
 
     *end = (gough_end){.cause = GOUGH_END_DONE};
-    if (check_size(simulation, error) != GOUGH_OK) return GOUGH_ERROR_INPUT;
-    if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
     if (checked != GOUGH_OK) return checked;
+    if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
     if (simulation->summary) gough_summary_begin(simulation->summary);
     const gough_status status =
         simulate_table_of(simulation->precision)
@@ -238,9 +235,8 @@ gough_status gough_simulate(const gough_model *model, const gough_simulation *si
     const gough_status checked = gough_simulation_check(model, simulation, error);
 
     *end = (gough_end){.cause = GOUGH_END_DONE};
-    if (check_size(simulation, error) != GOUGH_OK) return GOUGH_ERROR_INPUT;
-    if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
     if (checked != GOUGH_OK) return checked;
+    if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
     const simulate_parts parts = {&model->motion,  &model->machine,
                                   &model->control, &model->disturbance,
                                   &model->initial, model->disturbance.noise.run};
