@@ -18,11 +18,4 @@ static inline void rotation_angles(const triad *R, real angles[3]) {
     for (int a = 0; a < 3; a++) angles[a] = angle[a].v;
 }
 
-/* Angle of the rotation from one triad to another, 0 … π: from |Σ a×b| = 2 sin and Σ a·b = 1 + 2 cos */
-static inline real rotation_between(const triad *a, const triad *b) {
-    const vector c = add(add(cross(a->i, b->i), cross(a->j, b->j)), cross(a->k, b->k));
-
-    return real_atan2(norm(c), dot(a->i, b->i) + dot(a->j, b->j) + dot(a->k, b->k) - 1);
-}
-
 #endif

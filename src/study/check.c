@@ -166,22 +166,41 @@ static void check_swept(study_messages *messages, study_node *node) {
     }
 }
 
-static void check_value(study_messages *messages, study_node *node, const gough_key *key) {
+/* A number, a list of numbers, or lists of them. */
+static void check_numeric(study_messages *messages, study_node *node, const gough_key *key) {
     static const gough_bound any = {"", -INFINITY, INFINITY, false};
+    const char *phrase = study_shape_phrase(key->shape);
+    const bool single = node->kind == STUDY_SCALAR && node->length > 0;
+    const gough_shape shape = key->shape;
+    if (shape == GOUGH_SHAPE_WHOLE) {
+        check_whole(messages, node, &key->bound);
+    } else if (shape == GOUGH_SHAPE_NUMBER ||
+               (single && (shape == GOUGH_SHAPE_GRAVITY || shape == GOUGH_SHAPE_NUMBER_OR_SIX))) {
+        study_check_number(messages, node, &key->bound);
+    } else if (shape == GOUGH_SHAPE_POINTS) {
+        check_rows(messages, node, GOUGH_LEGS, phrase);
+    } else if (shape == GOUGH_SHAPE_INERTIA && node->first && node->first->kind == STUDY_LIST) {
+        check_rows(messages, node, 3, phrase);
+    } else if (shape == GOUGH_SHAPE_GRAVITY || shape == GOUGH_SHAPE_INERTIA) {
+        check_numbers(messages, node, 3, &any, phrase);
+    } else {
+        const size_t count = shape == GOUGH_SHAPE_PAIR     ? 2
+                             : shape == GOUGH_SHAPE_VECTOR ? 3
+                                                           : GOUGH_LEGS;
+        check_numbers(messages, node, count, &key->bound, phrase);
+    }
+}
+
+static void check_value(study_messages *messages, study_node *node, const gough_key *key) {
     const char *phrase = study_shape_phrase(key->shape);
     const bool single = node->kind == STUDY_SCALAR && node->length > 0;
     switch (key->shape) {
     case GOUGH_SHAPE_MAPPING:
-        if (node->kind == STUDY_MAPPING)
-            check_mapping(messages, node, key->path);
-        else
-            study_say_shape(messages, node, phrase);
-        break;
     case GOUGH_SHAPE_CONSTRAINTS:
     case GOUGH_SHAPE_SMOOTH:
         if (node->kind == STUDY_MAPPING)
             check_mapping(messages, node, key->path);
-        else if (single)
+        else if (single && key->shape != GOUGH_SHAPE_MAPPING)
             study_check_choice(messages, node, key->range);
         else
             study_say_shape(messages, node, phrase);
@@ -196,41 +215,8 @@ static void check_value(study_messages *messages, study_node *node, const gough_
     case GOUGH_SHAPE_CHOICE:
         study_check_choice(messages, node, key->range);
         break;
-    case GOUGH_SHAPE_NUMBER:
-        study_check_number(messages, node, &key->bound);
-        break;
-    case GOUGH_SHAPE_WHOLE:
-        check_whole(messages, node, &key->bound);
-        break;
     case GOUGH_SHAPE_SWEPT:
         check_swept(messages, node);
-        break;
-    case GOUGH_SHAPE_PAIR:
-        check_numbers(messages, node, 2, &key->bound, phrase);
-        break;
-    case GOUGH_SHAPE_VECTOR:
-        check_numbers(messages, node, 3, &key->bound, phrase);
-        break;
-    case GOUGH_SHAPE_GRAVITY:
-        if (single)
-            study_check_number(messages, node, &key->bound);
-        else
-            check_numbers(messages, node, 3, &any, phrase);
-        break;
-    case GOUGH_SHAPE_NUMBER_OR_SIX:
-        if (single)
-            study_check_number(messages, node, &key->bound);
-        else
-            check_numbers(messages, node, GOUGH_LEGS, &key->bound, phrase);
-        break;
-    case GOUGH_SHAPE_POINTS:
-        check_rows(messages, node, GOUGH_LEGS, phrase);
-        break;
-    case GOUGH_SHAPE_INERTIA:
-        if (node->first && node->first->kind == STUDY_LIST)
-            check_rows(messages, node, 3, phrase);
-        else
-            check_numbers(messages, node, 3, &any, phrase);
         break;
     case GOUGH_SHAPE_FORMULA:
         study_check_formula(messages, node);
@@ -243,6 +229,16 @@ static void check_value(study_messages *messages, study_node *node, const gough_
         break;
     case GOUGH_SHAPE_FORMULA_VECTOR:
         check_formulas(messages, node, 3, phrase);
+        break;
+    case GOUGH_SHAPE_NUMBER:
+    case GOUGH_SHAPE_WHOLE:
+    case GOUGH_SHAPE_PAIR:
+    case GOUGH_SHAPE_VECTOR:
+    case GOUGH_SHAPE_GRAVITY:
+    case GOUGH_SHAPE_NUMBER_OR_SIX:
+    case GOUGH_SHAPE_POINTS:
+    case GOUGH_SHAPE_INERTIA:
+        check_numeric(messages, node, key);
         break;
     }
 }
