@@ -8,6 +8,7 @@
 #include "cli/common/json.h"
 #include "cli/common/leg_table.h"
 #include "cli/common/scale.h"
+#include "cli/common/study_fields.h"
 #include "cli/common/talk.h"
 #include "cli/sweep/sweep_report.h"
 
@@ -23,6 +24,19 @@ typedef struct check {
     const gough_units *unit;
     double least[GOUGH_COMPONENTS], greatest[GOUGH_COMPONENTS];
 } check;
+
+/* Words and the value of a key of the study. */
+static void print_part(const check *c, const char *words, const char *path) {
+    printf("%s", words);
+    print_field(stdout, c->study, path);
+}
+
+/* The same on a line of its own. */
+static void print_value(const check *c, const char *label, const char *path) {
+    printf("  %-20s ", label);
+    print_field(stdout, c->study, path);
+    printf("\n");
+}
 
 static void print_legs(const check *c) {
     const gough_platform *platform = &c->machine->platform;
@@ -47,12 +61,8 @@ static void print_legs(const check *c) {
     if (platform->length_min > 0 || isfinite(platform->length_max))
         printf("  length limits        %.6g to %.6g%s\n", platform->length_min,
                platform->length_max, unit_word(unit, GOUGH_UNIT_LENGTH));
-    if (isfinite(platform->speed_max))
-        printf("  greatest speed       %.6g%s\n", platform->speed_max,
-               unit_word(unit, GOUGH_UNIT_SPEED));
-    if (isfinite(platform->force_max))
-        printf("  greatest force       %.6g%s\n", platform->force_max,
-               unit_word(unit, GOUGH_UNIT_FORCE));
+    if (isfinite(platform->speed_max)) print_value(c, "greatest speed", "platform.legs.max_speed");
+    if (isfinite(platform->force_max)) print_value(c, "greatest force", "platform.legs.max_force");
     if (!(platform->length_min > 0) && !isfinite(platform->length_max) &&
         !isfinite(platform->speed_max) && !isfinite(platform->force_max))
         printf("  limits               none given\n");
@@ -84,13 +94,11 @@ static void print_singularity(const check *c) {
 }
 
 static void print_load(const check *c) {
-    const gough_load *load = &c->machine->load;
-    const double *com = load->center_of_mass;
     printf("\n"
            "Load (the model has massless legs)\n");
-    printf("  mass                 %.6g%s, centre of mass %.6g, %.6g, %.6g%s\n", load->mass,
-           unit_word(c->unit, GOUGH_UNIT_MASS), com[0], com[1], com[2],
-           unit_word(c->unit, GOUGH_UNIT_LENGTH));
+    print_part(c, "  mass                 ", "load.mass");
+    print_part(c, ", centre of mass ", "load.center_of_mass");
+    printf("\n");
     printf("  principal moments    %.6g, %.6g, %.6g%s\n", c->view.moments[0], c->view.moments[1],
            c->view.moments[2], unit_word(c->unit, GOUGH_UNIT_INERTIA));
     static const char *const axis_names[] = {"axis of the first", "axis of the second",
@@ -103,9 +111,7 @@ static void print_load(const check *c) {
         }
         printf(")\n");
     }
-    printf("  gravity              %.6g, %.6g, %.6g%s\n", c->machine->gravity[0] + 0.0,
-           c->machine->gravity[1] + 0.0, c->machine->gravity[2] + 0.0,
-           unit_word(c->unit, GOUGH_UNIT_ACCELERATION));
+    print_value(c, "gravity", "gravity");
 }
 
 static void gain_range(const double gain[GOUGH_LEGS], double range[2]) {
@@ -171,9 +177,10 @@ static void print_program(const check *c) {
     if (!moving) printf("  rest at home\n");
     if (c->study->record) record_print(stdout, c->study->record, c->study->dimensionless);
     const double *about = motion->about;
-    if (fabs(about[0]) + fabs(about[1]) + fabs(about[2]) > 0)
-        printf("  of the point         %.6g, %.6g, %.6g%s in the top frame\n", about[0], about[1],
-               about[2], unit_word(c->unit, GOUGH_UNIT_LENGTH));
+    if (fabs(about[0]) + fabs(about[1]) + fabs(about[2]) > 0) {
+        print_part(c, "  of the point         ", "motion.about");
+        printf(" in the top frame\n");
+    }
 }
 
 static void print_control(const check *c) {
@@ -191,16 +198,17 @@ static void print_control(const check *c) {
 
 static void print_settings(const check *c) {
     const gough_simulation *s = &c->study->simulation;
-    printf("\n"
-           "Simulation\n"
-           "  duration             %.6g%s, a row every %.6g%s\n",
-           s->duration, unit_word(c->unit, GOUGH_UNIT_TIME), s->output_step,
-           unit_word(c->unit, GOUGH_UNIT_TIME));
-    printf("  method               %s, ", gough_method_name((int)s->method));
-    if (s->step > 0)
-        printf("step %.6g%s\n", s->step, unit_word(c->unit, GOUGH_UNIT_TIME));
-    else
+    printf("\nSimulation\n");
+    print_part(c, "  duration             ", "simulation.duration");
+    print_part(c, ", a row every ", "simulation.output_step");
+    print_part(c, "\n  method               ", "simulation.method");
+    printf(", ");
+    if (s->step > 0) {
+        print_part(c, "step ", "simulation.step");
+        printf("\n");
+    } else {
         printf("tolerance %.3g\n", s->tolerance);
+    }
     printf("  constraints          ");
     if (s->method >= GOUGH_RATTLE2)
         printf("kept by the method\n");

@@ -18,14 +18,6 @@ void json_set_members(json_t *json, const void *object, const scaled_member *mem
 #define JSON_SET(json, object, table)                                                              \
     json_set_members(json, object, table, sizeof(table) / sizeof *(table))
 
-/* ---- json_field.c: values of a study by the table of fields, angles in radians ---- */
-
-/* The value of the key "load.mass"; choices as their words, points and matrices as rows. Null where the key has no number. */
-json_t *json_field(const gough_study *study, const char *path);
-
-/* All keys directly in a section such as "control", by their names. */
-json_t *json_section(const gough_study *study, const char *section);
-
 /* Prints on standard output and lets go of the object. Returns 0, or -1 when out of memory or the output fails. */
 int json_print(json_t *object);
 

@@ -6,6 +6,7 @@
 
 #include "cli/common/json.h"
 #include "cli/common/memory.h"
+#include "cli/common/study_fields.h"
 #include "cli/common/talk.h"
 #include "cli/report/page_study.h"
 #include "cli/run/run_report.h"

@@ -9,7 +9,7 @@
 #include "cli/common/verb.h"
 #include "gough/gough.h"
 
-/* Numbers are in the units of the output once stability_scale() has seen them; shapes have angles in radians. */
+/* Numbers are in the units of the output when they are printed; shapes have angles in radians. */
 typedef struct stability_report {
     const char *verb;
     const gough_study *study;
