@@ -21,6 +21,7 @@ endfunction()
 
 if(DEFINED CMAKE_SCRIPT_MODE_FILE)
     file(GLOB headers ${FOLDER}/*.h)
-    gough_edition(edition ${headers})
+    file(GLOB tables ${FOLDER}/*.def)
+    gough_edition(edition ${headers} ${tables})
     message(NOTICE "${edition}")
 endif()

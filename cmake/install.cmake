@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 install(TARGETS gough_command RUNTIME)
 install(FILES ${PROJECT_BINARY_DIR}/libgough.a DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS gough_shared gough_analyse_shared gough_files_shared EXPORT gough-targets LIBRARY)
-install(DIRECTORY include/gough DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY include/gough DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h" PATTERN "*.def")
 install(FILES ${PROJECT_BINARY_DIR}/include/gough/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gough)
 
 # find_package(gough): targets gough::gough (core), gough::analyse and gough::files

@@ -2,10 +2,11 @@
 # stability (linear to tune: LAPACK); over both files and figures (study to page). Each is compiled once, as position-independent
 # code with only GOUGH_API visible, and serves as a static library (command, tests) and as a shared one (installed).
 file(GLOB GOUGH_HEADERS CONFIGURE_DEPENDS include/gough/*.h)
+file(GLOB GOUGH_HEADER_TABLES CONFIGURE_DEPENDS include/gough/*.def)
 
 include(cmake/edition.cmake)
-gough_edition(GOUGH_EDITION ${GOUGH_HEADERS})
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${GOUGH_HEADERS})
+gough_edition(GOUGH_EDITION ${GOUGH_HEADERS} ${GOUGH_HEADER_TABLES})
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${GOUGH_HEADERS} ${GOUGH_HEADER_TABLES})
 configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/gough/version.h @ONLY)
 file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
     src/base/*.c src/kernel/*.c src/program/*.c src/plant/*.c src/model/*.c src/integrate/*.c src/run/*.c src/batch/*.c)

@@ -10,8 +10,8 @@ file(MAKE_DIRECTORY ${GOUGH_PAGE_FOLDER})
 file(GLOB GOUGH_PAGE_CORE_SOURCES CONFIGURE_DEPENDS web/core/*.c
     src/base/*.c src/kernel/*.c src/program/*.c src/plant/*.c src/model/*.c src/integrate/*.c src/run/*.c)
 list(FILTER GOUGH_PAGE_CORE_SOURCES EXCLUDE REGEX "(_quad|_complex|crew|version|(run_double|prefetch)[^/]*)\\.c$")
-file(GLOB GOUGH_PAGE_CORE_HEADERS CONFIGURE_DEPENDS web/core/*.h include/gough/*.h
-    src/base/*.h src/kernel/*.h src/program/*.h src/plant/*.h src/model/*.h src/integrate/*.h src/system/*.h src/run/*.h)
+file(GLOB GOUGH_PAGE_CORE_HEADERS CONFIGURE_DEPENDS web/core/*.h include/gough/*.h include/gough/*.def
+    src/model/*.def src/base/*.h src/kernel/*.h src/program/*.h src/plant/*.h src/model/*.h src/integrate/*.h src/system/*.h src/run/*.h)
 
 # -Os is about as fast here as -O3, and a quarter smaller. Numbers beyond the integers saturate rather than trap; browsers that
 # know this have instructions that copy memory and extend signs, too. The stack of a module is 64 KiB unless told; runs keep their

@@ -26,45 +26,13 @@ __extension__ typedef __float128 gough_quad;
 typedef long double gough_quad;
 #endif
 
-/** Columns of a row, in the order of every table; names and dimensions from gough_column(). Angles in radians here. */
+/** Columns of a row, in the order of every table: GOUGH_T, GOUGH_X … GOUGH_RZX, one for each line of gough/columns.def, six for
+ *  each line of legs. Names and dimensions are those of gough_column(). Angles are in radians here. */
 enum gough_column {
-    GOUGH_T = 0,
-    GOUGH_X,
-    GOUGH_Y,
-    GOUGH_Z,
-    GOUGH_ROLL_ANGLE,
-    GOUGH_PITCH_ANGLE,
-    GOUGH_YAW_ANGLE, /* origin of the top frame, and its R, in the base frame */
-    GOUGH_VX,
-    GOUGH_VY,
-    GOUGH_VZ, /* its velocity */
-    GOUGH_WX,
-    GOUGH_WY,
-    GOUGH_WZ, /* angular velocity, base axes */
-    GOUGH_AX,
-    GOUGH_AY,
-    GOUGH_AZ, /* derivatives of the two above */
-    GOUGH_ALX,
-    GOUGH_ALY,
-    GOUGH_ALZ,
-    GOUGH_L,                         /* l1 … l6 */
-    GOUGH_DL = GOUGH_L + GOUGH_LEGS, /* dl1 … dl6 */
-    GOUGH_F = GOUGH_DL + GOUGH_LEGS, /* f1 … f6, push positive, leg disturbance included */
-    GOUGH_P = GOUGH_F + GOUGH_LEGS,  /* p1 … p6 = f · dl */
-    GOUGH_CONDITION = GOUGH_P + GOUGH_LEGS,
-    GOUGH_EX,
-    GOUGH_EY,
-    GOUGH_EZ,
-    GOUGH_EROLL,
-    GOUGH_EPITCH,
-    GOUGH_EYAW,  /* actual − program */
-    GOUGH_DRIFT, /* largest violation of (1.2) before projection, since the previous row */
-    GOUGH_RXX,
-    GOUGH_RYY,
-    GOUGH_RZZ,
-    GOUGH_RXY,
-    GOUGH_RYZ,
-    GOUGH_RZX, /* Λ, constraint reactions */
+#define GOUGH_COLUMN(id, name, what, length, mass, time, angle, when) GOUGH_##id,
+#define GOUGH_LEG_COLUMNS(id, name, what, after, length, mass, time, angle, when)                  \
+    GOUGH_##id, GOUGH_##id##_LAST = GOUGH_##id + GOUGH_LEGS - 1,
+#include "gough/columns.def"
     GOUGH_COLUMNS
 };
 

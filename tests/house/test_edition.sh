@@ -64,6 +64,7 @@ done <<'END'
 model.h s/double mass;/float mass;/
 simulate.h s/GOUGH_DOP853,/GOUGH_DOP853 = 3,/
 dynamics.h s/const gough_machine \*machine/gough_machine *machine/
+columns.def /^GOUGH_COLUMN(VX,/d
 batch.h s/^} gough_outcome;/int more; } gough_outcome;/
 END
 for edit in 's,/\*\*,/** Another word. ,' 's/^    /        /' 's/^#endif/\n#endif/'; do
