@@ -171,64 +171,37 @@ const three = (study, names, labels, planned) => [
     : []),
 ];
 
-/** Curves of one study, in order. */
-export function figuresOf(study) {
-  const { run, machine } = study;
-  if (!run.rows) return [];
-  const unit = (name) => run.unit(name);
-  const force = unit("f1");
-  const work = legWork(run);
-  const { kinetic, potential } = loadEnergy(run, machine);
-  const total = kinetic.map((value, row) => value + potential[row]);
-  const done = total.map((_, row) => work.reduce((sum, leg) => sum + leg[row], 0));
-  const energyUnit = force === "1" ? "1" : "J";
-  const paper = study.isPaper ? [figure3(study), figure4([study])] : [];
-  const height = run.column("z").map((z) => z - machine.height);
-  const position = three(study, ["x", "y", "z"], ["x", "y", "z"], true);
-  position[2] = { ...position[2], label: "z − h", y: height };
-  if (position[5])
-    position[5] = {
-      ...position[5],
-      label: "z − h program",
-      y: study.plan.column("z").map((z) => z - machine.height),
-    };
+/** Curves of the legs, by their columns. */
+function legFigures(study) {
+  const { run } = study;
+  const leg = (id, title, column, note, limited) => ({
+    id,
+    title,
+    note,
+    unit: run.unit(`${column}1`),
+    noise: study.noise(`${column}1`),
+    lines: legLines(study, column),
+    ...(limited && { limits: limitsOf(study, column) }),
+  });
+  const notes = (column) => joined(limitsNote(study, column), equalNote(study, column));
   return [
-    ...paper,
-    {
-      id: "forces",
-      title: "Leg forces",
-      note: joined("Push is positive.", limitsNote(study, "f"), equalNote(study, "f")),
-      unit: force,
-      noise: study.noise("f1"),
-      lines: legLines(study, "f"),
-      limits: limitsOf(study, "f"),
-    },
-    {
-      id: "lengths",
-      title: "Leg lengths",
-      note: joined(limitsNote(study, "l"), equalNote(study, "l")),
-      unit: unit("l1"),
-      noise: study.noise("l1"),
-      lines: legLines(study, "l"),
-      limits: limitsOf(study, "l"),
-    },
-    {
-      id: "rates",
-      title: "Leg rates",
-      note: joined(limitsNote(study, "dl"), equalNote(study, "dl")),
-      unit: unit("dl1"),
-      noise: study.noise("dl1"),
-      lines: legLines(study, "dl"),
-      limits: limitsOf(study, "dl"),
-    },
-    {
-      id: "power",
-      title: "Leg power",
-      note: equalNote(study, "p"),
-      unit: unit("p1"),
-      noise: study.noise("p1"),
-      lines: legLines(study, "p"),
-    },
+    leg("forces", "Leg forces", "f", joined("Push is positive.", notes("f")), true),
+    leg("lengths", "Leg lengths", "l", notes("l"), true),
+    leg("rates", "Leg rates", "dl", notes("dl"), true),
+    leg("power", "Leg power", "p", equalNote(study, "p"), false),
+  ];
+}
+
+/** Where the top is, and how far from the program. */
+function topFigures(study) {
+  const { run, machine } = study;
+  const unit = (name) => run.unit(name);
+  const aboveHome = (table) => table.column("z").map((z) => z - machine.height);
+  const position = three(study, ["x", "y", "z"], ["x", "y", "z"], true);
+  position[2] = { ...position[2], label: "z − h", y: aboveHome(run) };
+  if (position[5])
+    position[5] = { ...position[5], label: "z − h program", y: aboveHome(study.plan) };
+  return [
     {
       id: "position",
       title: "Position of the top",
@@ -260,6 +233,18 @@ export function figuresOf(study) {
       noise: study.noise("eroll"),
       lines: three(study, ["eroll", "epitch", "eyaw"], ["roll", "pitch", "yaw"]),
     },
+  ];
+}
+
+/** Energy of the load, and the work of the legs. */
+function energyFigures(study) {
+  const { run, machine } = study;
+  const work = legWork(run);
+  const { kinetic, potential } = loadEnergy(run, machine);
+  const total = kinetic.map((value, row) => value + potential[row]);
+  const done = total.map((_, row) => work.reduce((sum, leg) => sum + leg[row], 0));
+  const energyUnit = run.unit("f1") === "1" ? "1" : "J";
+  return [
     {
       id: "energy",
       title: "Energy of the load",
@@ -287,6 +272,13 @@ export function figuresOf(study) {
         y: work[leg - 1],
       })),
     },
+  ];
+}
+
+/** How well the numbers can be trusted. */
+function qualityFigures(study) {
+  const { run } = study;
+  return [
     {
       id: "drift",
       title: "Drift of the constraints",
@@ -307,29 +299,43 @@ export function figuresOf(study) {
   ];
 }
 
-/** Curves of several studies together: what tells them apart. */
-export function figuresOfAll(studies) {
-  const shown = studies.filter((study) => study.run.rows);
-  if (!shown.length) return [];
-  const mixed = shown.some((study) => study.units !== shown[0].units);
+/** Curves of one study, in order. */
+export function figuresOf(study) {
+  if (!study.run.rows) return [];
+  return [
+    ...(study.isPaper ? [figure3(study), figure4([study])] : []),
+    ...legFigures(study),
+    ...topFigures(study),
+    ...energyFigures(study),
+    ...qualityFigures(study),
+  ];
+}
+
+/** One line for each study, in the study's colour. */
+const linesOf = (studies, make) =>
+  studies.map((study) => ({
+    label: study.label,
+    name: `study-${study.index}`,
+    color: studyColor(study.index),
+    width: 1.75,
+    t: study.run.t,
+    y: make(study),
+  }));
+
+/** In each row the greatest or least force of the six legs. */
+const extremeForce = (study, pick) => {
+  const columns = SIX.map((leg) => study.run.column(`f${leg}`));
+  return columns[0].map((_, row) => pick(...columns.map((column) => column[row])));
+};
+
+const leastNoise = (studies, name) => Math.min(...studies.map((study) => study.noise(name)));
+
+/** How far each study is from its program. */
+function deviationsOfAll(shown) {
   const [first] = shown;
-  const lines = (make) =>
-    shown.map((study) => ({
-      label: study.label,
-      name: `study-${study.index}`,
-      color: studyColor(study.index),
-      width: 1.75,
-      t: study.run.t,
-      y: make(study),
-    }));
-  const extreme = (study, pick) => {
-    const columns = SIX.map((leg) => study.run.column(`f${leg}`));
-    return columns[0].map((_, row) => pick(...columns.map((column) => column[row])));
-  };
-  const noise = (name) => Math.min(...shown.map((study) => study.noise(name)));
-  const paper = shown.filter((study) => study.isPaper);
-  const figures = [
-    ...(paper.length > 1 ? [{ ...figure4(paper), wide: true }] : []),
+  const lines = (make) => linesOf(shown, make);
+  const noise = (name) => leastNoise(shown, name);
+  return [
     {
       id: "all-deviation",
       logarithmic: true,
@@ -352,6 +358,15 @@ export function figuresOfAll(studies) {
         magnitude(run.column("eroll"), run.column("epitch"), run.column("eyaw")),
       ),
     },
+  ];
+}
+
+/** Height, forces and condition of each study. */
+function statesOfAll(shown) {
+  const [first] = shown;
+  const lines = (make) => linesOf(shown, make);
+  const noise = (name) => leastNoise(shown, name);
+  return [
     {
       id: "all-height",
       title: "Height of the top",
@@ -365,7 +380,7 @@ export function figuresOfAll(studies) {
       note: "The greatest of the six, push positive.",
       unit: first.run.unit("f1"),
       noise: noise("f1"),
-      lines: lines((study) => extreme(study, Math.max)),
+      lines: lines((study) => extremeForce(study, Math.max)),
     },
     {
       id: "all-pull",
@@ -373,7 +388,7 @@ export function figuresOfAll(studies) {
       note: "The least of the six; below zero a leg pulls.",
       unit: first.run.unit("f1"),
       noise: noise("f1"),
-      lines: lines((study) => extreme(study, Math.min)),
+      lines: lines((study) => extremeForce(study, Math.min)),
     },
     {
       id: "all-condition",
@@ -382,6 +397,19 @@ export function figuresOfAll(studies) {
       unit: "1",
       lines: lines(({ run }) => run.column("condition")),
     },
+  ];
+}
+
+/** Curves of several studies together: what tells them apart. */
+export function figuresOfAll(studies) {
+  const shown = studies.filter((study) => study.run.rows);
+  if (!shown.length) return [];
+  const mixed = shown.some((study) => study.units !== shown[0].units);
+  const paper = shown.filter((study) => study.isPaper);
+  const figures = [
+    ...(paper.length > 1 ? [{ ...figure4(paper), wide: true }] : []),
+    ...deviationsOfAll(shown),
+    ...statesOfAll(shown),
   ];
   // where units differ, only the shapes can be compared, and the figure says so
   return mixed

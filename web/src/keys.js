@@ -27,10 +27,10 @@ function listen(actions) {
   });
 }
 
-/** Binds the keys to a page, and writes the help that lists them. */
-export function bindKeys(page) {
+/** What each key does on a page. */
+function actionsOn(page) {
   const recorded = (action) => (event) => page.mode === "recorded" && action(event);
-  const actions = [
+  return [
     {
       keys: [" "],
       say: "space",
@@ -79,6 +79,11 @@ export function bindKeys(page) {
     },
     { keys: ["?"], say: "?", does: "these keys", run: () => byId("keys").showModal() },
   ];
+}
+
+/** Binds the keys to a page, and writes the help that lists them. */
+export function bindKeys(page) {
+  const actions = actionsOn(page);
   byId("keys").replaceChildren(
     element("h2", {}, "Keys"),
     element(

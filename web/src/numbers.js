@@ -193,6 +193,57 @@ function jointTable(study) {
   );
 }
 
+/** What the eigenvalues and multipliers say, in a list of facts. */
+function stabilityFacts(study) {
+  const { stability } = study;
+  const time = unitAfter(study.unit("t"));
+  const periodic = stability.multipliers?.length > 0;
+  const about = periodic ? "about the program" : "at rest";
+  const verdict = {
+    stays: `No mode grows ${about} under this feedback.`,
+    drifts: `No mode grows ${about} under this feedback, but a velocity in ${stability.drifts?.join(", ")} \
+stays for ever: the top drifts away.`,
+    grows: `Some mode grows ${about} under this feedback.`,
+  }[verdictOf(stability)];
+  return factList([
+    ["verdict", element("strong", { class: stability.stable ? "good" : "bad" }, verdict)],
+    present(stability.growth_rate) && [
+      "greatest growth rate at rest",
+      `${number(stability.growth_rate, 5)}${time ? " 1/s" : ""}`,
+    ],
+    periodic && ["period of the program", amount(stability.period, study.unit("t"), 8)],
+    periodic && ["growth each period", `× ${number(stability.growth_per_period, 5)}`],
+    !periodic && [
+      "Floquet multipliers",
+      `none: ${study.stability_message || "the program has no period"}`,
+    ],
+  ]);
+}
+
+/** The multipliers as a picture and as a table; an empty list if there are none. */
+function multiplierViews(stability) {
+  const multipliers = multipliersBySize(stability);
+  if (!multipliers.length) return [];
+  return [
+    element(
+      "figure",
+      { class: "circle" },
+      multiplierCircle(stability.multipliers),
+      element(
+        "figcaption",
+        {},
+        "Floquet multipliers and the unit circle, with a logarithmic scale outside it. ◆ grows, ● does not.",
+      ),
+    ),
+    table(
+      "Floquet multipliers, by size",
+      ["mode", "|μ|"],
+      multipliers.map(({ mode, size }) => [mode, number(size, 6)]),
+      { "data-testid": "multipliers" },
+    ),
+  ];
+}
+
 function stabilitySection(study) {
   const { stability } = study;
   const section = element(
@@ -207,54 +258,14 @@ function stabilitySection(study) {
     return section;
   }
   const unitText = unitAfter(study.gainUnit(0)).trim();
-  const time = unitAfter(study.unit("t"));
-  const rate = time ? " [1/s]" : "";
-  const periodic = stability.multipliers?.length > 0;
-  const about = periodic ? "about the program" : "at rest";
-  const verdict = {
-    stays: `No mode grows ${about} under this feedback.`,
-    drifts: `No mode grows ${about} under this feedback, but a velocity in ${stability.drifts?.join(", ")} \
-stays for ever: the top drifts away.`,
-    grows: `Some mode grows ${about} under this feedback.`,
-  }[verdictOf(stability)];
-  const facts = factList([
-    ["verdict", element("strong", { class: stability.stable ? "good" : "bad" }, verdict)],
-    present(stability.growth_rate) && [
-      "greatest growth rate at rest",
-      `${number(stability.growth_rate, 5)}${time ? " 1/s" : ""}`,
-    ],
-    periodic && ["period of the program", amount(stability.period, study.unit("t"), 8)],
-    periodic && ["growth each period", `× ${number(stability.growth_per_period, 5)}`],
-    !periodic && [
-      "Floquet multipliers",
-      `none: ${study.stability_message || "the program has no period"}`,
-    ],
-  ]);
+  const rate = unitAfter(study.unit("t")) ? " [1/s]" : "";
   const thresholds = thresholdsOf(stability);
-  const multipliers = multipliersBySize(stability);
   section.append(
-    facts,
+    stabilityFacts(study),
     element(
       "div",
       { class: "beside" },
-      multipliers.length > 0 &&
-        element(
-          "figure",
-          { class: "circle" },
-          multiplierCircle(stability.multipliers),
-          element(
-            "figcaption",
-            {},
-            "Floquet multipliers and the unit circle, with a logarithmic scale outside it. ◆ grows, ● does not.",
-          ),
-        ),
-      multipliers.length > 0 &&
-        table(
-          "Floquet multipliers, by size",
-          ["mode", "|μ|"],
-          multipliers.map(({ mode, size }) => [mode, number(size, 6)]),
-          { "data-testid": "multipliers" },
-        ),
+      ...multiplierViews(stability),
       thresholds.length > 0 &&
         table(
           "Least stiffness that holds at rest",

@@ -10,6 +10,47 @@ const POINTS = 1600;
 const STRIP = 175;
 const PAUSE = 40;
 
+/** How a strip is drawn: the last `window` of time, in a given width. */
+function optionsOf(series, window, width) {
+  const axis = {
+    stroke: themed("--muted"),
+    grid: { stroke: themed("--rule"), width: 1 },
+    ticks: { show: false },
+    font: "11px system-ui, sans-serif",
+  };
+  return {
+    width,
+    height: STRIP,
+    pxAlign: false,
+    legend: { show: false },
+    cursor: { show: false },
+    padding: [8, 10, 0, 0],
+    scales: {
+      x: {
+        time: false,
+        range: (_, least, greatest) =>
+          least === null ? [0, 1] : [Math.max(0, greatest - window), Math.max(greatest, window)],
+      },
+    },
+    axes: [
+      { ...axis, size: 26, values: (_, values) => ticks(values) },
+      {
+        ...axis,
+        size: (_, labels) => labelRoom(labels, 58),
+        values: (_, values) => ticks(values),
+      },
+    ],
+    series: [
+      {},
+      ...series.map(({ color }) => ({
+        stroke: plain(color),
+        width: 1.5,
+        points: { show: false },
+      })),
+    ],
+  };
+}
+
 export class Strips {
   /** @param host element; @param study for its units; @param window length of time shown. */
   constructor(host, study, window) {
@@ -45,49 +86,8 @@ export class Strips {
           box,
         ),
       );
-      const axis = {
-        stroke: themed("--muted"),
-        grid: { stroke: themed("--rule"), width: 1 },
-        ticks: { show: false },
-        font: "11px system-ui, sans-serif",
-      };
-      const plot = new uPlot(
-        {
-          width: box.clientWidth || 400,
-          height: STRIP,
-          pxAlign: false,
-          legend: { show: false },
-          cursor: { show: false },
-          padding: [8, 10, 0, 0],
-          scales: {
-            x: {
-              time: false,
-              range: (_, least, greatest) =>
-                least === null
-                  ? [0, 1]
-                  : [Math.max(0, greatest - this.window), Math.max(greatest, this.window)],
-            },
-          },
-          axes: [
-            { ...axis, size: 26, values: (_, values) => ticks(values) },
-            {
-              ...axis,
-              size: (_, labels) => labelRoom(labels, 58),
-              values: (_, values) => ticks(values),
-            },
-          ],
-          series: [
-            {},
-            ...series.map(({ color }) => ({
-              stroke: plain(color),
-              width: 1.5,
-              points: { show: false },
-            })),
-          ],
-        },
-        [[], ...series.map(() => [])],
-        box,
-      );
+      const options = optionsOf(series, this.window, box.clientWidth || 400);
+      const plot = new uPlot(options, [[], ...series.map(() => [])], box);
       return { plot, box, series };
     };
     host.replaceChildren();
