@@ -71,53 +71,8 @@ export class Curve {
     const { spec } = this;
     const unitWords = unit(spec.unit);
     this.plotHost = element("div", { class: "plot", role: "img", "aria-label": this.spoken() });
-    this.key = element("div", { class: "key" });
-    this.values = spec.lines.map((line) => {
-      const value = element("output", {
-        class: "value",
-        "data-testid": `value-${spec.id}-${line.name ?? line.label}`,
-      });
-      const chip = element(
-        "button",
-        {
-          class: line.program ? "chip plan" : "chip",
-          type: "button",
-          "aria-pressed": "true",
-          title: `${line.long ?? line.label}: show or hide`,
-          style: { "--mark": line.color },
-        },
-        element("i", { class: line.dash ? "swatch dashed" : "swatch" }),
-        element("span", {}, line.label),
-        value,
-      );
-      chip.addEventListener("click", () => this.show([line], this.hidden.has(line)));
-      line.chip = chip;
-      this.key.append(chip);
-      return value;
-    });
-    this.logButton = element(
-      "button",
-      {
-        class: "mini",
-        type: "button",
-        "aria-pressed": String(this.logarithmic),
-        title: "magnitudes on a logarithmic axis",
-      },
-      "log",
-    );
-    this.logButton.addEventListener("click", () => this.setLogarithmic(!this.logarithmic));
-    const save = (kind, action) =>
-      element(
-        "button",
-        {
-          class: "mini",
-          type: "button",
-          title: `save this figure as ${kind}`,
-          "data-testid": `save-${kind.toLowerCase()}-${spec.id}`,
-          onclick: action,
-        },
-        kind,
-      );
+    this.buildKey();
+    this.logButton = this.logarithmicButton();
     this.card = element(
       "figure",
       {
@@ -135,8 +90,8 @@ export class Curve {
           { class: "acts" },
           spec.logable && this.logButton,
           spec.limits?.length > 0 && this.limitsButton(),
-          save("PNG", () => this.savePng()),
-          save("SVG", () => this.saveSvg()),
+          this.saveButton("PNG", () => this.savePng()),
+          this.saveButton("SVG", () => this.saveSvg()),
         ),
       ),
       spec.note && element("p", { class: "note" }, spec.note),
@@ -144,6 +99,72 @@ export class Curve {
       this.plotHost,
     );
     spec.lines.forEach((line) => this.mark(line));
+  }
+
+  /** Makes the key: a chip for each line, with the line's value at the cursor. */
+  buildKey() {
+    const { lines } = this.spec;
+    this.values = lines.map((line) => this.valueBox(line));
+    lines.forEach((line, index) => (line.chip = this.chip(line, this.values[index])));
+    this.key = element(
+      "div",
+      { class: "key" },
+      lines.map((line) => line.chip),
+    );
+  }
+
+  /** Where the key shows a line's value. */
+  valueBox(line) {
+    return element("output", {
+      class: "value",
+      "data-testid": `value-${this.spec.id}-${line.name ?? line.label}`,
+    });
+  }
+
+  /** The button of the key that shows or hides a line. */
+  chip(line, value) {
+    return element(
+      "button",
+      {
+        class: line.program ? "chip plan" : "chip",
+        type: "button",
+        "aria-pressed": "true",
+        title: `${line.long ?? line.label}: show or hide`,
+        style: { "--mark": line.color },
+        onclick: () => this.show([line], this.hidden.has(line)),
+      },
+      element("i", { class: line.dash ? "swatch dashed" : "swatch" }),
+      element("span", {}, line.label),
+      value,
+    );
+  }
+
+  logarithmicButton() {
+    return element(
+      "button",
+      {
+        class: "mini",
+        type: "button",
+        "aria-pressed": String(this.logarithmic),
+        title: "magnitudes on a logarithmic axis",
+        onclick: () => this.setLogarithmic(!this.logarithmic),
+      },
+      "log",
+    );
+  }
+
+  saveButton(kind, action) {
+    return element(
+      "button",
+      {
+        class: "mini",
+        type: "button",
+        title: `save this figure as ${kind}`,
+        "data-testid": `save-${kind.toLowerCase()}-${this.spec.id}`,
+        onclick: action,
+      },
+      kind,
+    );
   }
 
   limitsButton() {
@@ -265,31 +286,15 @@ export class Curve {
     return [middle - half, middle + half];
   }
 
+  /** What uPlot draws of these lines, and how. */
   options(order) {
-    const axis = {
-      stroke: themed("--muted"),
-      grid: { stroke: themed("--rule"), width: 1 },
-      ticks: { show: false },
-      font: "11px system-ui, sans-serif",
-    };
     return {
       width: this.plotHost.clientWidth || 400,
       height: HEIGHT,
       pxAlign: false,
       legend: { show: false },
       padding: [8, 12, 0, 0],
-      cursor: {
-        x: false,
-        y: false,
-        points: { show: false },
-        drag: { x: true, y: false, setScale: false },
-        bind: {
-          dblclick: () => () => {
-            this.range.reset();
-            return null;
-          },
-        },
-      },
+      cursor: this.pointing(),
       scales: {
         x: { time: false, range: () => this.range.shown },
         y: {
@@ -297,22 +302,7 @@ export class Curve {
           range: (_, least, greatest) => this.ordinate(least, greatest),
         },
       },
-      axes: [
-        { ...axis, size: 30, values: (_, values) => ticks(values) },
-        this.byDecades
-          ? {
-              ...axis,
-              size: 58,
-              splits: (_, __, least, greatest) => decades(least, greatest),
-              filter: (_, splits) => splits,
-              values: (_, values) => powers(values),
-            }
-          : {
-              ...axis,
-              size: (_, labels) => labelRoom(labels, 58),
-              values: (_, values) => ticks(values),
-            },
-      ],
+      axes: this.axes(),
       series: [
         {},
         ...order.map((line) => ({
@@ -330,6 +320,49 @@ export class Curve {
         draw: [() => this.placeCursor()],
       },
     };
+  }
+
+  /** How the plot answers the pointer: dragging selects a range of time, a double click shows all of it. uPlot draws no cursor:
+   *  placeCursor() does. */
+  pointing() {
+    return {
+      x: false,
+      y: false,
+      points: { show: false },
+      drag: { x: true, y: false, setScale: false },
+      bind: {
+        dblclick: () => () => {
+          this.range.reset();
+          return null;
+        },
+      },
+    };
+  }
+
+  /** The axis of time, and the axis of the values: linear, or by powers of ten. */
+  axes() {
+    const axis = {
+      stroke: themed("--muted"),
+      grid: { stroke: themed("--rule"), width: 1 },
+      ticks: { show: false },
+      font: "11px system-ui, sans-serif",
+    };
+    return [
+      { ...axis, size: 30, values: (_, values) => ticks(values) },
+      this.byDecades
+        ? {
+            ...axis,
+            size: 58,
+            splits: (_, __, least, greatest) => decades(least, greatest),
+            filter: (_, splits) => splits,
+            values: (_, values) => powers(values),
+          }
+        : {
+            ...axis,
+            size: (_, labels) => labelRoom(labels, 58),
+            values: (_, values) => ticks(values),
+          },
+    ];
   }
 
   select(plot) {

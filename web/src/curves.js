@@ -6,6 +6,14 @@ import { byId, element } from "./dom.js";
 import { figuresOf, figuresOfAll } from "./figures.js";
 import { download, fileName } from "./save.js";
 
+/** A small button of the tools. */
+const button = (words, title, action, attributes = {}) =>
+  element(
+    "button",
+    { class: "mini", type: "button", title, onclick: action, ...attributes },
+    words,
+  );
+
 export class Curves {
   /** @param onSeek called with a time that the reader points at, and whether it was a click. */
   constructor(onSeek) {
@@ -51,74 +59,77 @@ export class Curves {
   }
 
   buildTools() {
-    const tools = [];
-    const button = (words, title, action, attributes = {}) =>
+    byId("curve-tools").replaceChildren(
+      ...(this.shown.length === 1 ? this.lineTools() : []),
+      this.wholeRangeButton(),
+      ...this.shown.map((study) => this.saveButtons(study)),
+    );
+  }
+
+  /** The tools that show and hide lines of a single study. */
+  lineTools() {
+    this.planned = false;
+    return [
       element(
-        "button",
-        { class: "mini", type: "button", title, onclick: action, ...attributes },
-        words,
-      );
-    if (this.shown.length === 1) {
-      const legs = [1, 2, 3, 4, 5, 6].map((leg) => {
-        const node = button(
-          String(leg),
-          `leg ${leg} in all curves: show or hide`,
-          () => {
-            const visible = node.getAttribute("aria-pressed") !== "true";
-            node.setAttribute("aria-pressed", String(visible));
-            for (const curve of this.curves)
-              curve.show(
-                curve.spec.lines.filter(
-                  (line) => line.leg === leg && (!line.program || !visible || this.planned),
-                ),
-                visible,
-              );
-          },
-          {
-            "aria-pressed": "true",
-            "aria-label": `leg ${leg}`,
-            "data-testid": `leg-${leg}`,
-            class: "mini leg-toggle",
-            style: { "--leg": LEGS[leg - 1] },
-          },
+        "span",
+        { class: "group", role: "group", "aria-label": "Legs" },
+        element("span", { class: "word" }, "legs"),
+        ...[1, 2, 3, 4, 5, 6].map((leg) => this.legButton(leg)),
+      ),
+      this.programButton(),
+    ];
+  }
+
+  /** Shows or hides a leg in all figures; its program's lines are shown only while `planned` is set. */
+  legButton(leg) {
+    const toggle = () => {
+      const visible = node.getAttribute("aria-pressed") !== "true";
+      node.setAttribute("aria-pressed", String(visible));
+      for (const curve of this.curves)
+        curve.show(
+          curve.spec.lines.filter(
+            (line) => line.leg === leg && (!line.program || !visible || this.planned),
+          ),
+          visible,
         );
-        return node;
-      });
-      const plan = button(
-        "program",
-        "the program's lines as well as the actual ones",
-        () => {
-          this.planned = !this.planned;
-          plan.setAttribute("aria-pressed", String(this.planned));
-          for (const curve of this.curves)
-            curve.show(
-              curve.spec.lines.filter((line) => line.program),
-              this.planned,
-            );
-        },
-        { "aria-pressed": "false" },
-      );
-      this.planned = false;
-      tools.push(
-        element(
-          "span",
-          { class: "group", role: "group", "aria-label": "Legs" },
-          element("span", { class: "word" }, "legs"),
-          ...legs,
-        ),
-        plan,
-      );
-    }
-    const all = button(
+    };
+    const node = button(String(leg), `leg ${leg} in all curves: show or hide`, toggle, {
+      "aria-pressed": "true",
+      "aria-label": `leg ${leg}`,
+      "data-testid": `leg-${leg}`,
+      class: "mini leg-toggle",
+      style: { "--leg": LEGS[leg - 1] },
+    });
+    return node;
+  }
+
+  /** Shows or hides the program's lines in all figures. */
+  programButton() {
+    const toggle = () => {
+      this.planned = !this.planned;
+      node.setAttribute("aria-pressed", String(this.planned));
+      for (const curve of this.curves)
+        curve.show(
+          curve.spec.lines.filter((line) => line.program),
+          this.planned,
+        );
+    };
+    const node = button("program", "the program's lines as well as the actual ones", toggle, {
+      "aria-pressed": "false",
+    });
+    return node;
+  }
+
+  /** Shows the full range of time again; disabled while nothing is zoomed. */
+  wholeRangeButton() {
+    const node = button(
       "whole range",
       "the full range of time (double-click in a curve)",
       () => this.range.reset(),
       { "data-testid": "whole-range", disabled: true },
     );
-    this.range.listeners.add(() => (all.disabled = !this.range.zoomed));
-    tools.push(all);
-    for (const study of this.shown) tools.push(this.saveButtons(study));
-    byId("curve-tools").replaceChildren(...tools);
+    this.range.listeners.add(() => (node.disabled = !this.range.zoomed));
+    return node;
   }
 
   saveButtons(study) {
