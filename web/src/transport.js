@@ -4,6 +4,59 @@ import { fixed, unitAfter } from "./format.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16];
 
+/** The slider of time, in rows of the table; moving it pauses the player. */
+function timeSlider(player, rows) {
+  const slider = element("input", {
+    type: "range",
+    min: "0",
+    max: String(rows),
+    step: "1",
+    value: "0",
+    "data-testid": "scrub",
+    "aria-label": "time",
+  });
+  slider.addEventListener("input", () => {
+    player.pause();
+    player.seek(Number(slider.value) * player.step);
+  });
+  return slider;
+}
+
+/** A mark on the bar at the time of each end. */
+const endMarks = (ends, duration) =>
+  ends.map(({ time, label }) =>
+    element("i", {
+      class: "end-mark",
+      title: label,
+      style: { left: `${(100 * time) / duration}%` },
+    }),
+  );
+
+/** The list of speeds. */
+function speedList(player) {
+  const list = element(
+    "select",
+    { "aria-label": "speed", title: "speed", "data-testid": "speed" },
+    SPEEDS.map((value) => element("option", { value, selected: value === 1 }, `${value}×`)),
+  );
+  list.addEventListener("change", () => (player.speed = Number(list.value)));
+  return list;
+}
+
+/** The button that makes the player start again at the end, or stop there. */
+function loopButton(player) {
+  const button = element(
+    "button",
+    { class: "mini", type: "button", "aria-pressed": "true", title: "begin again at the end" },
+    "loop",
+  );
+  button.addEventListener("click", () => {
+    player.loop = !player.loop;
+    button.setAttribute("aria-pressed", String(player.loop));
+  });
+  return button;
+}
+
 export class Transport {
   /** @param host element; @param player the clock; @param unitText of time; @param ends [{time, label}] marked on the bar. */
   constructor(host, player, unitText, ends) {
@@ -17,54 +70,20 @@ export class Transport {
       "data-testid": "play",
       onclick: () => player.toggle(),
     });
-    this.scrub = element("input", {
-      type: "range",
-      min: "0",
-      max: String(this.rows),
-      step: "1",
-      value: "0",
-      "data-testid": "scrub",
-      "aria-label": "time",
-    });
-    this.scrub.addEventListener("input", () => {
-      player.pause();
-      player.seek(Number(this.scrub.value) * player.step);
-    });
+    this.scrub = timeSlider(player, this.rows);
     this.label = element("output", { class: "span", "data-testid": "time" });
-    const speed = element(
-      "select",
-      { "aria-label": "speed", title: "speed", "data-testid": "speed" },
-      SPEEDS.map((value) => element("option", { value, selected: value === 1 }, `${value}×`)),
-    );
-    speed.addEventListener("change", () => (player.speed = Number(speed.value)));
-    this.speed = speed;
-    const loop = element(
-      "button",
-      { class: "mini", type: "button", "aria-pressed": "true", title: "begin again at the end" },
-      "loop",
-    );
-    loop.addEventListener("click", () => {
-      player.loop = !player.loop;
-      loop.setAttribute("aria-pressed", String(player.loop));
-    });
-    const marks = ends.map(({ time, label }) =>
-      element("i", {
-        class: "end-mark",
-        title: label,
-        style: { left: `${(100 * time) / player.duration}%` },
-      }),
-    );
+    this.speed = speedList(player);
     host.replaceChildren(
       this.button,
       element(
         "div",
         { class: "scrubber" },
         this.scrub,
-        element("div", { class: "marks", "aria-hidden": "true" }, marks),
+        element("div", { class: "marks", "aria-hidden": "true" }, endMarks(ends, player.duration)),
       ),
       this.label,
-      speed,
-      loop,
+      this.speed,
+      loopButton(player),
     );
     player.listen(() => this.show());
   }
