@@ -21,6 +21,40 @@ const TRAIL = 900;
 
 const SPEEDS = { least: 0.1, greatest: 20 };
 
+/** Name and direction (base axes) of each button that pushes. */
+const DIRECTIONS = [
+  ["+x", 1, 0, 0],
+  ["−x", -1, 0, 0],
+  ["+y", 0, 1, 0],
+  ["−y", 0, -1, 0],
+  ["up", 0, 0, 1],
+  ["down", 0, 0, -1],
+];
+
+/** A warning where the six gains differ, since one slider sets them all. */
+const unequalNote = (gains) =>
+  gains.some((value) => value !== gains[0])
+    ? "The study's six values differ; moving the slider makes them equal."
+    : "";
+
+/** Marks and help of the slider of stiffness: the value from which each mode holds at rest. */
+function thresholdWords(study) {
+  const thresholds = holdsFrom(study.stability);
+  const holds = thresholds.map(({ mode, stiffness }) => `${mode} ${number(stiffness, 3)}`);
+  return {
+    marks: thresholds.map(({ mode, stiffness }) => ({
+      value: stiffness,
+      label: `${mode} holds from G = ${amount(stiffness, study.gainUnit(0))}`,
+    })),
+    help: [
+      holds.length ? `At rest, holds from: ${holds.join(", ")}.` : "",
+      unequalNote(study.control.stiffness),
+    ]
+      .join(" ")
+      .trim(),
+  };
+}
+
 export class Live {
   constructor(page, study) {
     this.page = page;
@@ -153,83 +187,45 @@ export class Live {
 
   build() {
     if (this.built) return;
-    const { study } = this;
-    const si = study.units === "si";
-    const gain = this.weight / study.machine.base_radius;
-    const power = (value) => 10 ** Math.round(Math.log10(value));
-    const thresholds = holdsFrom(study.stability);
-    const holds = thresholds.map(({ mode, stiffness: from }) => `${mode} ${number(from, 3)}`);
-    const slider = (spec) => new Slider(spec, (value) => this.change(spec.id, value));
-    const { stiffness, damping } = study.control;
-    const unequal = (gains) =>
-      gains.some((value) => value !== gains[0])
-        ? "The study's six values differ; moving the slider makes them equal."
-        : "";
-    this.sliders = {
-      stiffness: slider({
-        id: "stiffness",
-        label: "Stiffness G",
-        unit: unit(study.gainUnit(0)),
-        least: power(gain) / 100,
-        greatest: power(gain) * 1000,
-        logarithmic: true,
-        value: Math.max(...stiffness),
-        marks: thresholds.map(({ mode, stiffness: from }) => ({
-          value: from,
-          label: `${mode} holds from G = ${amount(from, study.gainUnit(0))}`,
-        })),
-        help: [holds.length ? `At rest, holds from: ${holds.join(", ")}.` : "", unequal(stiffness)]
-          .join(" ")
-          .trim(),
-      }),
-      damping: slider({
-        id: "damping",
-        label: "Damping D",
-        unit: unit(study.gainUnit(1)),
-        least: power(gain * this.timeUnit) / 100,
-        greatest: power(gain * this.timeUnit) * 100,
-        logarithmic: true,
-        value: Math.max(...damping),
-        help: unequal(damping),
-      }),
-      disturbance: slider({
-        id: "disturbance",
-        label: "Disturbance",
-        unit: "× the study's",
-        least: 0.1,
-        greatest: 1000,
-        logarithmic: true,
-        value: 1,
-      }),
-      amplitude: slider({
-        id: "amplitude",
-        label: "Amplitude",
-        unit: "× the program",
-        least: 0,
-        greatest: 2,
-        value: 1,
-      }),
-      frequency: slider({
-        id: "frequency",
-        label: "Frequency",
-        unit: "× the program",
-        least: 0,
-        greatest: 3,
-        value: 1,
-      }),
-    };
+    this.buildControls();
+    this.buildReadings();
+    this.built = element(
+      "div",
+      { class: "live-panel" },
+      this.head(),
+      this.settings(),
+      element("h3", {}, "Your hand"),
+      element(
+        "p",
+        { class: "help" },
+        this.page.scene
+          ? "Take the platform or the load and pull; or hold a button:"
+          : "Hold a button to push the load:",
+      ),
+      element("div", { class: "pad" }, this.pushButtons()),
+      element("h3", {}, "Pace"),
+      this.speed.node,
+      this.readings(),
+    );
+    byId("live").replaceChildren(this.built);
+    this.strips = new Strips(byId("strips"), this.study, WINDOW * this.timeUnit);
+  }
+
+  /** Makes all controls that the reader can set. */
+  buildControls() {
+    this.sliders = { ...this.gainSliders(), ...this.multiplierSliders() };
     this.feedforward = element("input", {
       type: "checkbox",
       id: "live-feedforward",
       "data-testid": "live-feedforward",
-      checked: study.control.feedforward,
+      checked: this.study.control.feedforward,
       onchange: () => this.change("feedforward", this.feedforward.checked),
     });
     this.speed = new Slider(
       {
         id: "speed",
         label: "Speed",
-        unit: si ? "× real time" : "units of time per second",
+        unit: this.study.units === "si" ? "× real time" : "units of time per second",
         ...SPEEDS,
         logarithmic: true,
         value: 1,
@@ -243,6 +239,77 @@ export class Live {
       title: "play or pause (space)",
       onclick: () => this.toggle(),
     });
+  }
+
+  /** A slider for the setting with the name `spec.id`. */
+  slider(spec) {
+    return new Slider(spec, (value) => this.change(spec.id, value));
+  }
+
+  /** Sliders of stiffness and damping. Their ranges lie around the machine's own units: m g/R_b for stiffness, and
+   *  m g/R_b · √(R_b/g) for damping. */
+  gainSliders() {
+    const { study } = this;
+    const gain = this.weight / study.machine.base_radius;
+    const power = (value) => 10 ** Math.round(Math.log10(value));
+    const { stiffness, damping } = study.control;
+    return {
+      stiffness: this.slider({
+        id: "stiffness",
+        label: "Stiffness G",
+        unit: unit(study.gainUnit(0)),
+        least: power(gain) / 100,
+        greatest: power(gain) * 1000,
+        logarithmic: true,
+        value: Math.max(...stiffness),
+        ...thresholdWords(study),
+      }),
+      damping: this.slider({
+        id: "damping",
+        label: "Damping D",
+        unit: unit(study.gainUnit(1)),
+        least: power(gain * this.timeUnit) / 100,
+        greatest: power(gain * this.timeUnit) * 100,
+        logarithmic: true,
+        value: Math.max(...damping),
+        help: unequalNote(damping),
+      }),
+    };
+  }
+
+  /** Sliders of the factors by which the study's disturbance and program are multiplied. */
+  multiplierSliders() {
+    return {
+      disturbance: this.slider({
+        id: "disturbance",
+        label: "Disturbance",
+        unit: "× the study's",
+        least: 0.1,
+        greatest: 1000,
+        logarithmic: true,
+        value: 1,
+      }),
+      amplitude: this.slider({
+        id: "amplitude",
+        label: "Amplitude",
+        unit: "× the program",
+        least: 0,
+        greatest: 2,
+        value: 1,
+      }),
+      frequency: this.slider({
+        id: "frequency",
+        label: "Frequency",
+        unit: "× the program",
+        least: 0,
+        greatest: 3,
+        value: 1,
+      }),
+    };
+  }
+
+  /** Makes the outputs that each picture updates: the clock, the distance from the program and the pace. */
+  buildReadings() {
     this.clock = element("output", {
       class: "span",
       "data-testid": "live-time",
@@ -253,23 +320,56 @@ export class Live {
       "data-testid": "live-pace",
       title: "how much faster than real time the core runs on this computer",
     });
-    const pad = [
-      ["+x", 1, 0, 0],
-      ["−x", -1, 0, 0],
-      ["+y", 0, 1, 0],
-      ["−y", 0, -1, 0],
-      ["up", 0, 0, 1],
-      ["down", 0, 0, -1],
-    ].map(([word, ...direction]) => {
-      const set = (on) => () =>
-        this.pushBy(on ? direction.map((part) => part * 0.2 * this.weight) : [0, 0, 0]);
+  }
+
+  /** The head of the panel: play, restart and clock. */
+  head() {
+    return element(
+      "div",
+      { class: "live-head" },
+      this.playButton,
+      element(
+        "button",
+        {
+          class: "mini",
+          type: "button",
+          "data-testid": "live-restart",
+          title: "from t = 0 again (home)",
+          onclick: () => this.restart(),
+        },
+        "restart",
+      ),
+      this.clock,
+    );
+  }
+
+  /** The sliders with their headings, and the box of the feed-forward. */
+  settings() {
+    const { stiffness, damping, amplitude, frequency, disturbance } = this.sliders;
+    return [
+      element("h3", {}, "Feedback"),
+      stiffness.node,
+      damping.node,
+      element("label", { class: "check" }, this.feedforward, "feed the program's forces forward"),
+      element("h3", {}, "Program and disturbance"),
+      amplitude.node,
+      frequency.node,
+      disturbance.node,
+    ];
+  }
+
+  /** A button for each direction: while held, it pushes with a fifth of the load's weight. */
+  pushButtons() {
+    const force = 0.2 * this.weight;
+    return DIRECTIONS.map(([word, ...direction]) => {
+      const set = (on) => () => this.pushBy(on ? direction.map((part) => part * force) : [0, 0, 0]);
       return element(
         "button",
         {
           class: "mini",
           type: "button",
           "aria-label": `push ${word}`,
-          title: `push while held, with ${amount(0.2 * this.weight, study.unit("f1"), 3)}`,
+          title: `push while held, with ${amount(force, this.study.unit("f1"), 3)}`,
           onpointerdown: set(true),
           onpointerup: set(false),
           onpointerleave: set(false),
@@ -281,56 +381,18 @@ export class Live {
         word,
       );
     });
-    this.built = element(
-      "div",
-      { class: "live-panel" },
-      element(
-        "div",
-        { class: "live-head" },
-        this.playButton,
-        element(
-          "button",
-          {
-            class: "mini",
-            type: "button",
-            "data-testid": "live-restart",
-            title: "from t = 0 again (home)",
-            onclick: () => this.restart(),
-          },
-          "restart",
-        ),
-        this.clock,
-      ),
-      element("h3", {}, "Feedback"),
-      this.sliders.stiffness.node,
-      this.sliders.damping.node,
-      element("label", { class: "check" }, this.feedforward, "feed the program's forces forward"),
-      element("h3", {}, "Program and disturbance"),
-      this.sliders.amplitude.node,
-      this.sliders.frequency.node,
-      this.sliders.disturbance.node,
-      element("h3", {}, "Your hand"),
-      element(
-        "p",
-        { class: "help" },
-        this.page.scene
-          ? "Take the platform or the load and pull; or hold a button:"
-          : "Hold a button to push the load:",
-      ),
-      element("div", { class: "pad" }, pad),
-      element("h3", {}, "Pace"),
-      this.speed.node,
-      element(
-        "dl",
-        { class: "live-facts" },
-        element("dt", {}, "off program"),
-        element("dd", {}, this.off),
-        element("dt", {}, "the core's pace"),
-        element("dd", {}, this.pace),
-      ),
+  }
+
+  /** The list of readings at the foot of the panel. */
+  readings() {
+    return element(
+      "dl",
+      { class: "live-facts" },
+      element("dt", {}, "off program"),
+      element("dd", {}, this.off),
+      element("dt", {}, "the core's pace"),
+      element("dd", {}, this.pace),
     );
-    byId("live").replaceChildren(this.built);
-    this.strips = new Strips(byId("strips"), study, WINDOW * this.timeUnit);
   }
 
   repaint() {
