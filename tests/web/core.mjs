@@ -102,7 +102,8 @@ for (const method of ["rk4", "dop853", "rattle4"]) {
     "a leg at its limit": moves + held + "disturbance: {force: [0, 0, t]}\n",
   })) {
     test(`same bits as the command: ${name}, ${method}`, async () => {
-      const limits = name === "a leg at its limit" ? machine.replace("height: 1.2", "height: 1.2, legs: {length: [1.2, 1.4]}") : machine;
+      const limits =
+        name === "a leg at its limit" ? machine.replace("height: 1.2", "height: 1.2, legs: {length: [1.2, 1.4]}") : machine;
       const file = write(limits + text + stepped(method));
       const core = await Core.load(module);
       core.begin(flatOf(file));
@@ -249,7 +250,8 @@ for (const [cause, limits, text] of [
   ["not_finite", "", "disturbance: {force: [1/(t - 1), 0, 0]}"],
 ]) {
   test(`ends as a run does: ${cause}, ${text.slice(0, 6)}`, async () => {
-    const core = await coreOf(machine.replace("height: 1.2", `height: 1.2, ${limits}`) + held + `${text}\n` + stepped("dop853", 20));
+    const limited = machine.replace("height: 1.2", `height: 1.2, ${limits}`);
+    const core = await coreOf(limited + held + `${text}\n` + stepped("dop853", 20));
     const run = core.run(), sentence = core.message;
     assert.equal(run.cause, cause);
     core.restart();
@@ -285,19 +287,23 @@ async function assertSameEnd(text, settings, ...keys) {
 }
 
 const all = machine + waves + pushed + held + stepped("dop853");
-test("sets gains as the study does", () => assertSameEnd(all, { set: { stiffness: 20, damping: 0.5 } }, "control.stiffness=20", "control.damping=0.5"));
-test("sets the feed-forward as the study does", () => assertSameEnd(all, { set: { feedforward: false } }, "control.feedforward=none"));
+test("sets gains as the study does", () =>
+  assertSameEnd(all, { set: { stiffness: 20, damping: 0.5 } }, "control.stiffness=20", "control.damping=0.5"));
+test("sets the feed-forward as the study does", () =>
+  assertSameEnd(all, { set: { feedforward: false } }, "control.feedforward=none"));
 test("sets the amplitude as the study does", () => assertSameEnd(all, { set: { amplitude: 0.4 } }, "motion.amplitude=0.4"));
 test("sets the frequency as the study does", () => assertSameEnd(all, { set: { frequency: 1.7 } }, "motion.frequency=1.7"));
-test("pushes as a constant force does", () => assertSameEnd(all, { push: [0.1, -0.2, 0.05] }, "disturbance.force=[0.1, -0.2, 0.05]"));
+test("pushes as a constant force does", () =>
+  assertSameEnd(all, { push: [0.1, -0.2, 0.05] }, "disturbance.force=[0.1, -0.2, 0.05]"));
 test("scales what the study scales already", () =>
   assertSameEnd(all.replace("motion: {", "motion: {amplitude: 0.5, frequency: 2, "), { set: { amplitude: 0.5, frequency: 0.75 } },
     "motion.amplitude=0.25", "motion.frequency=1.5"));
 test("scales all disturbances", () =>
-  assertSameEnd(machine + moves + held + "disturbance: {leg_force: 0.1*t, vertical_force: 0.2, force: [0.1, 0, 0], moment: [0, 0.02*t, 0]," +
+  assertSameEnd(machine + moves + held +
+    "disturbance: {leg_force: 0.1*t, vertical_force: 0.2, force: [0.1, 0, 0], moment: [0, 0.02*t, 0]," +
     " noise: {leg_force: 0.02, interval: 0.3}}\n" + stepped("dop853"), { set: { disturbance: 0.5 } },
-    "disturbance.leg_force=0.05*t", "disturbance.vertical_force=0.1", "disturbance.force=[0.05, 0, 0]", "disturbance.moment=[0, 0.01*t, 0]",
-    "disturbance.noise.leg_force=0.01"));
+    "disturbance.leg_force=0.05*t", "disturbance.vertical_force=0.1", "disturbance.force=[0.05, 0, 0]",
+    "disturbance.moment=[0, 0.01*t, 0]", "disturbance.noise.leg_force=0.01"));
 
 test("feedback below its threshold loses the platform, above it holds", async () => {
   const core = await coreOf(machine + waves + stepped("dop853"));
@@ -324,7 +330,8 @@ test("the program stays smooth while its amplitude and frequency change", async 
     if (i === 4500) core.set({ frequency: 1 });
     if (i === 4700) core.set({ frequency: 1 }); // the same on its way is no change
     if (i === 5600) core.set({ amplitude: 1 });
-    if (i === 7000) for (const factor of [2, 1]) core.set({ amplitude: factor, frequency: factor }); // as given again, but for the phase
+    // as given again, but for the phase
+    if (i === 7000) for (const factor of [2, 1]) core.set({ amplitude: factor, frequency: factor });
     if (i === 7500) core.set({ frequency: 0 });
     assert.equal(core.advance(step, step), "done", core.message);
     const z = core.program()[2];
@@ -359,7 +366,10 @@ function dice(seed) {
   };
 }
 
-const causes = ["done", "leg_short", "leg_long", "leg_speed", "leg_force", "leg_no_length", "singular", "not_finite", "no_convergence", "stopped", "invalid"];
+const causes = [
+  "done", "leg_short", "leg_long", "leg_speed", "leg_force", "leg_no_length",
+  "singular", "not_finite", "no_convergence", "stopped", "invalid",
+];
 const nasty = [0, -1, 1e300, -1e300, 1e-300, NaN, Infinity, -Infinity, 5e-324, 1e9, 0.5, 2];
 
 test("random pushes and settings never stop it, and what goes on is finite", async () => {
@@ -394,7 +404,8 @@ test("damaged studies are refused with a sentence or run", async () => {
   for (let i = 0; i < 2000; i++) {
     const damaged = flat.slice(0, random() < 0.1 ? Math.floor(random() * flat.length) : flat.length);
     for (let k = 0; k < 1 + 3 * random(); k++) {
-      damaged[Math.floor(random() * damaged.length)] = random() < 0.5 ? nasty[Math.floor(random() * nasty.length)] : Math.floor(30 * random());
+      damaged[Math.floor(random() * damaged.length)] =
+        random() < 0.5 ? nasty[Math.floor(random() * nasty.length)] : Math.floor(30 * random());
     }
     try {
       core.begin(damaged);

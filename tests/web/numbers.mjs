@@ -1,6 +1,6 @@
-// Every number of the page against values that are computed here from the study file alone: the JSON that `gough report` writes, and
-// what the page shows beside each label, with its unit, in SI and dimensionless. All numbers of the study differ, so that none can
-// stand for another.
+// Every number of the page against values that are computed here from the study file alone: the JSON that `gough report` writes,
+// and what the page shows beside each label, with its unit, in SI and dimensionless. All numbers of the study differ, so that none
+// can stand for another.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -64,6 +64,8 @@ const NUMBERS = {
   tolerance: 3e-11,
 };
 
+const MOTION = 'heave: "0.031*sin(3*t)*ramp(t, 1)", surge: "0.023*sin(2*t)*ramp(t, 1)", yaw: "5*sin(4*t)*ramp(t, 1)"';
+
 const text = (units) => `title: Numbers that differ, ${units}
 units: ${units}
 platform:
@@ -73,7 +75,7 @@ platform:
   legs: {length: ${JSON.stringify(NUMBERS.length)}, max_speed: ${NUMBERS.speed}, max_force: ${NUMBERS.force}}
 load: {mass: ${NUMBERS.mass}, center_of_mass: ${JSON.stringify(NUMBERS.center)}, inertia: ${JSON.stringify(NUMBERS.inertia)}}
 gravity: ${JSON.stringify(NUMBERS.gravity)}
-motion: {about: ${JSON.stringify(NUMBERS.about)}, heave: "0.031*sin(3*t)*ramp(t, 1)", surge: "0.023*sin(2*t)*ramp(t, 1)", yaw: "5*sin(4*t)*ramp(t, 1)"}
+motion: {about: ${JSON.stringify(NUMBERS.about)}, ${MOTION}}
 control: {feedforward: none, stiffness: ${JSON.stringify(NUMBERS.stiffness)}, damping: ${JSON.stringify(NUMBERS.damping)}}
 simulation: {duration: ${NUMBERS.duration}, output_step: ${NUMBERS.outputStep}, tolerance: ${NUMBERS.tolerance}}
 `;
@@ -366,7 +368,9 @@ for (const units of ["si", "dimensionless"]) {
       assert.deepEqual(numbersIn(words), limits, words);
     }
     assert.deepEqual(
-      (await page.locator("table.pose th[scope=row]").allTextContents()).map((words) => words.replace(/^(roll|pitch|yaw|x|y|z)/, "")),
+      (await page.locator("table.pose th[scope=row]").allTextContents()).map((words) =>
+        words.replace(/^(roll|pitch|yaw|x|y|z)/, ""),
+      ),
       si ? ["m", "m", "m", "°", "°", "°"] : ["", "", "", "°", "°", "°"],
     );
     const heads = await byName(page, "legs-run").locator("thead th").allTextContents();
@@ -452,10 +456,7 @@ const writtenBy = async (page, id) => {
 };
 
 test("numbers at axes are whole, and are those of their places", async () => {
-  const offset = study(
-    "offset.yaml",
-    text("si").replace('heave: "0.031*sin(3*t)*ramp(t, 1)", surge: "0.023*sin(2*t)*ramp(t, 1)", yaw: "5*sin(4*t)*ramp(t, 1)"', 'heave: "3e-6*sin(3*t)*ramp(t, 1)"'),
-  );
+  const offset = study("offset.yaml", text("si").replace(MOTION, 'heave: "3e-6*sin(3*t)*ramp(t, 1)"'));
   for (const file of [files.si, files.dimensionless, still(), offset]) {
     const page = await open(report(file), plain);
     for (const id of Object.keys(CURVES)) {
@@ -557,8 +558,8 @@ test("legs and axes have the same colours in the page and in figures", async () 
   const drawn = (figure) => {
     const picture = join(process.env.SCRATCH, `${figure}.svg`);
     gough("plot", run, "-q", "--figure", figure, "-o", picture);
-    const strokes = [...readFileSync(picture, "utf8").matchAll(/<path stroke='rgb\( *(\d+), *(\d+), *(\d+)\)'[^>]*d='M[^']{2000}/g)];
-    return strokes
+    const stroke = /<path stroke='rgb\( *(\d+), *(\d+), *(\d+)\)'[^>]*d='M[^']{2000}/g;
+    return [...readFileSync(picture, "utf8").matchAll(stroke)]
       .map(([, ...parts]) => `#${parts.map((part) => Number(part).toString(16).padStart(2, "0")).join("")}`)
       .filter((colour) => colour !== "#c9c9c9");
   };
