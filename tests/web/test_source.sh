@@ -14,11 +14,6 @@ grep -qx 'omit-lockfile-registry-resolved=true' web/.npmrc || fail "web/.npmrc w
 
 for file in web/src/*.js web/vite.config.js tests/web/*.mjs; do
     head -1 "$file" | grep -q '^//' || fail "$file: its first line does not say what it does"
-    (($(wc -l <"$file") < 600)) || fail "$file: too many lines"
-done
-for file in web/src/*.js web/vite.config.js; do
-    LC_ALL=C awk -v file="$file" '{ gsub(/[\200-\277]/, "") } length($0) > 132 { print file ":" NR ": " length($0) " columns"; bad = 1 }
-        END { exit bad }' "$file" || failed=1
 done
 grep -nE 'innerHTML|outerHTML|insertAdjacentHTML|document\.write|\beval\(|new Function|createContextualFragment' web/src/*.js &&
     fail "the page makes markup or code of text"
