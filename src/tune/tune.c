@@ -8,9 +8,6 @@
 #include "base/assert.h"
 #include "gough/sizes.h"
 
-/* G is bracketed to this, relative */
-static const double bracket = 1e-4;
-
 /* the curve goes on above the G named by this factor */
 static const double beyond = 5;
 
@@ -34,7 +31,7 @@ static const double most_range = 1e15;
 static const double below_threshold = 4;
 
 /* so often a G may be lifted over what grows */
-enum { MOST_LIFTS = 200, INSIDE = 3 };
+enum { MOST_LIFTS = 200 };
 
 /* ---- what is asked ------------------------------------------------------------------------------------------------ */
 
@@ -305,33 +302,7 @@ static gough_status prepare(tune *t, const gough_simulation *simulation, bool fe
     return status;
 }
 
-/* ---- bracketing --------------------------------------------------------------------------------------------------- */
-
-/* Between a G that does not and one that does, to `bracket`. */
-static gough_status refine(tune *t, gough_tuning_point *fails, gough_tuning_point *does,
-                           gough_error *error) {
-    while (does->stiffness > fails->stiffness * (1 + bracket)) {
-        const double ratio = does->stiffness / fails->stiffness;
-        double stiffness[INSIDE];
-        gough_tuning_point point[INSIDE];
-        gough_status status;
-
-        for (int i = 0; i < INSIDE; i++)
-            stiffness[i] = fails->stiffness * pow(ratio, (i + 1.0) / (INSIDE + 1));
-        status = tune_evaluate(t, stiffness, INSIDE, point, error);
-        if (status != GOUGH_OK) return status;
-        t->tuning->stiffness = does->stiffness;
-        t->tuning->fails = fails->stiffness;
-        for (int i = 0; i < INSIDE; i++) {
-            if (tune_meets(t, &point[i])) {
-                *does = point[i];
-                break;
-            }
-            *fails = point[i];
-        }
-    }
-    return GOUGH_OK;
-}
+/* ---- the hunt ----------------------------------------------------------------------------------------------------- */
 
 static double rounded_up(double x) {
     const double unit = pow(10, 4 - floor(log10(x)));
@@ -346,8 +317,6 @@ static gough_tuning_binding binding_of(const tune *t, const gough_tuning_point *
     return fails->position_deviation > t->options->deviation ? GOUGH_TUNING_POSITION
                                                              : GOUGH_TUNING_ANGLE;
 }
-
-/* ---- the hunt ----------------------------------------------------------------------------------------------------- */
 
 /* where the search for the least G stands */
 typedef struct {
@@ -449,7 +418,7 @@ static gough_status go_on(tune *t, hunt *h, gough_error *error) {
             t->tuning->fails = point.stiffness;
             h->next++;
         } else {
-            if (h->fails.stiffness > 0) status = refine(t, &h->fails, &point, error);
+            if (h->fails.stiffness > 0) status = tune_refine(t, &h->fails, &point, error);
             if (status == GOUGH_OK) status = consider(t, h, &point, false, error);
         }
     }

@@ -89,6 +89,12 @@ gough_status tune_detail(tune *t, gough_error *error);
 /* distance from the program at the beginning */
 double tune_initial_offset(const tune *t);
 
+/* ---- tune_bracket.c ---- */
+
+/* Brings two points together, one that does not meet what is asked and one of greater G that does, to 1e-4 of G. */
+gough_status tune_refine(tune *t, gough_tuning_point *fails, gough_tuning_point *does,
+                         gough_error *error);
+
 /* ---- tune_stable.c ---- */
 
 /* Growth of at most TUNE_ROUND + 1 points that have been run, and, from `before` on (the point before them; 0: none), the intervals

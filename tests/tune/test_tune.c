@@ -76,6 +76,19 @@ static double deviation(const search *s, bool feedforward, double G, double D) {
                : INFINITY;
 }
 
+/* the same without feed-forward and damping, and with the motion between rows */
+static double between_rows(const search *s, double G) {
+    gough_simulation simulation = s->simulation;
+    gough_summary summary;
+    gough_end ended;
+
+    s->model->control.feedforward = false;
+    set_gains(s->model, G, 0);
+    simulation.summary = &summary;
+    ck_assert(gough_simulate(s->model, &simulation, NULL, NULL, &ended, NULL) == GOUGH_OK);
+    return summary.position_deviation;
+}
+
 /* what is named meets it, a fifth less does not */
 static void check_choice(const search *s, bool feedforward) {
     const gough_tuning *t = &s->tuning;
@@ -272,6 +285,27 @@ START_TEST(deviation_without_feedforward_falls_as_the_inverse_of_the_stiffness) 
 }
 END_TEST
 
+/* Between two points the curve is nearly a power of G: few runs beyond those of the curve bracket the answer, mostly two around
+ * each guess, the rounded one, and the one with small steps. */
+START_TEST(few_runs_bracket_the_stiffness) {
+    search s = begin(20);
+
+    set_formula(&s.model->motion.formula[GOUGH_HEAVE], "0.2*sin(t)*(1 - exp(-t/2))^2");
+    for (int i = 0; i < 5; i++) {
+        s.options.deviation = 1e-2 * pow(0.7, i);
+        s.options.least = 10;
+        s.options.greatest = 400;
+        tune_well(&s, false);
+        ck_assert_msg(s.tuning.runs <= s.tuning.points + 12, "%zu runs, %zu points", s.tuning.runs,
+                      s.tuning.points);
+        ck_assert(between_rows(&s, s.tuning.fails) > s.options.deviation * (1 - 1e-5));
+        ck_assert(between_rows(&s, s.tuning.stiffness) <= s.options.deviation * (1 + 1e-5));
+        ck_assert(s.tuning.fails > 0.9997 * s.tuning.stiffness);
+    }
+    end(&s);
+}
+END_TEST
+
 /* the threshold of sway with tilt at home is 0.894; under way 0.898877 is the edge, and the margin goes on top */
 START_TEST(stiffness_keeps_its_margin_from_the_threshold) {
     search s = begin(3);
@@ -419,8 +453,8 @@ int main(void) {
         a_free_run_decays_by_the_ratio, stiffness_without_feedforward_is_that_of_the_sag,
         stiffness_against_a_slow_disturbance_is_the_quasistatic_one,
         deviation_without_feedforward_falls_as_the_inverse_of_the_stiffness,
-        stiffness_keeps_its_margin_from_the_threshold, a_period_too_long_to_follow_is_said,
-        stiffness_is_lifted_over_a_tongue, no_stiffness_undoes_an_initial_offset,
-        a_limit_of_the_legs_may_forbid_every_stiffness, too_narrow_a_search_says_where_to_go,
-        refuses_what_cannot_be);
+        few_runs_bracket_the_stiffness, stiffness_keeps_its_margin_from_the_threshold,
+        a_period_too_long_to_follow_is_said, stiffness_is_lifted_over_a_tongue,
+        no_stiffness_undoes_an_initial_offset, a_limit_of_the_legs_may_forbid_every_stiffness,
+        too_narrow_a_search_says_where_to_go, refuses_what_cannot_be);
 }
