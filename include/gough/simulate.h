@@ -265,7 +265,7 @@ typedef struct gough_summary {
     double span_;                        /**< private: time since then */
     double between_[GOUGH_LEGS][3];      /**< private: lengths since the last row */
     double acceleration_;                /**< private: largest of a leg */
-    bool brief_;                         /**< private: no condition and no swings between rows */
+    bool brief_;                         /**< private: what an outcome has, no more */
 } gough_summary;
 
 /** An empty summary. Summaries are exact where rows or looks are, and of fourth order in their distance between them. */

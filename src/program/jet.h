@@ -75,8 +75,9 @@ static inline jet jet_atan(jet a) {
 }
 
 /* The angle of (x, y) with r its distance, c = x/r, s = y/r:  r θ' = c y' − s x',  r' = c x' + s
- * y', and from r² θ' = x y' − y x':  θ'' = (c y'' − s x'')/r − 2 θ' r'/r. */
-static inline jet jet_atan2(jet y, jet x) {
+ * y', and from r² θ' = x y' − y x':  θ'' = (c y'' − s x'')/r − 2 θ' r'/r. Inline, so that who wants the angle alone
+ * pays for nothing else. */
+KERNEL_INLINE jet jet_atan2(jet y, jet x) {
     const real r = real_hypot(x.v, y.v), c = x.v / r, s = y.v / r;
     const real d = (c * y.d - s * x.d) / r, growth = (c * x.d + s * y.d) / r;
     return (jet){real_atan2(y.v, x.v), d, (c * y.dd - s * x.dd) / r - 2 * d * growth};

@@ -47,18 +47,20 @@ static inline int limits_broken(const real margin[MARGINS], int from, int to) {
     return -1;
 }
 
+/* whether a pose is nearly singular; `pose`: its pivots, which mostly tell that it is far from that */
+static inline int limits_pose_nearly_singular(const struct system *r, const signals *m,
+                                              const elimination *pose) {
+    return !(pose->pivot_ratio >= (real)suspicious_pivots) &&
+           !(legs_condition(&r->h, &m->x, &m->g) <= (real)greatest_condition);
+}
+
 /* whether the pose at t, or the pose of a program whose forces are asked for, is nearly singular */
 static inline int limits_nearly_singular(struct system *r, real t, const signals *m,
                                          const elimination *pose) {
-    const real worst = greatest_condition;
-
-    if (pose->pivot_ratio < (real)suspicious_pivots &&
-        !(legs_condition(&r->h, &m->x, &m->g) <= worst)) {
-        return 1;
-    }
+    if (limits_pose_nearly_singular(r, m, pose)) return 1;
     if (!(system_wanted(r, t)->singularity.pivot_ratio < (real)suspicious_pivots)) return 0;
     const wanted *s = system_whole(r, t);
-    return !(legs_condition(&r->h, &s->x[0], &s->program) <= worst);
+    return !(legs_condition(&r->h, &s->x[0], &s->program) <= (real)greatest_condition);
 }
 
 static inline gough_cause limits_cause(const struct system *r, int margin) {

@@ -88,7 +88,7 @@ static inline void walk_look(walk *a, real t, look *l) {
     const elimination pose = limits_pose(&a->r, &m);
     limits_margins(&a->r, system_wanted(&a->r, t), &m, pose.determinant, &a->side, l->margin);
     l->near = limits_nearly_singular(&a->r, t, &m, &pose);
-    row_fill(&a->r, system_wanted(&a->r, t), t, &m, 0, 1, 0, l->value);
+    row_fill(&a->r, system_wanted(&a->r, t), t, &m, 0, ROW_WHOLE, 0, l->value);
 }
 
 /* ---- what is between two looks ---- */

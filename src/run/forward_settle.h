@@ -114,28 +114,38 @@ static inline void forward_look(forward *d, real t, const number *y) {
     if (summary == NULL) return;
     const wanted *s = system_posed(&d->r, t);
     system_signals(&d->r, t, y, &m);
-    row_fill(&d->r, s, t, &m, 1, !summary->brief_, d->drift, value);
+    row_fill(&d->r, s, t, &m, 1, summary->brief_ ? ROW_BRIEF : ROW_WHOLE, d->drift, value);
     if (row_finite(&d->r, 1, value)) row_sum(value, summary, d->r.lane[0].machine, 0);
+}
+
+/* whether a row is of a pose nearly singular; where nobody reads its condition number, pivots come first */
+static inline int forward_singular(const forward *d, const signals *m, int brief,
+                                   const real *value) {
+    if (!brief) return !(value[GOUGH_CONDITION] <= (real)greatest_condition);
+    const elimination e = limits_pose(&d->r, m);
+    return limits_pose_nearly_singular(&d->r, m, &e);
 }
 
 /* sends the row that is due, from a state; GOUGH_OK to go on */
 static inline gough_status forward_row(forward *d, const number *y) {
     const real t = (real)d->row * (real)d->r.options->output_step;
     const wanted *s = system_posed(&d->r, t);
+    gough_summary *summary = d->r.options->summary;
+    const int brief = summary != NULL && summary->brief_;
     real value[GOUGH_COLUMNS];
     signals m;
 
     system_signals(&d->r, t, y, &m);
     if (d->r.fault.what) return limits_fault(&d->r, d->end);
-    row_fill(&d->r, s, t, &m, 1, 1, d->drift, value);
-    if (!(value[GOUGH_CONDITION] <= (real)greatest_condition)) {
+    row_fill(&d->r, s, t, &m, 1, brief ? ROW_RATES : ROW_WHOLE, d->drift, value);
+    if (forward_singular(d, &m, brief, value)) {
         limits_say_singular(0, (double)t, d->end);
         return GOUGH_ERROR_NUMERICAL;
     }
     if (!row_finite(&d->r, 1, value)) {
         return forward_stop(d, GOUGH_END_NOT_FINITE, t, "the motion is no longer finite");
     }
-    if (d->r.options->summary) row_sum(value, d->r.options->summary, d->r.lane[0].machine, 1);
+    if (summary) row_sum(value, summary, d->r.lane[0].machine, 1);
     d->row++;
     d->drift = 0;
     if (row_send(value, d->sink, d->context)) {

@@ -56,23 +56,27 @@ static inline void row_reactions(const struct system *r, const wanted *s, const 
     body_reactions(&r->h.load, &m->x.q, &m->rate.q, &Q, value + GOUGH_RXX);
 }
 
-/* Fills a row. simulated: with deviation and drift, which the forces of a program do not have.
- * whole: with velocities, accelerations and the condition number; else they are 0. */
+/* how much of a row is wanted: velocities and accelerations, and the condition number, are else 0 */
+enum { ROW_BRIEF, ROW_RATES, ROW_WHOLE };
+
+/* Fills a row. simulated: with deviation and drift, which the forces of a program do not have. */
 static inline void row_fill(const struct system *r, const wanted *s, real t, const signals *m,
-                            int simulated, int whole, real drift, real value[GOUGH_COLUMNS]) {
+                            int simulated, int much, real drift, real value[GOUGH_COLUMNS]) {
     for (int c = 0; c < GOUGH_COLUMNS; c++) value[c] = (real)NAN;
     value[GOUGH_T] = t;
     row_pose(&r->h, &m->x, value, GOUGH_X, GOUGH_ROLL_ANGLE);
-    for (int c = GOUGH_VX; c < GOUGH_L && !whole; c++) value[c] = 0;
-    if (whole) row_rates(&r->h, &m->x, &m->rate, value, GOUGH_VX, GOUGH_WX);
-    if (whole) row_rates(&r->h, &m->x, &m->acceleration, value, GOUGH_AX, GOUGH_ALX);
+    for (int c = GOUGH_VX; c < GOUGH_L && much == ROW_BRIEF; c++) value[c] = 0;
+    if (much >= ROW_RATES) {
+        row_rates(&r->h, &m->x, &m->rate, value, GOUGH_VX, GOUGH_WX);
+        row_rates(&r->h, &m->x, &m->acceleration, value, GOUGH_AX, GOUGH_ALX);
+    }
     for (int v = 0; v < LEGS; v++) {
         value[GOUGH_L + v] = m->g.length[v];
         value[GOUGH_DL + v] = m->g.rate[v];
         value[GOUGH_F + v] = m->force[v];
         value[GOUGH_P + v] = m->force[v] * m->g.rate[v];
     }
-    value[GOUGH_CONDITION] = whole ? legs_condition(&r->h, &m->x, &m->g) : 0;
+    value[GOUGH_CONDITION] = much == ROW_WHOLE ? legs_condition(&r->h, &m->x, &m->g) : 0;
     if (simulated) {
         row_deviation(r, s, value);
         value[GOUGH_DRIFT] = drift;

@@ -108,13 +108,14 @@ static void take_peaks(gough_summary *summary, const double *value,
                        double position, double angle) {
     for (int v = 0; v < GOUGH_LEGS; v++) {
         gough_leg_summary *leg = &summary->leg[v];
-        leg->length_min = fmin(leg->length_min, value[GOUGH_L + v]);
-        leg->length_max = fmax(leg->length_max, value[GOUGH_L + v]);
         leg->speed = fmax(leg->speed, fabs(value[GOUGH_DL + v]));
         leg->force_min = fmin(leg->force_min, value[GOUGH_F + v]);
         leg->force_max = fmax(leg->force_max, value[GOUGH_F + v]);
         leg->power_min = fmin(leg->power_min, value[GOUGH_P + v]);
         leg->power_max = fmax(leg->power_max, value[GOUGH_P + v]);
+        if (summary->brief_) continue;
+        leg->length_min = fmin(leg->length_min, value[GOUGH_L + v]);
+        leg->length_max = fmax(leg->length_max, value[GOUGH_L + v]);
         leg->swing_base = fmax(leg->swing_base, at_base[v]);
         leg->swing_top = fmax(leg->swing_top, at_top[v]);
     }
@@ -204,7 +205,7 @@ static void integrate(gough_summary *summary, const double time[WINDOW], int cou
     for (int v = 0; v < GOUGH_LEGS; v++) {
         for (int i = WINDOW - count; i < WINDOW; i++) {
             const double force = summary->look_[i][LOOK_FORCE + v];
-            summary->square_[v] += weight[i] * force * force;
+            if (!summary->brief_) summary->square_[v] += weight[i] * force * force;
             summary->leg[v].energy += weight[i] * summary->look_[i][LOOK_POWER + v];
         }
     }
@@ -215,14 +216,18 @@ typedef struct {
     double c[WINDOW][WINDOW], time[WINDOW], h; /* h: from look a to the next */
     int count, a;
     bool made;
+    double
+        bends[LOOK_COLUMNS]; /* of each column: below 0 where it may turn between the two looks */
 } interval;
 
-/* Whether a column turns between the two looks. Where looks in the middle of four do not turn, peak_between() finds nothing. */
-static bool turns(const gough_summary *summary, const interval *f, int column) {
+/* Where looks in the middle of four do not turn, peak_between() finds nothing. All columns at once, without a branch for each. */
+static void find_bends(const gough_summary *summary, interval *f) {
     const double(*look)[LOOK_COLUMNS] = summary->look_;
+    const bool middle = f->count == WINDOW && f->a == 1;
 
-    if (f->count < WINDOW || f->a != 1) return true;
-    return (look[1][column] - look[0][column]) * (look[3][column] - look[2][column]) < 0;
+    for (int c = 0; c < LOOK_COLUMNS && !middle; c++) f->bends[c] = -1;
+    for (int c = 0; c < LOOK_COLUMNS && middle; c++)
+        f->bends[c] = (look[1][c] - look[0][c]) * (look[3][c] - look[2][c]);
 }
 
 /* the extreme of a column between the two looks, and where it is: 0 for the value at look a, where there is none */
@@ -230,7 +235,7 @@ static double extreme_of(const gough_summary *summary, interval *f, int column, 
     double y[WINDOW];
 
     *s = 0;
-    if (!turns(summary, f, column)) return summary->look_[f->a][column];
+    if (!(f->bends[column] < 0)) return summary->look_[f->a][column];
     if (!f->made) f->h = quadrature_fit(f->time, f->count, f->a, f->c);
     f->made = true;
     for (int i = 0; i < WINDOW; i++) y[i] = summary->look_[i][column];
@@ -239,15 +244,15 @@ static double extreme_of(const gough_summary *summary, interval *f, int column, 
     return *s > 0 ? value : y[f->a];
 }
 
+/* 2 arcsin x is at most π x */
+static const double most_angle = 3.15;
+
 /* Extremes between the two looks; the looks themselves are among the peaks already. */
 static void take_extremes(gough_summary *summary, interval *f) {
     double s, x;
 
     for (int v = 0; v < GOUGH_LEGS; v++) {
         gough_leg_summary *leg = &summary->leg[v];
-        x = extreme_of(summary, f, LOOK_LENGTH + v, &s);
-        if (s > 0) leg->length_min = fmin(leg->length_min, x);
-        if (s > 0) leg->length_max = fmax(leg->length_max, x);
         x = extreme_of(summary, f, LOOK_FORCE + v, &s);
         if (s > 0) leg->force_min = fmin(leg->force_min, x);
         if (s > 0) leg->force_max = fmax(leg->force_max, x);
@@ -256,6 +261,10 @@ static void take_extremes(gough_summary *summary, interval *f) {
         if (s > 0) leg->power_max = fmax(leg->power_max, x);
         x = extreme_of(summary, f, LOOK_RATE + v, &s);
         if (s > 0) leg->speed = fmax(leg->speed, fabs(x));
+        if (summary->brief_) continue;
+        x = extreme_of(summary, f, LOOK_LENGTH + v, &s);
+        if (s > 0) leg->length_min = fmin(leg->length_min, x);
+        if (s > 0) leg->length_max = fmax(leg->length_max, x);
         x = extreme_of(summary, f, LOOK_BASE + v, &s);
         if (s > 0) leg->swing_base = fmax(leg->swing_base, x);
         x = extreme_of(summary, f, LOOK_TOP + v, &s);
@@ -263,8 +272,10 @@ static void take_extremes(gough_summary *summary, interval *f) {
     }
     x = extreme_of(summary, f, LOOK_POSITION, &s);
     if (x > summary->position_deviation) summary->position_deviation = x;
-    x = 2 * asin(fmin(1, extreme_of(summary, f, LOOK_HALF, &s)));
-    if (x > summary->angle_deviation) summary->angle_deviation = x;
+    x = extreme_of(summary, f, LOOK_HALF, &s);
+    if (most_angle * x > summary->angle_deviation)
+        summary->angle_deviation = fmax(summary->angle_deviation, 2 * asin(fmin(1, x)));
+    if (summary->brief_) return;
     x = extreme_of(summary, f, LOOK_CONDITION, &s);
     if (x > summary->condition) {
         summary->condition = x;
@@ -278,7 +289,9 @@ static void sum_up(gough_summary *summary, int count, int a) {
 
     for (int i = 0; i < WINDOW; i++) f.time[i] = summary->look_[i][0];
     integrate(summary, f.time, count, a);
-    if (count >= 3) take_extremes(summary, &f);
+    if (count < 3) return;
+    find_bends(summary, &f);
+    take_extremes(summary, &f);
 }
 
 /* where the last interval has no look after it */
@@ -324,7 +337,7 @@ void gough_summary_look(gough_summary *summary, const gough_machine *machine, co
     if (is_row) count_row(summary, value[GOUGH_T]);
     if (summary->looks_ > 0 &&
         !(value[GOUGH_T] - newest[0] > quadrature_same_time * fabs(value[GOUGH_T]))) {
-        if (is_row) watch_rows(summary, true);
+        if (is_row && !summary->brief_) watch_rows(summary, true);
         return; /* seen already */
     }
     if (summary->span_ <= 0 && summary->looks_ == 0) summary->origin_ = value[GOUGH_T];
@@ -346,7 +359,7 @@ void gough_summary_look(gough_summary *summary, const gough_machine *machine, co
     newest[LOOK_HALF] = sin(angle / 2);
     take_peaks(summary, value, at_base, at_top, newest[LOOK_POSITION], angle);
     summary->looks_++;
-    watch_rows(summary, is_row);
+    if (!summary->brief_) watch_rows(summary, is_row);
     if (summary->looks_ == WINDOW) sum_up(summary, WINDOW, 0);
     if (summary->looks_ >= WINDOW) sum_up(summary, WINDOW, 1);
 }
