@@ -387,7 +387,7 @@ const double *live_row(void) {
 
     if (!live.begun) return NULL;
     system_signals(&d->r, d->t, d->y, &m);
-    row_fill(&d->r, system_wanted(&d->r, d->t), d->t, &m, 1, 1, d->drift, live.row);
+    row_fill(&d->r, system_wanted(&d->r, d->t), d->t, &m, 1, ROW_WHOLE, d->drift, live.row);
     live.seen = 1;
     return live.row;
 }
