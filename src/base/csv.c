@@ -15,7 +15,7 @@ bool gough_csv_line(gough_piece *rest, gough_piece *line) {
     return true;
 }
 
-/* Past the closing quote of a cell that begins with a quote; where there is none, the cell is not quoted. */
+/* Skips the quoted part of a cell that begins with a quote. If the quote is never closed, the cell counts as unquoted. */
 static const char *after_quotes(const char *at, const char *end) {
     for (const char *next = at + 1; next < end; next++) {
         if (*next != '"') continue;

@@ -230,7 +230,8 @@ static void find_bends(const gough_summary *summary, interval *f) {
         f->bends[c] = (look[1][c] - look[0][c]) * (look[3][c] - look[2][c]);
 }
 
-/* the extreme of a column between the two looks, and where it is: 0 for the value at look a, where there is none */
+/* The extreme of a column between the two looks, with its place in *s. A column that does not turn there has the value at look a
+ * and the place 0. */
 static double extreme_of(const gough_summary *summary, interval *f, int column, double *s) {
     double y[WINDOW];
 

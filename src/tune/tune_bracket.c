@@ -72,7 +72,8 @@ static double share(const tune *t, const gough_tuning_point *p) {
                 p->angle_deviation / t->options->angle_deviation);
 }
 
-/* The G at which the power of G through both points meets what is asked; NaN: there is none, a run has ended early, say. */
+/* The G at which the power law through both points meets the accuracy. NaN if there is no such law, for example because a run
+ * ended early. */
 static double guess(const tune *t, const known *k) {
     const double above = log(share(t, &k->fails)), below = log(share(t, &k->does));
     const double ratio = k->does.stiffness / k->fails.stiffness;

@@ -220,7 +220,7 @@ stays for ever: the top drifts away.`,
   ]);
 }
 
-/** The multipliers as a picture and as a table; an empty list if there are none. */
+/** A picture and a table of the multipliers, or an empty list without multipliers. */
 function multiplierViews(stability) {
   const multipliers = multipliersBySize(stability);
   if (!multipliers.length) return [];

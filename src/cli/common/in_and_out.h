@@ -4,8 +4,8 @@
 
 #include "cli/common/verb.h"
 
-/* Reads a study with the --set overrides of the command line and says what is wrong with it; an output that is the study or its
- * recorded motion is refused. */
+/* Reads a study and applies the --set overrides of the command line. Reports what is wrong with the study, and refuses an output
+ * that is the study itself or its recorded motion. */
 gough_status read_study(const command_line *line, const char *path, gough_study **study);
 
 /* The sweep of a study that was read so. */

@@ -11,7 +11,7 @@
 /* A line with text of the user in it, such as a title or the name of a file: as gough_text_show() has it, so that no byte of it
  * can drive a terminal. */
 void print_line(FILE *stream, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* The title of a study as a line of its own; nothing if there is none (NULL or ""). */
+/* Prints the title of a study on a line of its own, or nothing if the title is NULL or "". */
 void print_title(FILE *stream, const char *title);
 /* Ends the process with a sentence about the command line, how to ask for help, and exit code 2. */
 void usage_error(const struct argp_state *state, const char *format, ...)

@@ -90,7 +90,7 @@ void leg_scale(gough_leg_summary *leg, const gough_units *units) {
 /* time integrals are right to this share of the largest power times the time */
 static const double INTEGRAL_ERROR = 1e-8;
 
-/* Where works cancel, what is left is the error of the integrals. */
+/* Sets to 0 each work that is smaller than the error of its integral, as where positive and negative work cancel. */
 static void settle_works(const run_report *report, double value[GOUGH_LEGS + 1]) {
     const double span = report->summary.last_time - report->summary.first_time;
     double most = 0;
