@@ -63,6 +63,7 @@ static inline real dop853_error(const dop853 *s, int n, real h, const number *y,
 
     for (int i = 0; i < n; i++) e5[i] = e3[i] = 0;
     for (int j = 0; j < DOP853_STAGES; j++) {
+        if (dop853_error5[j] == 0 && dop853_error3[j] == 0) continue;
         for (int i = 0; i < n; i++) {
             e5[i] = e5[i] + dop853_error5[j] * number_first(s->slope[j][i]);
             e3[i] = e3[i] + dop853_error3[j] * number_first(s->slope[j][i]);

@@ -23,3 +23,10 @@ const struct prefetch_width *prefetch_widest(void) {
 #endif
     return &prefetch_width_2;
 }
+
+const struct prefetch_width *prefetch_narrow(void) {
+#if defined(__x86_64__)
+    if (prefetch_lanes() == 8) return &prefetch_width_4;
+#endif
+    return NULL;
+}

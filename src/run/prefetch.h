@@ -22,12 +22,19 @@ typedef struct {
     double pose[COORDINATES][PREFETCH_TIMES];
 } prefetch_block;
 
+struct prefetch_program; /* of run/prefetch_program.h */
+
 struct prefetch_width {
     int lanes;
     void (*begin)(void *room, const gough_motion *motion, const gough_machine *machine,
                   const gough_control *control, const gough_disturbance *disturbance);
-    /* fills the block at its times, or at the first of them only: those beyond have to be evaluated one by one */
-    void (*fill)(void *room, prefetch_block *block);
+    /* the program at the times of a block, for packs of this many lanes or fewer */
+    void (*formulas)(void *room, prefetch_block *block, struct prefetch_program *program);
+    /* Fills the block from its time number `first` on, a pack after the other, while more than `leave` times are left; returns
+     * the number of the first that is not filled. Where a pack cannot be filled, the block ends before it: what lies beyond has
+     * to be evaluated one by one. */
+    int (*fill)(void *room, prefetch_block *block, const struct prefetch_program *program,
+                int first, int leave);
 };
 
 extern const struct prefetch_width prefetch_width_2, prefetch_width_4, prefetch_width_8;
@@ -35,5 +42,7 @@ extern const struct prefetch_width prefetch_width_2, prefetch_width_4, prefetch_
 /* lanes of the widest registers of this processor: 2, 4 or 8 */
 int prefetch_lanes(void);
 const struct prefetch_width *prefetch_widest(void);
+/* what takes half as many times or fewer sooner than the widest, or NULL */
+const struct prefetch_width *prefetch_narrow(void);
 
 #endif

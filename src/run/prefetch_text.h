@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "run/prefetch.h"
+#include "run/prefetch_program.h"
 #include "system/system.h"
 
 _Static_assert((int)PREFETCH_TIMES <= (int)FORMULA_TIMES, "formulas take as many times together");
@@ -21,16 +21,6 @@ static inline void prefetch_begin(void *room, const gough_motion *motion,
         lane[i] = (system_lane){machine, control, disturbance, 0};
     system_begin(room, motion, &unused, lane);
 }
-
-/* numbers of a program's rotation: three axes with two derivatives */
-enum { PREFETCH_TURN = 27 };
-
-/* The program at the times of a block, as rows of times: what lanes load at once. */
-typedef struct {
-    formula_row component[GOUGH_COMPONENTS];
-    double turn[PREFETCH_TURN][PREFETCH_TIMES];
-    int still[PREFETCH_TIMES]; /* no angle moves, and `turn` is not set */
-} prefetch_program;
 
 static inline number prefetch_load(const double *row) {
     number x;
@@ -135,17 +125,19 @@ static inline int prefetch_pack(struct system *r, prefetch_block *b, int first,
     return 1;
 }
 
-static inline void prefetch_fill(void *room, prefetch_block *b) {
-    struct system *r = room;
-    prefetch_program program;
+static inline void prefetch_formulas(void *room, prefetch_block *b, prefetch_program *p) {
+    prefetch_evaluate(room, b, p);
+}
 
-    prefetch_evaluate(r, b, &program);
-    for (int first = 0; first < b->count; first += NUMBER_WIDTH) {
-        if (!prefetch_pack(r, b, first, &program)) b->count = first;
+static inline int prefetch_fill(void *room, prefetch_block *b, const prefetch_program *p, int first,
+                                int leave) {
+    for (; b->count - first > leave; first += NUMBER_WIDTH) {
+        if (!prefetch_pack(room, b, first, p)) b->count = first;
     }
+    return first;
 }
 
 #define PREFETCH_WIDTH                                                                             \
-    { NUMBER_WIDTH, prefetch_begin, prefetch_fill }
+    { NUMBER_WIDTH, prefetch_begin, prefetch_formulas, prefetch_fill }
 
 #endif

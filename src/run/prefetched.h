@@ -7,12 +7,12 @@
 
 #if defined(NUMBER_DOUBLE) && (defined(__x86_64__) || defined(__aarch64__))
 
-#include "run/prefetch.h"
+#include "run/prefetch_program.h"
 
 typedef struct {
-    const struct prefetch_width *width;
+    const struct prefetch_width *width, *narrow; /* narrow: for a few times at the end, or NULL */
     prefetch_block block;
-    _Alignas(64) unsigned char room[PREFETCH_ROOM];
+    _Alignas(64) unsigned char room[PREFETCH_ROOM], narrow_room[PREFETCH_ROOM];
 } prefetched;
 
 /* a stage from the block; what disturbs is added as wanted_evaluate() does */
@@ -59,6 +59,11 @@ static inline void prefetched_begin(prefetched *l, struct system *r) {
     l->width = prefetch_widest();
     l->width->begin(l->room, r->motion, r->lane[0].machine, r->lane[0].control,
                     r->lane[0].disturbance);
+    l->narrow = prefetch_narrow();
+    if (l->narrow) {
+        l->narrow->begin(l->narrow_room, r->motion, r->lane[0].machine, r->lane[0].control,
+                         r->lane[0].disturbance);
+    }
     prefetched_clear(l, 0);
     r->provider = l;
     r->provide = prefetched_replay;
@@ -73,7 +78,14 @@ static inline void prefetched_announce(prefetched *l, real t) {
     b->time[b->count++] = t;
 }
 
-static inline void prefetched_ready(prefetched *l) { l->width->fill(l->room, &l->block); }
+static inline void prefetched_ready(prefetched *l) {
+    prefetch_program program;
+
+    l->width->formulas(l->room, &l->block, &program);
+    const int at =
+        l->width->fill(l->room, &l->block, &program, 0, l->narrow ? l->narrow->lanes : 0);
+    if (l->narrow) (void)l->narrow->fill(l->narrow_room, &l->block, &program, at, 0);
+}
 
 #else
 
