@@ -114,7 +114,7 @@ static double mean_radius(const double point[GOUGH_LEGS][3]) {
  * radius 1 have a mean distance of 0.9999999999999999 before this, and would make that the unit of length. */
 static double decimal_again(double x) {
     const double decade = floor(log10(x));
-    if (!(decade >= -8 && decade <= 14)) return x; /* beyond, powers of ten are not exact */
+    if (!(decade >= -8)) return x; /* below, powers of ten are not exact */
     double scale = 1;
     for (int i = 0; i < 14 - (int)decade; i++) scale *= 10;
     return round(x * scale) / scale;
@@ -176,7 +176,7 @@ static gough_status set_inertia(gough_machine *m, gough_error *error) {
     principal_axes(J, m->principal_axes, moment);
     const double greatest = fmax(moment[0], fmax(moment[1], moment[2]));
     for (int a = 0; a < 3; a++) {
-        if (!(moment[a] > NO_MOMENT * greatest) || !real_finite(moment[a]))
+        if (!(moment[a] > NO_MOMENT * greatest)) /* nor where they are not finite */
             return FAIL(error, "load.inertia",
                         "no body has this inertia: its principal moments are %.6g, %.6g, %.6g, and "
                         "each must be positive",

@@ -132,7 +132,7 @@ gough_status gough_inverse_dynamics(const gough_machine *machine, const gough_st
                                     const gough_wrench *external, double force[GOUGH_LEGS],
                                     double *condition) {
     double wrench[1][6], worst;
-    bool finite = true;
+    bool sound;
     coordinates a;
     pose p;
 
@@ -143,11 +143,12 @@ gough_status gough_inverse_dynamics(const gough_machine *machine, const gough_st
     (void)leg_forces_of(&p.h, &p.x, &p.g, wrench, 1);
     worst = legs_condition(&p.h, &p.x, &p.g);
     if (condition) *condition = worst;
+    sound = worst <= greatest_condition;
     for (int v = 0; v < LEGS; v++) {
         force[v] = wrench[0][v];
-        finite = finite && isfinite(force[v]);
+        sound &= fabs(force[v]) < INFINITY;
     }
-    return finite && worst <= greatest_condition ? GOUGH_OK : GOUGH_ERROR_NUMERICAL;
+    return sound ? GOUGH_OK : GOUGH_ERROR_NUMERICAL;
 }
 
 gough_status gough_forward_dynamics(const gough_machine *machine, const gough_state *state,

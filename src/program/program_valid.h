@@ -13,7 +13,7 @@ static inline bool motion_axes_are_good(const double axes[4]) {
         square += axes[i] * axes[i];
         sum += fabs(axes[i]);
     }
-    return !(sum > 0 || sum < 0 || isnan(sum)) || (square > 1e-200 && square < 1e200);
+    return sum <= 0 || (square > 1e-200 && square < 1e200);
 }
 
 /* Whether the program can be evaluated: a kind of the enumeration with the moves or samples that belong to it, and finite factors.

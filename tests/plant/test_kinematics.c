@@ -217,8 +217,85 @@ START_TEST(reactions_at_rest_are_the_forces_moments) {
 }
 END_TEST
 
+/* a mirror is orthonormal, and no rotation all the same */
+START_TEST(a_matrix_that_is_no_rotation_is_refused_and_nothing_is_written) {
+    static const double BAD[][3][3] = {{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}},
+                                       {{1, 1e-5, 0}, {0, 1, 0}, {0, 0, 1}},
+                                       {{1, 0, 0}, {0, NAN, 0}, {0, 0, 1}}};
+    const double push[6] = {1, 1, 1, 1, 1, 1};
+    const gough_acceleration rest = {{0, 0, 0}, {0, 0, 0}};
+    gough_machine machine;
+
+    paper_machine(&machine);
+    for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
+        double out[36], jacobian[6][6];
+        gough_acceleration acceleration = {{7, 7, 7}, {7, 7, 7}};
+        gough_state state = gough_state_home(&machine);
+
+        memcpy(state.rotation, BAD[i], sizeof state.rotation);
+        for (int k = 0; k < 36; k++) out[k] = jacobian[k / 6][k % 6] = 7;
+        ck_assert_int_eq(gough_angles_from_rotation(state.rotation, out), GOUGH_ERROR_INPUT);
+        ck_assert_int_eq(gough_leg_kinematics(&machine, &state, &rest, out, out + 6, out + 12),
+                         GOUGH_ERROR_INPUT);
+        ck_assert_int_eq(gough_jacobian(&machine, &state, jacobian), GOUGH_ERROR_INPUT);
+        ck_assert_int_eq(gough_conditioning(&machine, &state, out, out + 1), GOUGH_ERROR_INPUT);
+        ck_assert_int_eq(gough_inverse_dynamics(&machine, &state, &rest, NULL, out, out + 6),
+                         GOUGH_ERROR_INPUT);
+        ck_assert_int_eq(gough_forward_dynamics(&machine, &state, push, NULL, &acceleration),
+                         GOUGH_ERROR_INPUT);
+        ck_assert_int_eq(gough_reactions(&machine, &state, push, NULL, out), GOUGH_ERROR_INPUT);
+        for (int k = 0; k < 36; k++) ck_assert(out[k] == 7 && jacobian[k / 6][k % 6] == 7);
+        for (int k = 0; k < 3; k++) {
+            ck_assert(acceleration.linear[k] == 7 && acceleration.angular[k] == 7);
+        }
+    }
+}
+END_TEST
+
+/* turned by 90° about the vertical the legs of this machine no longer hold it */
+START_TEST(forces_at_a_singular_pose_are_a_numerical_error) {
+    const gough_acceleration rest = {{0, 0, 0}, {0, 0, 0}};
+    const double angles[3] = {0, 0, pi / 2};
+    double force[6], condition, determinant;
+    gough_machine machine;
+    gough_state state;
+
+    paper_machine(&machine);
+    state = gough_state_home(&machine);
+    gough_rotation_from_angles(angles, state.rotation);
+    ck_assert_int_eq(gough_conditioning(&machine, &state, NULL, &determinant), GOUGH_OK);
+    ck_assert(fabs(determinant) <= 1e-15);
+    ck_assert_int_eq(gough_inverse_dynamics(&machine, &state, &rest, NULL, force, &condition),
+                     GOUGH_ERROR_NUMERICAL);
+    ck_assert(condition > GOUGH_GREATEST_CONDITION);
+    ck_assert_int_eq(gough_inverse_dynamics(&machine, &state, &rest, NULL, force, NULL),
+                     GOUGH_ERROR_NUMERICAL);
+}
+END_TEST
+
+START_TEST(numbers_that_are_not_finite_are_a_numerical_error) {
+    const double push[6] = {1, 1, INFINITY, 1, 1, 1};
+    const gough_acceleration bad = {{0, 0, NAN}, {0, 0, 0}};
+    gough_acceleration acceleration;
+    double force[6], condition;
+    gough_machine machine;
+    gough_state home;
+
+    paper_machine(&machine);
+    home = gough_state_home(&machine);
+    ck_assert_int_eq(gough_inverse_dynamics(&machine, &home, &bad, NULL, force, &condition),
+                     GOUGH_ERROR_NUMERICAL);
+    ck_assert(condition < GOUGH_GREATEST_CONDITION);
+    ck_assert_int_eq(gough_forward_dynamics(&machine, &home, push, NULL, &acceleration),
+                     GOUGH_ERROR_NUMERICAL);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("kinematics", 30, rates_are_differences, the_named_point_follows_the_formulas,
                      jacobian_maps_velocities_to_rates, condition_is_that_of_the_scaled_jacobian,
-                     angles_come_back_from_rotations, reactions_at_rest_are_the_forces_moments);
+                     angles_come_back_from_rotations, reactions_at_rest_are_the_forces_moments,
+                     a_matrix_that_is_no_rotation_is_refused_and_nothing_is_written,
+                     forces_at_a_singular_pose_are_a_numerical_error,
+                     numbers_that_are_not_finite_are_a_numerical_error);
 }

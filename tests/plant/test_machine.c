@@ -242,6 +242,20 @@ START_TEST(the_radius_of_general_joints_is_their_mean_distance) {
 }
 END_TEST
 
+/* the smallest and the largest have no 15 digits to be rounded to */
+START_TEST(a_machine_of_any_size_has_its_radius) {
+    static const double SIZE[] = {1e-10, 1e-6, 1e6, 1e17};
+    const gough_load load = plain_load();
+    for (size_t i = 0; i < sizeof SIZE / sizeof SIZE[0]; i++) {
+        gough_platform p = gough_platform_symmetric(SIZE[i], 10 * DEGREE, 0.6 * SIZE[i],
+                                                    6.4688478326275441 * DEGREE, SIZE[i]);
+        p.base_radius = 0;
+        const gough_machine m = machine_of(&p, &load);
+        ck_assert(fabs(m.base_radius - SIZE[i]) <= 1e-15 * SIZE[i]);
+    }
+}
+END_TEST
+
 START_TEST(a_home_pose_alone_singular_is_accepted) {
     gough_platform p = plain_platform();
     const gough_load load = plain_load();
@@ -395,6 +409,14 @@ START_TEST(numbers_out_of_range_are_refused) {
         load = good_load;
         load.center_of_mass[2] = BAD[i];
         refused(&good, &load, DOWN, "centre of mass is not finite");
+        for (int r = 0; r < 3; r++) {
+            load = good_load;
+            load.inertia[r][r] = BAD[i];
+            refused(&good, &load, DOWN, "the load's inertia is not finite");
+        }
+        p = good;
+        p.length_min = BAD[i];
+        refused(&p, &good_load, DOWN, "least leg length");
         refused(&good, &good_load, (double[3]){0, BAD[i], 0}, "gravity is not finite");
     }
     gough_load load = good_load;
@@ -438,6 +460,7 @@ static void add_tests(TCase *tests) {
     tcase_add_test(tests, the_study_machine_has_its_lengths_and_radius);
     tcase_add_test(tests, condition_at_home_is_that_of_the_closed_form);
     tcase_add_test(tests, the_radius_of_general_joints_is_their_mean_distance);
+    tcase_add_test(tests, a_machine_of_any_size_has_its_radius);
     tcase_add_test(tests, a_home_pose_alone_singular_is_accepted);
     tcase_add_test(tests, machines_that_share_single_joints_are_accepted);
     tcase_add_test(tests, general_machines_are_accepted);

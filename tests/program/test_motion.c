@@ -450,6 +450,61 @@ START_TEST(ranges_name_what_is_not_finite) {
 }
 END_TEST
 
+/* ---- programs made by hand ---- */
+
+static void program_is_refused(const gough_motion *m, const char *key, const char *sentence) {
+    double low[GOUGH_COMPONENTS], high[GOUGH_COMPONENTS];
+    gough_error error = {.message = ""};
+    ck_assert_msg(gough_motion_range(m, 1, 1, low, high, &error) == GOUGH_ERROR_INPUT,
+                  "accepted, for all that: %s", sentence);
+    ck_assert_str_eq(error.key, key);
+    ck_assert_msg(strstr(error.message, sentence) != NULL, "%s", error.message);
+}
+
+START_TEST(numbers_of_a_program_that_are_out_of_range_are_refused_by_their_key) {
+    static const double BAD[] = {NAN, INFINITY, -INFINITY};
+    for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
+        program_is_refused(&(gough_motion){.angle_unit = BAD[i]}, "motion", "the unit of angles");
+        for (int c = 0; c < 3; c++) {
+            gough_motion m = {.angle_unit = 1};
+            m.about[c] = BAD[i];
+            program_is_refused(&m, "motion.about", "three finite numbers");
+        }
+        program_is_refused(&(gough_motion){.angle_unit = 1, .period = BAD[i]}, "motion.period",
+                           "0 or greater and finite");
+        gough_motion m = {.angle_unit = 1, .scaled = true, .amplitude = 1, .frequency = BAD[i]};
+        program_is_refused(&m, "motion.frequency", "greater than 0 and finite");
+        m.frequency = 1, m.amplitude = BAD[i];
+        program_is_refused(&m, "motion.amplitude", "must be finite");
+    }
+    program_is_refused(&(gough_motion){.period = -1}, "motion.period", "0 or greater");
+    program_is_refused(&(gough_motion){.scaled = true}, "motion.frequency", "greater than 0");
+}
+END_TEST
+
+START_TEST(programs_without_their_moves_or_rows_are_refused) {
+    double two[2 * GOUGH_COMPONENTS] = {0, 1};
+    const gough_samples whole = {.count = 2, .time = two, .value = two, .curvature = two};
+    gough_motion m = {.kind = GOUGH_MOTION_MOVES, .moves = 2};
+    program_is_refused(&m, "motion.moves", "2 moves are announced and none is given");
+
+    for (int lacking = 0; lacking < 4; lacking++) {
+        m = (gough_motion){.kind = GOUGH_MOTION_SAMPLES, .samples = whole};
+        if (lacking == 0) m.samples.count = 1;
+        if (lacking == 1) m.samples.time = NULL;
+        if (lacking == 2) m.samples.value = NULL;
+        if (lacking == 3) m.samples.curvature = NULL;
+        program_is_refused(&m, "motion.samples", "at least two rows");
+    }
+    static const double AXES[][4] = {{NAN}, {0, INFINITY}, {1e-150}, {0, 0, 0, 1e150}};
+    for (size_t i = 0; i < sizeof AXES / sizeof AXES[0]; i++) {
+        m = (gough_motion){.kind = GOUGH_MOTION_SAMPLES, .samples = whole};
+        memcpy(m.samples.axes, AXES[i], sizeof AXES[i]);
+        program_is_refused(&m, "motion.samples", "a quaternion of finite numbers, or four zeros");
+    }
+}
+END_TEST
+
 START_TEST(components_have_names) {
     static const char *const NAMES[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
     for (int c = 0; c < GOUGH_COMPONENTS; c++) ck_assert_str_eq(gough_component_name(c), NAMES[c]);
@@ -483,6 +538,8 @@ int main(void) {
     tcase_add_test(tests, ranges_are_extremes_of_the_motion_not_of_rows);
     tcase_add_test(tests, ranges_of_moves_and_scaled_programs);
     tcase_add_test(tests, ranges_name_what_is_not_finite);
+    tcase_add_test(tests, numbers_of_a_program_that_are_out_of_range_are_refused_by_their_key);
+    tcase_add_test(tests, programs_without_their_moves_or_rows_are_refused);
     tcase_add_test(tests, components_have_names);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
