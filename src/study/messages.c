@@ -169,7 +169,8 @@ const char *study_messages_first(const study_messages *messages) {
     return messages->first ? messages->first->sentence : "";
 }
 
-char *study_messages_write(const study_messages *messages) {
+/* All of it in the order of the files; NULL where memory is short. */
+static char *write_all(const study_messages *messages) {
     char *text = NULL;
     size_t length = 0, count = 0;
     study_message *sorted[MOST_MESSAGES];
@@ -187,4 +188,14 @@ char *study_messages_write(const study_messages *messages) {
         return NULL;
     }
     return text;
+}
+
+gough_status study_messages_end(const study_messages *messages, char **text) {
+    gough_status status = messages->count ? messages->status : GOUGH_OK;
+    if (messages->arena->exhausted) status = GOUGH_ERROR_FILE;
+    if (!text) return status;
+    *text = NULL;
+    if (status == GOUGH_OK) return GOUGH_OK;
+    *text = write_all(messages);
+    return *text ? status : GOUGH_ERROR_FILE;
 }

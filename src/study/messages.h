@@ -39,8 +39,9 @@ void study_say(study_messages *messages, gough_status status, study_place place,
 /* The sentence said first; "" if there is none. */
 const char *study_messages_first(const study_messages *messages);
 
-/* All of it as allocated text, in the order of the files; NULL where memory is short. */
-char *study_messages_write(const study_messages *messages);
+/* The status of a reading and, unless `text` is NULL, the allocated text of all its messages in the order of the files (NULL if
+ * there are none). Without memory for the text *text is NULL and the status GOUGH_ERROR_FILE. */
+gough_status study_messages_end(const study_messages *messages, char **text);
 
 /* Line and column, from 1, of a place. */
 void study_place_find(study_place place, size_t *line, size_t *column);

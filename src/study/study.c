@@ -122,9 +122,7 @@ static gough_study *read_study(study_messages *messages, const study_source *sou
 /* Writes what was said, and gives the study away where nothing was. */
 static gough_status finish(study_messages *said, gough_study *made, gough_study **study,
                            char **messages) {
-    gough_status status = said->count || said->left_out ? said->status : GOUGH_OK;
-    if (said->arena->exhausted) status = GOUGH_ERROR_FILE;
-    if (messages) *messages = status == GOUGH_OK ? NULL : study_messages_write(said);
+    const gough_status status = study_messages_end(said, messages);
     if (status == GOUGH_OK)
         *study = made;
     else

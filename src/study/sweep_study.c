@@ -99,9 +99,7 @@ gough_status gough_sweep_parse(const char *name, const char *text, size_t length
     if (!made) return GOUGH_ERROR_FILE;
     study_messages said = {.arena = &made->arena};
     if (copy_input(made, name, text, length, settings, setting_count)) read_sweep(&said, made);
-    gough_status status = said.count || said.left_out ? said.status : GOUGH_OK;
-    if (made->arena.exhausted) status = GOUGH_ERROR_FILE;
-    if (status != GOUGH_OK && messages) *messages = study_messages_write(&said);
+    const gough_status status = study_messages_end(&said, messages);
     if (status == GOUGH_OK)
         *sweep = made;
     else

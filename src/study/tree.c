@@ -197,11 +197,12 @@ static bool read_text(builder *build, struct fy_token *token, study_node *node) 
     const struct fy_iter_chunk *piece = NULL;
     int error = reader ? 0 : -1;
     while (!error && (piece = fy_token_iter_chunk_next(reader, piece, &error))) {
-        if (piece->len > most - node->length)
+        if (piece->len > most - node->length) { /* unreachable: the longest text fits */
             error = -1;
-        else
-            memcpy(text + node->length, piece->str, piece->len);
-        node->length += error ? 0 : piece->len;
+            break;
+        }
+        memcpy(text + node->length, piece->str, piece->len);
+        node->length += piece->len;
     }
     fy_token_iter_destroy(reader);
     if (error) return false;
@@ -224,7 +225,7 @@ static void add_scalar(builder *build, struct fy_event *event) {
         node->end = end < place.offset ? place.offset : end;
         node->quoting = quoting_of(fy_token_scalar_style(token));
         if (!read_text(build, token, node)) {
-            fail(build, place.offset, "this text cannot be read");
+            build->arena->exhausted = true;
             return;
         }
     }

@@ -51,8 +51,9 @@ static bool get(int pipe, void *bytes, size_t length) {
     return true;
 }
 
+/* NULL: an empty text */
 static bool put_text(int pipe, const char *text) {
-    const size_t length = strlen(text);
+    const size_t length = text ? strlen(text) : 0;
     return put(pipe, &length, sizeof length) && put(pipe, text, length);
 }
 
@@ -63,31 +64,46 @@ static bool get_text(int pipe, char **text) {
     return *text != NULL && get(pipe, *text, length);
 }
 
-static bool put_table(int pipe, const gough_table *table) {
-    bool good = put(pipe, &table->rows, sizeof table->rows) &&
-                put(pipe, &table->columns, sizeof table->columns) &&
-                put(pipe, &table->end_time, sizeof table->end_time) &&
-                put(pipe, &table->tolerance, sizeof table->tolerance) &&
-                put(pipe, &table->step, sizeof table->step) && put_text(pipe, table->title) &&
-                put_text(pipe, table->verb) && put_text(pipe, table->end_cause) &&
-                put_text(pipe, table->end_message ? table->end_message : "");
-    for (size_t c = 0; c < table->columns && good; c++)
-        good = put_text(pipe, table->name[c]) && put_text(pipe, table->unit[c]) &&
+enum { TEXTS = 4 };
+
+static void texts_of(gough_table *table, char **text[TEXTS]) {
+    text[0] = &table->title;
+    text[1] = &table->verb;
+    text[2] = &table->end_cause;
+    text[3] = &table->end_message;
+}
+
+/* The numbers that come before the texts. */
+typedef struct shape {
+    size_t rows, columns;
+    double end_time, tolerance, step;
+} shape;
+
+static bool put_table(int pipe, gough_table *table) {
+    const shape s = {table->rows, table->columns, table->end_time, table->tolerance, table->step};
+    char **text[TEXTS];
+    texts_of(table, text);
+    bool good = put(pipe, &s, sizeof s);
+    for (int i = 0; i < TEXTS; i++) good = good && put_text(pipe, *text[i]);
+    for (size_t c = 0; c < table->columns; c++)
+        good = good && put_text(pipe, table->name[c]) && put_text(pipe, table->unit[c]) &&
                put(pipe, table->value[c], table->rows * sizeof(double));
     return good;
 }
 
 static bool get_table(int pipe, gough_table *table) {
-    size_t rows = 0, columns = 0;
-    bool good = get(pipe, &rows, sizeof rows) && get(pipe, &columns, sizeof columns) &&
-                get(pipe, &table->end_time, sizeof table->end_time) &&
-                get(pipe, &table->tolerance, sizeof table->tolerance) &&
-                get(pipe, &table->step, sizeof table->step) && get_text(pipe, &table->title) &&
-                get_text(pipe, &table->verb) && get_text(pipe, &table->end_cause) &&
-                get_text(pipe, &table->end_message) && result_table_shape(table, columns, rows);
-    for (size_t c = 0; c < columns && good; c++)
-        good = get_text(pipe, &table->name[c]) && get_text(pipe, &table->unit[c]) &&
-               get(pipe, table->value[c], rows * sizeof(double));
+    shape s = {.rows = 0};
+    char **text[TEXTS];
+    texts_of(table, text);
+    bool good = get(pipe, &s, sizeof s);
+    table->end_time = s.end_time;
+    table->tolerance = s.tolerance;
+    table->step = s.step;
+    for (int i = 0; i < TEXTS; i++) good = good && get_text(pipe, text[i]);
+    good = good && result_table_shape(table, s.columns, s.rows);
+    for (size_t c = 0; c < s.columns; c++)
+        good = good && get_text(pipe, &table->name[c]) && get_text(pipe, &table->unit[c]) &&
+               get(pipe, table->value[c], s.rows * sizeof(double));
     return good;
 }
 
@@ -104,7 +120,7 @@ static void limit_child(size_t file_size) {
 static _Noreturn void serve(int pipe, result_reader *read_table, const char *path,
                             gough_table *table) {
     const int nowhere = open("/dev/null", O_WRONLY);
-    if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+    dup2(nowhere, STDERR_FILENO);
     static const int fatal[] = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU, SIGPIPE};
     for (size_t i = 0; i < sizeof fatal / sizeof fatal[0]; i++) signal(fatal[i], SIG_DFL);
     struct stat about;
@@ -125,7 +141,9 @@ static gough_status receive(int pipe, const char *path, gough_table *table, goug
         said.message[sizeof said.message - 1] = '\0';
         return gough_fail(error, status, "%s", said.message);
     }
+    errno = 0;
     if (answered && get_table(pipe, table)) return GOUGH_OK;
+    if (errno == ENOMEM) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     return gough_fail(error, GOUGH_ERROR_INPUT,
                       "%s: the HDF5 library cannot read it; the file is damaged", path);
 }

@@ -39,10 +39,10 @@ static bool is_word(gough_piece cell, const char *word) {
     return length == strlen(word) && strncasecmp(cell.begin, word, length) == 0;
 }
 
-/* Whether a cell is a decimal number, and nothing else. */
+/* Whether a cell that is not empty is a decimal number, and nothing else. */
 static bool is_decimal(gough_piece cell, double *value) {
     const size_t length = (size_t)(cell.end - cell.begin);
-    return length > 0 && gough_decimal_read(cell.begin, length, value) == length;
+    return gough_decimal_read(cell.begin, length, value) == length;
 }
 
 /* A decimal number, or nan or inf as tables of gough have them. */

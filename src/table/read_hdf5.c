@@ -30,32 +30,43 @@ typedef struct reader {
 
 static char *empty_text(void) { return calloc(1, 1); }
 
-/* The text of a scalar string attribute, "" if the file does not have it; NULL if out of memory. */
+/* The text of a string attribute of one element as `type`, a type of text in memory without its length; "" if the library cannot
+ * read it, NULL if out of memory. */
+static char *read_string(hid_t attribute, hid_t type, size_t length) {
+    char *several = NULL, *text;
+    if (length == H5T_VARIABLE) {
+        if (H5Tset_size(type, H5T_VARIABLE) < 0 || H5Aread(attribute, type, &several) < 0 ||
+            !several)
+            return empty_text();
+        text = strndup(several, TEXT_CAP);
+        H5free_memory(several);
+        return text;
+    }
+    if (length > TEXT_CAP || H5Tset_size(type, length + 1) < 0) return empty_text();
+    text = calloc(length + 2, 1);
+    if (text != NULL && H5Aread(attribute, type, text) < 0) text[0] = '\0';
+    return text;
+}
+
+/* The text of an attribute, "" if the file does not have it as one string; NULL if out of memory. */
 static char *read_text(hid_t object, const char *name) {
     if (H5Aexists(object, name) <= 0) return empty_text();
     const hid_t attribute = H5Aopen(object, name, H5P_DEFAULT);
     const hid_t type = H5Aget_type(attribute), space = H5Aget_space(attribute);
     const hid_t plain = H5Tcopy(H5T_C_S1);
-    char *text = NULL;
+    char *text;
     if (H5Tget_class(type) == H5T_STRING && H5Sget_simple_extent_npoints(space) == 1) {
         H5Tset_cset(plain, H5Tget_cset(type));
-        const size_t size = H5Tget_size(type);
-        char *several = NULL;
-        if (H5Tis_variable_str(type) > 0 && H5Tset_size(plain, H5T_VARIABLE) >= 0 &&
-            H5Aread(attribute, plain, &several) >= 0 && several != NULL) {
-            text = strndup(several, TEXT_CAP);
-            H5free_memory(several);
-        } else if (H5Tis_variable_str(type) == 0 && size <= TEXT_CAP &&
-                   H5Tset_size(plain, size + 1) >= 0) {
-            text = calloc(size + 2, 1);
-            if (text != NULL && H5Aread(attribute, plain, text) < 0) text[0] = '\0';
-        }
+        text = read_string(attribute, plain,
+                           H5Tis_variable_str(type) > 0 ? H5T_VARIABLE : H5Tget_size(type));
+    } else {
+        text = empty_text();
     }
     H5Tclose(plain);
     H5Sclose(space);
     H5Tclose(type);
     H5Aclose(attribute);
-    return text != NULL ? text : empty_text();
+    return text;
 }
 
 static double read_number(hid_t object, const char *name) {
@@ -76,14 +87,12 @@ static long long column_rows(hid_t dataset) {
     const hid_t type = H5Dget_type(dataset), space = H5Dget_space(dataset);
     const hid_t creation = H5Dget_create_plist(dataset);
     const H5T_class_t kind = H5Tget_class(type);
-    const H5D_layout_t layout = H5Pget_layout(creation);
+    const bool flat = H5Sget_simple_extent_ndims(space) == 1;
     hsize_t rows = 0;
-    const bool good =
-        (kind == H5T_FLOAT || kind == H5T_INTEGER) &&
-        H5Sget_simple_extent_type(space) == H5S_SIMPLE && H5Sget_simple_extent_ndims(space) == 1 &&
-        H5Sget_simple_extent_dims(space, &rows, NULL) == 1 &&
-        (layout == H5D_CONTIGUOUS || layout == H5D_CHUNKED || layout == H5D_COMPACT) &&
-        H5Pget_external_count(creation) == 0;
+    if (flat) H5Sget_simple_extent_dims(space, &rows, NULL);
+    const bool good = flat && (kind == H5T_FLOAT || kind == H5T_INTEGER) &&
+                      H5Pget_layout(creation) != H5D_VIRTUAL &&
+                      H5Pget_external_count(creation) == 0;
     H5Pclose(creation);
     H5Sclose(space);
     H5Tclose(type);
@@ -95,12 +104,14 @@ static bool grow(reader *r) {
     if (table->columns < r->capacity) return true;
     const size_t capacity = r->capacity == 0 ? 64 : 2 * r->capacity;
     char **name = realloc(table->name, capacity * sizeof *name);
-    if (name != NULL) table->name = name;
+    if (name == NULL) return false;
+    table->name = name;
     char **unit = realloc(table->unit, capacity * sizeof *unit);
-    if (unit != NULL) table->unit = unit;
+    if (unit == NULL) return false;
+    table->unit = unit;
     double **value = realloc(table->value, capacity * sizeof *value);
-    if (value != NULL) table->value = value;
-    if (name == NULL || unit == NULL || value == NULL) return false;
+    if (value == NULL) return false;
+    table->value = value;
     r->capacity = capacity;
     return true;
 }

@@ -18,9 +18,9 @@ static const char hdf5_signature[8] = {'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a'
 void gough_table_free(gough_table *table) {
     if (table == NULL) return;
     for (size_t c = 0; c < table->columns; c++) {
-        if (table->name != NULL) free(table->name[c]);
-        if (table->unit != NULL) free(table->unit[c]);
-        if (table->value != NULL) free(table->value[c]);
+        free(table->name[c]);
+        free(table->unit[c]);
+        free(table->value[c]);
     }
     free(table->name);
     free(table->unit);
@@ -53,10 +53,12 @@ bool result_table_shape(gough_table *table, size_t columns, size_t rows) {
     return true;
 }
 
-/* Everything from `file` as a terminated text, of `length` bytes; NULL with errno set: EFBIG beyond the cap. */
+/* Everything from `file`, of about `size` bytes, as a terminated text of `length` bytes; NULL with errno set: EFBIG beyond the
+ * cap. */
 static char *read_text(int file, size_t size, size_t cap, size_t *length) {
-    size_t capacity = size < cap ? size + 2 : 2, used = 0;
-    if (capacity < 4096) capacity = 4096;
+    errno = EFBIG;
+    if (size > cap) return NULL;
+    size_t capacity = size + 4096, used = 0;
     char *text = malloc(capacity);
     while (text != NULL) {
         const ssize_t got = read(file, text + used, capacity - used - 1);
@@ -74,10 +76,7 @@ static char *read_text(int file, size_t size, size_t cap, size_t *length) {
         }
         if (capacity - used - 1 > 0) continue;
         char *more = realloc(text, 2 * capacity);
-        if (more == NULL) {
-            errno = ENOMEM;
-            break;
-        }
+        if (more == NULL) break;
         text = more;
         capacity *= 2;
     }

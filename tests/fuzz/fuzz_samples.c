@@ -25,8 +25,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     study_samples_parse(&messages, &source, &recording);
     void *memory = recording.memory;
     if ((memory == NULL) != (messages.count > 0) || (memory && samples.count < 2)) abort();
-    char *written = study_messages_write(&messages);
-    if (!written || (messages.count > 0 && !strstr(written, "error: "))) abort();
+    char *written = NULL;
+    study_messages_end(&messages, &written);
+    if ((messages.count > 0) != (written != NULL) || (written && !strstr(written, "error: ")))
+        abort();
     free(written);
     free(memory);
     study_arena_free(&arena);

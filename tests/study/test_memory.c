@@ -1,0 +1,219 @@
+/* Memory that runs out anywhere in reading a study: the reading ends as it would have, or says so; nothing is left allocated.
+ * Faults: malloc calloc realloc open_memstream fclose study_arena_take study_arena_copy fy_diag_create fy_parser_create
+ * Faults: fy_parser_set_string fy_token_iter_create newlocale */
+#define _GNU_SOURCE
+#include <dirent.h>
+#include <libfyaml.h>
+#include <locale.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "gough/sweep.h"
+
+#include "study/arena.h"
+#include "study/helpers.h"
+#include "support/faults.h"
+#include "support/suite.h"
+
+FAULTY_MALLOC;
+FAULTY_CALLOC;
+FAULTY_REALLOC;
+FAULTY_OPEN_MEMSTREAM;
+FAULTY(struct fy_diag *, fy_diag_create, (const struct fy_diag_cfg *how), NULL, how);
+FAULTY(struct fy_parser *, fy_parser_create, (const struct fy_parse_cfg *how), NULL, how);
+FAULTY(int, fy_parser_set_string, (struct fy_parser * parser, const char *text, size_t length), -1,
+       parser, text, length);
+FAULTY(struct fy_token_iter *, fy_token_iter_create, (struct fy_token * token), NULL, token);
+FAULTY(locale_t, newlocale, (int categories, const char *name, locale_t base), (locale_t)0,
+       categories, name, base);
+FAULTY(void *, study_arena_take, (study_arena * arena, size_t size),
+       (arena->exhausted = true, NULL), arena, size);
+FAULTY(char *, study_arena_copy, (study_arena * arena, const char *text, size_t length),
+       (arena->exhausted = true, NULL), arena, text, length);
+
+/* a stream into memory that could not grow: it is closed, but not complete */
+int __real_fclose(FILE *stream);
+int __wrap_fclose(FILE *stream);
+int __wrap_fclose(FILE *stream) {
+    const bool fails = fault_comes("fclose");
+    return __real_fclose(stream) != 0 || fails ? EOF : 0;
+}
+
+static const char *const each[] = {"malloc",
+                                   "calloc",
+                                   "realloc",
+                                   "open_memstream",
+                                   "fclose",
+                                   "study_arena_take",
+                                   "study_arena_copy",
+                                   "fy_diag_create",
+                                   "fy_parser_create",
+                                   "fy_parser_set_string",
+                                   "fy_token_iter_create"};
+enum { EACH = sizeof each / sizeof each[0] };
+
+/* One way to read a text: what came of it, as text; NULL: out of memory. */
+typedef char *way(const char *text, size_t length, const gough_setting *setting, size_t settings);
+
+/* Takes the messages; NULL if they are of memory, or if there was not even memory for them. */
+static char *outcome(gough_status status, char *messages, const char *more) {
+    const bool full = messages && (strstr(messages, "error: out of memory") ||
+                                   strstr(messages, strerror(ENOMEM)));
+    fault_disarm(); /* Check allocates too */
+    const size_t size = strlen(more) + (messages ? strlen(messages) : 0) + 20;
+    char *made = malloc(size);
+    ck_assert_ptr_nonnull(made);
+    snprintf(made, size, "%d %s %s", (int)status, messages ? messages : "", more);
+    const bool none = status == GOUGH_ERROR_FILE && (!messages || full);
+    ck_assert(none || status == GOUGH_OK || messages);
+    gough_study_free_messages(messages);
+    if (!none) return made;
+    free(made);
+    return NULL;
+}
+
+static char *as_study(const char *text, size_t length, const gough_setting *setting,
+                      size_t settings) {
+    gough_study *study = NULL;
+    char *messages = NULL, place[200] = "", more[600] = "";
+    const gough_status status =
+        gough_study_parse("study.yaml", text, length, setting, settings, &study, &messages);
+    if (study) {
+        const gough_motion *motion = &study->model->motion;
+        gough_study_place(study, "platform.height", place, sizeof place);
+        snprintf(more, sizeof more, "%s %s %zu %zu %zu", place, study->title, motion->moves,
+                 motion->samples.count, study->record ? study->record->remarks : 0);
+    }
+    gough_study_free(study);
+    char *made = outcome(status, messages, more);
+    ck_assert((status == GOUGH_OK) == (study != NULL));
+    return made;
+}
+
+/* and its first and last run */
+static char *as_sweep(const char *text, size_t length, const gough_setting *setting,
+                      size_t settings) {
+    gough_sweep *sweep = NULL;
+    char *messages = NULL, more[1200] = "";
+    gough_error error = {.message = ""};
+    gough_status status =
+        gough_sweep_parse("study.yaml", text, length, setting, settings, &sweep, &messages);
+    gough_sweep_maker *maker = sweep ? gough_sweep_maker_new(sweep) : NULL;
+    if (sweep && !maker) status = GOUGH_ERROR_FILE;
+    for (int last = 0; maker && last < 2; last++) {
+        const size_t run = last ? gough_sweep_runs(sweep) : 1;
+        const gough_study *study;
+        const gough_status made = gough_sweep_make(maker, run, &study, &error);
+        if (made == GOUGH_ERROR_FILE) status = made;
+        snprintf(more + strlen(more), 600, "%d %.17g %s\n", (int)made,
+                 study->model->machine.load.mass, made == GOUGH_OK ? "" : error.message);
+    }
+    gough_sweep_maker_free(maker);
+    gough_sweep_free(sweep);
+    return outcome(status, messages, more);
+}
+
+/* Lets each call of each function fail once. */
+static void let_fail(const char *what, way *read, const char *text, size_t length,
+                     const gough_setting *setting, size_t settings) {
+    char *undisturbed = read(text, length, setting, settings);
+    ck_assert_msg(undisturbed != NULL, "%s", what);
+    for (size_t i = 0; i < EACH; i++)
+        for (long n = 1; n > 0; n++) {
+            fault_arm(each[i], n, ENOMEM);
+            char *found = read(text, length, setting, settings);
+            const bool came = fault_disarm();
+            ck_assert_msg(!found || strcmp(found, undisturbed) == 0,
+                          "%s, call %ld of %s: expected\n%s\nfound\n%s", what, n, each[i],
+                          undisturbed, found);
+            free(found);
+            if (!came) break;
+        }
+    free(undisturbed);
+}
+
+static void both_ways(const char *what, const char *text, const gough_setting *setting,
+                      size_t settings) {
+    let_fail(what, as_study, text, strlen(text), setting, settings);
+    let_fail(what, as_sweep, text, strlen(text), setting, settings);
+}
+
+START_TEST(memory_may_end_in_any_study_of_the_corpus) {
+    char folder[600], path[900], text[20000];
+    snprintf(folder, sizeof folder, "%s/tests/fuzz/corpus/study", getenv("SOURCE"));
+    DIR *all = opendir(folder);
+    ck_assert_ptr_nonnull(all);
+    int files = 0;
+    for (struct dirent *entry; (entry = readdir(all));) {
+        if (entry->d_name[0] == '.') continue;
+        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+        FILE *file = fopen(path, "rb");
+        ck_assert_ptr_nonnull(file);
+        text[fread(text, 1, sizeof text - 1, file)] = '\0';
+        fclose(file);
+        both_ways(entry->d_name, text, NULL, 0);
+        files++;
+    }
+    closedir(all);
+    ck_assert_int_gt(files, 10);
+}
+END_TEST
+
+START_TEST(memory_may_end_in_settings) {
+    const gough_setting settings[] = {{"control.stiffness", "[1, 2, 3, 4, 5, 6]"},
+                                      {"control.stiffness.2", "7"},
+                                      {"motion.moves", "[{start: 1, duration: 2, heave: 0.1}]"},
+                                      {"motion.moves.1.heave", "0.2"},
+                                      {"sweep.keys.load.mass.from", "1"},
+                                      {"sweep.keys.load.mass.to", "2"},
+                                      {"sweep.keys.load.mass.steps", "3"},
+                                      {"sweep.keys.control.damping", "[1, 2]"},
+                                      {"sweep.keys.motion.moves.1.roll", "{normal: [0, 1]}"},
+                                      {"load.inertia.9", "1"},
+                                      {"load.mass.3", "1"},
+                                      {"no.such.key", "1"},
+                                      {"title", "\"a\\u00e9b\""}};
+    enum { COUNT = sizeof settings / sizeof settings[0] };
+    both_ways("right settings", good_study, settings, 9);
+    both_ways("a missing element", good_study, settings + 9, 1);
+    both_ways("a list that is none", good_study, settings + 10, 1);
+    both_ways("unknown", good_study, settings + 11, COUNT - 11);
+}
+END_TEST
+
+START_TEST(memory_may_end_in_recorded_motion) {
+    static const char csv[] = "t,heave,pitch\n0,0,0\n0.5,0.1,60\n1,0.2,100\n1.5,0.1,60\n2,0,0\n"
+                              "2.5,0,0\n";
+    static const char *const smooth[] = {"", "smooth: rounding", "smooth: {heave: 0.01}",
+                                         "cutoff: 0.5", "smooth: none"};
+    char text[2000], *path = write_file("motion.csv", csv, sizeof csv - 1);
+    for (size_t i = 0; i < sizeof smooth / sizeof smooth[0]; i++) {
+        snprintf(text, sizeof text, "%smotion: {samples: '%s', %s}\nsimulation: {duration: 1}\n",
+                 good_study, path, smooth[i]);
+        let_fail(smooth[i], as_study, text, strlen(text), NULL, 0);
+    }
+    forget_file(path);
+    path = write_file("wrong.csv", "t,heave\n0,a\n1,b\n", 16);
+    snprintf(text, sizeof text, "%smotion: {samples: '%s'}\n", good_study, path);
+    let_fail("wrong cells", as_study, text, strlen(text), NULL, 0);
+    forget_file(path);
+}
+END_TEST
+
+/* without a locale to print in, a number is printed in the one of the program */
+START_TEST(a_number_is_printed_without_a_locale) {
+    char text[GOUGH_SWEEP_TEXT];
+    fault_arm("newlocale", 1, ENOMEM);
+    gough_sweep_print(0.1, text);
+    ck_assert(fault_disarm());
+    ck_assert_str_eq(text, "0.1");
+}
+END_TEST
+
+int main(void) {
+    return SUITE_RUN("study/memory", 60, memory_may_end_in_any_study_of_the_corpus,
+                     memory_may_end_in_settings, memory_may_end_in_recorded_motion,
+                     a_number_is_printed_without_a_locale);
+}
