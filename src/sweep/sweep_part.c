@@ -272,8 +272,11 @@ gough_status sweep_part_read(sweep_part *part, const char *path, gough_error *er
         return fail_shard(path, error, "is not a finished shard of gough sweep");
     part->bytes = malloc(part->length);
     if (part->bytes == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
+    errno = 0;
     if (read_at(part->file, part->bytes, part->length, 0) == part->length)
         part->head = sweep_head_read(part->bytes, part->length);
+    if (part->head == NULL && errno == ENOMEM)
+        return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
     if (part->head == NULL) return fail_shard(path, error, "is damaged");
     part->seed = sweep_digest(0, part->bytes, part->length);
     if (!count_records(part))
