@@ -124,7 +124,7 @@ size_t sweep_head_length(const unsigned char *start, size_t length) {
     if (get_number(&c) != MAGIC) return 0;
     for (int i = 0; i < 4; i++) get_number(&c);
     const uint64_t rest = get_number(&c);
-    return c.good && rest < LONGEST ? SWEEP_START + (size_t)rest + 8 : 0;
+    return rest < LONGEST ? SWEEP_START + (size_t)rest + 8 : 0;
 }
 
 static void get_identity(cursor *c, sweep_head *head) {
@@ -175,9 +175,7 @@ static bool columns_right(const sweep_head *head) {
         return false;
     if (bare && !head->units.dimensionless) return false;
     for (size_t k = 0; k < head->keys; k++) {
-        if (!head->path[k] || !head->label[k] ||
-            !sweep_column_known(head->path[k], head->label[k], bare))
-            return false;
+        if (!sweep_column_known(head->path[k], head->label[k], bare)) return false;
         for (size_t i = 0; i < k; i++)
             if (strcmp(head->path[i], head->path[k]) == 0) return false;
     }

@@ -55,7 +55,6 @@ sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_units *units, si
     head->study_dimensionless = study->dimensionless;
     head->samples = digest_samples(&study->model->motion);
     head->numerics = sweep_numerics_digest(study);
-    head->keys = keys;
     head->title = strdup(study->title);
     head->study = strdup(study->text);
     head->settings = join_settings(sweep);
@@ -64,13 +63,14 @@ sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_units *units, si
     head->label = calloc(keys, sizeof *head->label);
     double *value = calloc(keys, sizeof *value);
     if (value) head->plan = sweep_plan_digest(sweep, value);
-    bool good = value && head->title && head->study && head->settings && head->version &&
-                head->path && head->label;
-    for (size_t k = 0; good && k < keys; k++) {
+    if (head->path && head->label) head->keys = keys;
+    bool good =
+        value && head->title && head->study && head->settings && head->version && head->keys > 0;
+    for (size_t k = 0; k < head->keys; k++) {
         head->path[k] = strdup(key[k].path);
         head->label[k] =
             strdup(gough_unit_label(gough_unit_of_field(key[k].unit), study->dimensionless));
-        good = head->path[k] && head->label[k];
+        good = good && head->path[k] && head->label[k];
     }
     free(value);
     if (good) return head;
@@ -81,8 +81,8 @@ sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_units *units, si
 void sweep_head_free(sweep_head *head) {
     if (head == NULL) return;
     for (size_t k = 0; k < head->keys; k++) {
-        if (head->path) free((void *)head->path[k]);
-        if (head->label) free((void *)head->label[k]);
+        free((void *)head->path[k]);
+        free((void *)head->label[k]);
     }
     free(head->path);
     free(head->label);
