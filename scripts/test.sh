@@ -5,14 +5,14 @@ set -euo pipefail
 build=${1:-build} label=${2:-standard}
 shift $(($# < 2 ? $# : 2))
 case $label in
-quick) sanitized=() target=quick_tests labels=(-L quick) ;;
-standard) sanitized=(-DGOUGH_TESTS_SANITIZED=ON) target=all labels=(-LE campaign) ;;
-campaign) sanitized=(-DGOUGH_TESTS_SANITIZED=ON) target=all labels=() ;;
+quick) sanitized=() targets=(quick_tests) labels=(-L quick) ;;
+standard) sanitized=(-DGOUGH_TESTS_SANITIZED=ON) targets=(all) labels=(-LE campaign) ;;
+campaign) sanitized=(-DGOUGH_TESTS_SANITIZED=ON) targets=(all campaign_tests) labels=() ;;
 *)
     echo "test.sh: the label is quick, standard or campaign, not '$label'" >&2
     exit 2
     ;;
 esac
-cmake -S . -B "$build" -G Ninja "${sanitized[@]}" "-DGOUGH_TEST_SLOWNESS=$(scripts/slowness.sh)" >/dev/null
-cmake --build "$build" --target "$target"
+cmake -S . -B "$build" -G Ninja "${sanitized[@]}" ${PAGE:+"-DGOUGH_PAGE=$PAGE"} "-DGOUGH_TEST_SLOWNESS=$(scripts/slowness.sh)" >/dev/null
+cmake --build "$build" --target "${targets[@]}"
 ctest --test-dir "$build" --output-on-failure -j "$(nproc)" "${labels[@]}" "$@"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The program behind `make bench` runs, and what it prints hangs together: times are positive, errors below their targets, the
 # forces that forward dynamics was given come back from inverse dynamics, and whatever else it compares with agrees.
+# Label: campaign: the program and its lanes take longer to compile than the other tests of the command.
 set -euo pipefail
 : "${BUILD:?}" "${GOUGH:?}"
 bench=$BUILD/bench/gough-bench

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Bad command lines end with exit code 2 and a sentence on standard error, and nothing on standard output.
+# Sanitized: campaign: cli/inputs runs the options of each verb under sanitizers, and so does the corpus of fuzz_options.
 source "$(dirname "$0")/support.sh"
 
 refused() { # refused SENTENCE ARGUMENT…

@@ -1,5 +1,6 @@
 /* Figures: every kind is drawn whole, text runs nothing, and what cannot be drawn says why.
- * Label: standard. */
+ * Label: standard.
+ * Sanitized: campaign: most of its time is gnuplot's, and figure/stability and figure/sweep draw under sanitizers. */
 #define _XOPEN_SOURCE 700
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,7 +1,7 @@
 /* Numbers on the axes of stability maps: the text at each tick is the value at its place. Places are told by lines whose data are
  * known here: the curve of growth in maps of one row, the edges of an interval in maps of several.
  * Label: standard.
- * Not sanitized: most of its time is gnuplot's, and figure/figure draws under sanitizers. */
+ * Not sanitized: most of its time is gnuplot's, and figure/sweep draws under sanitizers. */
 #define _XOPEN_SOURCE 700
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Numbers on axes: the text at each tick is the value at its place. Places are told by lines whose data are known here, values by
  * the text in the SVG, as a reader takes them.
  * Label: standard.
- * Not sanitized: most of its time is gnuplot's, and figure/figure draws under sanitizers. */
+ * Not sanitized: most of its time is gnuplot's, and figure/sweep draws under sanitizers. */
 #define _XOPEN_SOURCE 700
 #include "figure/svg.h"
 #include "figure/ticks.h"

@@ -2,7 +2,8 @@
  * differences of velocities, velocities are differences of poses, power is the rate of change of
  * energy, forces are the rate of change of momentum. A round trip through inverse and forward
  * dynamics proves none of these.
- * */
+ * Sanitized: campaign: run/ends and run/order run the same code under sanitizers.
+ */
 #include <check.h>
 #include <math.h>
 #include <string.h>

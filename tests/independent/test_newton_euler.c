@@ -1,7 +1,8 @@
 /* The library against a second formulation, Newton's and Euler's equations with a quaternion, on
  * a study without symmetry: all six axes, full inertia tensor, centre of mass off the frame,
  * gravity aslant, feedback, disturbances on legs and load.
- * */
+ * Sanitized: campaign: run/ends and run/order run the same code under sanitizers.
+ */
 #include <check.h>
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # The Debian package can be built, holds what is used, and names what it needs.
+# Label: campaign: a build of its own, which needs the packages that only `make package` does
 source "$(dirname "$0")/use.sh"
 for tool in dpkg-deb dpkg-shlibdeps; do
     command -v $tool >/dev/null || { echo "skipped: no $tool"; exit 77; }

@@ -1,4 +1,5 @@
-/* Equations (1.4)–(1.6) and the multipliers against their own definitions, Newton–Euler and derivatives by an imaginary step. */
+/* Equations (1.4)–(1.6) and the multipliers against their own definitions, Newton–Euler and derivatives by an imaginary step.
+ * Sanitized: campaign: all other programs evaluate the same texts under sanitizers. */
 #define NUMBER_DOUBLE
 #include <math.h>
 #include <string.h>

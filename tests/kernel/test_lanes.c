@@ -1,4 +1,5 @@
-/* The kernel texts as they stand, over vectors of 2, 4 and 8 doubles: the same bits as one by one. */
+/* The kernel texts as they stand, over vectors of 2, 4 and 8 doubles: the same bits as one by one.
+ * Sanitized: campaign: all other programs evaluate the same texts under sanitizers. */
 #include <stdio.h>
 
 #include "support/kernel.h"

@@ -1,5 +1,6 @@
 /* What a run must not lose: the constraints over a million steps, and the digits of a stable run between the two precisions.
- * Label: standard. */
+ * Label: standard.
+ * Sanitized: campaign: a million steps of code that run/ends and run/order run under sanitizers. */
 #define NUMBER_DOUBLE
 #include <stdio.h>
 
