@@ -12,12 +12,22 @@
 # make lint       formatting and static analysis
 # make docs       API reference in build/docs
 # make clean      remove build/ and out/
+# PAGE=OFF leaves out the page of `gough report`, its tests, and the packages that only it needs.
 BUILD        ?= build
 PREFIX       ?= /usr/local
 FUZZ_SECONDS ?= 60
 CMAKE_FLAGS  ?=
 BENCH        ?=
 STUDIES      ?= 1000
+PAGE         ?= ON
+ifeq ($(filter ON OFF,$(PAGE)),)
+$(error PAGE must be ON or OFF, not '$(PAGE)')
+endif
+
+# groups of packages, of scripts/install-packages.sh; without the page its tools are not needed, and without LLVM, which they bring,
+# the tests of formatting and reference are skipped
+build_groups = compiler tools libraries figures $(if $(filter ON,$(PAGE)),bundler webassembly)
+test_groups  = $(build_groups) test $(if $(filter ON,$(PAGE)),format docs browser)
 
 .PHONY: all configure test quick test-more coverage demo install package fuzz campaign bench lint docs clean
 
@@ -25,38 +35,37 @@ all: configure
 	@cmake --build "$(BUILD)" --target gough_command gough_archive gough_shared gough_files_shared
 
 configure:
-	@scripts/install-packages.sh build
-	@cmake -S . -B "$(BUILD)" -G Ninja "-DCMAKE_INSTALL_PREFIX=$(PREFIX)" $(CMAKE_FLAGS) >/dev/null
+	@scripts/install-packages.sh $(build_groups)
+	@cmake -S . -B "$(BUILD)" -G Ninja "-DCMAKE_INSTALL_PREFIX=$(PREFIX)" -DGOUGH_PAGE=$(PAGE) $(CMAKE_FLAGS) >/dev/null
 
 test:
-	@scripts/install-packages.sh build test
-	@scripts/test.sh "$(BUILD)" standard
+	@scripts/install-packages.sh $(test_groups)
+	@PAGE=$(PAGE) scripts/test.sh "$(BUILD)" standard
 
 quick:
-	@scripts/install-packages.sh build test
-	@scripts/test.sh "$(BUILD)" quick
+	@scripts/install-packages.sh $(test_groups)
+	@PAGE=$(PAGE) scripts/test.sh "$(BUILD)" quick
 
 test-more:
-	@scripts/install-packages.sh build test
-	@scripts/test.sh "$(BUILD)" campaign
+	@scripts/install-packages.sh $(test_groups) package
+	@PAGE=$(PAGE) scripts/test.sh "$(BUILD)" campaign
 
 coverage:
-	@scripts/install-packages.sh build test
+	@scripts/install-packages.sh $(filter-out browser format docs,$(test_groups))
 	@scripts/coverage.sh "$(BUILD)"
 
 demo: all
-	@scripts/install-packages.sh demo
 	@scripts/demo.sh
 
 install: all
 	cmake --install "$(BUILD)" --prefix "$(PREFIX)"
 
 package:
-	@scripts/install-packages.sh build package
-	@scripts/package.sh "$(BUILD)"
+	@scripts/install-packages.sh $(build_groups) package lintian
+	@PAGE=$(PAGE) scripts/package.sh "$(BUILD)"
 
 fuzz:
-	@scripts/install-packages.sh build test
+	@scripts/install-packages.sh compiler tools libraries webassembly fuzz
 	@FUZZ_SECONDS=$(FUZZ_SECONDS) scripts/fuzz.sh
 
 campaign: all
@@ -64,11 +73,11 @@ campaign: all
 	@tests/independent/campaign/campaign.py --gough "$(BUILD)/gough" --studies $(STUDIES) --jobs "$$(nproc)"
 
 bench: configure
-	@scripts/install-packages.sh bench
+	@scripts/install-packages.sh counts peers sundials
 	@scripts/bench.sh "$(BUILD)" $(BENCH)
 
 lint: all
-	@scripts/install-packages.sh lint
+	@scripts/install-packages.sh format lint
 	@scripts/lint.sh "$(BUILD)"
 
 docs: configure

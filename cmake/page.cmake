@@ -42,7 +42,7 @@ if(GOUGH_PAGE_CLANG AND GOUGH_PAGE_LINKER)
 endif()
 if(NOT failed EQUAL 0)
     message(FATAL_ERROR "The page of `gough report` has the library compiled to WebAssembly, which needs the Debian packages "
-        "clang, lld, wasi-libc and libclang-rt-14-dev-wasm32 (scripts/install-packages.sh build installs them). "
+        "clang, lld, wasi-libc and libclang-rt-14-dev-wasm32 (scripts/install-packages.sh webassembly installs them). "
         "Without them, configure with -DGOUGH_PAGE=OFF.\n${said}")
 endif()
 

@@ -4,7 +4,7 @@ find_program(GOUGH_PAGE_NPM npm)
 find_program(GOUGH_PAGE_NODE NAMES node nodejs)
 if(NOT GOUGH_PAGE_NPM OR NOT GOUGH_PAGE_NODE)
     message(FATAL_ERROR "The page of `gough report` is bundled by Vite, which needs the Debian packages nodejs and npm "
-        "(scripts/install-packages.sh build installs them). Without them, configure with -DGOUGH_PAGE=OFF.")
+        "(scripts/install-packages.sh bundler installs them). Without them, configure with -DGOUGH_PAGE=OFF.")
 endif()
 
 set(GOUGH_PAGE_SOURCE ${PROJECT_BINARY_DIR}/web/source)

@@ -1,55 +1,81 @@
 #!/usr/bin/env bash
-# install-packages.sh GROUP…: makes sure that what the groups need is there (build, test, demo, docs, lint, bench, package).
-# Missing pieces are installed by apt, as root or with sudo. Without apt they are named, and the script stops.
+# install-packages.sh GROUP…: makes sure that the packages of these groups are there. Missing ones are installed by apt, as root or with
+# sudo. Without apt they are named, and the script stops. scripts/package-sizes.sh prints the size of each group.
 set -euo pipefail
+
+# group | what it is for. Each group stands on those above it that a step of the Makefile asks for with it.
+groups() {
+    cat <<'END'
+compiler    | compiling C
+tools       | configuring and building
+libraries   | headers and libraries that the library and the command are linked with
+figures     | `gough plot` at run time
+bundler     | bundling the page: Node.js and npm, which fetches Vite and the page's packages
+webassembly | compiling the page's core
+test        | tests of the library and the command
+format      | the test of the formatting, and `make lint`
+docs        | the API reference, and the test that it is complete
+browser     | tests of the page
+package     | making the Debian package, and the test of it
+lintian     | checking the Debian package
+fuzz        | fuzzing with libFuzzer
+lint        | static analysis
+counts      | benchmarks: counting operations
+peers       | benchmarks: timings beside MuJoCo and GSL
+sundials    | benchmarks: timings beside SUNDIALS
+END
+}
 
 # group | Debian package | what tells that it is there
 pieces() {
     cat <<'END'
-build   | gcc              | command -v ${CC:-cc} && echo '#include <stdio.h>' | ${CC:-cc} -E -
-build   | libc6-dev        | echo '#include <stdio.h>' | ${CC:-cc} -E -
-build   | cmake            | command -v cmake
-build   | ninja-build      | command -v ninja
-build   | pkg-config       | command -v pkg-config
-build   | libfyaml-dev     | pkg-config --exists libfyaml
-build   | libhdf5-dev      | pkg-config --exists hdf5-serial
-build   | libjansson-dev   | pkg-config --exists jansson
-build   | liblapacke-dev   | pkg-config --exists lapacke
-build   | gnuplot-nox      | command -v gnuplot
-build   | clang            | command -v clang
-build   | lld              | command -v wasm-ld
-build   | wasi-libc        | test -e /usr/lib/wasm32-wasi/libc.a
-build   | libclang-rt-14-dev-wasm32 | ls "$(clang -print-resource-dir)"/lib/wasi/libclang_rt.builtins-wasm32.a
-build   | nodejs           | command -v node
-build   | npm              | command -v npm
-test    | check            | pkg-config --exists check
-test    | chromium         | command -v chromium
-test    | libclang-rt-dev  | ls "$(clang -print-resource-dir)"/lib/*/libclang_rt.fuzzer*
-test    | binutils         | command -v nm
-test    | dpkg-dev         | command -v dpkg-shlibdeps || ! command -v dpkg
-test    | file             | command -v file
-test    | locales          | test -e /usr/share/i18n/locales/de_DE
-test    | hdf5-tools       | command -v h5dump
-test    | netcdf-bin       | command -v ncdump
-test    | clang-format     | command -v clang-format
-test    | man-db           | command -v man
-test    | jq               | command -v jq
-test    | python3          | command -v python3
-test    | doxygen          | command -v doxygen
-docs    | doxygen          | command -v doxygen
-lint    | clang-format     | command -v clang-format
-lint    | clang-tidy       | command -v clang-tidy
-lint    | cppcheck         | command -v cppcheck
-lint    | shellcheck       | command -v shellcheck
-bench   | g++              | command -v g++
-bench   | libmujoco-dev    | test -e /usr/include/mujoco/mujoco.h
-bench   | libsundials-dev  | test -e /usr/include/cvode/cvode.h
-bench   | libgsl-dev       | pkg-config --exists gsl
-package | dpkg-dev         | command -v dpkg-shlibdeps
-package | file             | command -v file
-package | lintian          | command -v lintian
+compiler  | gcc              | echo | ${CC:-cc} -E -
+compiler  | binutils         | command -v nm
+tools     | cmake            | command -v cmake
+tools     | ninja-build      | command -v ninja
+tools     | pkg-config       | command -v pkg-config
+libraries | libc6-dev        | echo '#include <stdio.h>' | ${CC:-cc} -E -
+libraries | libfyaml-dev     | pkg-config --exists libfyaml
+libraries | libhdf5-dev      | pkg-config --exists hdf5-serial
+libraries | libjansson-dev   | pkg-config --exists jansson
+libraries | liblapacke-dev   | pkg-config --exists lapacke
+figures   | gnuplot-nox      | command -v gnuplot
+bundler   | nodejs           | command -v node
+bundler   | npm              | command -v npm
+webassembly | clang          | command -v clang
+webassembly | lld            | command -v wasm-ld
+webassembly | wasi-libc      | test -e /usr/lib/wasm32-wasi/libc.a
+webassembly | libclang-rt-14-dev-wasm32 | ls "$(clang -print-resource-dir)"/lib/wasi/libclang_rt.builtins-wasm32.a
+test      | check            | pkg-config --exists check
+test      | hdf5-tools       | command -v h5dump
+test      | jq               | command -v jq
+test      | locales          | test -e /usr/share/i18n/locales/de_DE
+test      | man-db           | command -v man
+test      | netcdf-bin       | command -v ncdump
+test      | python3          | command -v python3
+format    | clang-format     | command -v clang-format
+docs      | doxygen          | command -v doxygen
+browser   | chromium         | command -v chromium
+package   | dpkg-dev         | command -v dpkg-shlibdeps
+package   | file             | command -v file
+lintian   | lintian          | command -v lintian
+fuzz      | libclang-rt-dev  | ls "$(clang -print-resource-dir)"/lib/*/libclang_rt.fuzzer*
+lint      | clang-tidy       | command -v clang-tidy
+lint      | cppcheck         | command -v cppcheck
+lint      | shellcheck       | command -v shellcheck
+counts    | g++              | command -v g++
+peers     | libgsl-dev       | pkg-config --exists gsl
+peers     | libmujoco-dev    | test -e /usr/include/mujoco/mujoco.h
+sundials  | libsundials-dev  | test -e /usr/include/cvode/cvode.h
 END
 }
+
+for wanted in "$@"; do
+    groups | grep -q "^$wanted *|" || {
+        echo "install-packages.sh: there is no group '$wanted'; the groups are $(groups | awk '{ printf "%s%s", (NR > 1 ? ", " : ""), $1 }')" >&2
+        exit 2
+    }
+done
 
 present() { (eval "$1") >/dev/null 2>&1; }
 

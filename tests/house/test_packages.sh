@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # scripts/install-packages.sh: silent when all is there; without apt, and without root or sudo, it names what is missing
-# and stops. Tried with folders of links in place of /usr/bin.
+# and stops. Tried with folders of links in place of /usr/bin. Each package stands in one group, the Makefile asks only for groups that
+# there are and for each of them somewhere, and CONTRIBUTING lists the groups with their packages.
 set -euo pipefail
 cd "${SOURCE:-$(dirname "$0")/../..}"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 bash=$(command -v bash)
+build=(compiler tools libraries figures)
 
 # path_without NAME…: a folder with every program of the system but these
 path_without() {
@@ -18,7 +20,7 @@ path_without() {
 refused() { # refused PATH WORD…: exit 1, the words on standard error
     local path=$1 said word
     shift
-    if said=$(PATH=$path "$bash" scripts/install-packages.sh build 2>&1 </dev/null); then
+    if said=$(PATH=$path "$bash" scripts/install-packages.sh "${build[@]}" 2>&1 </dev/null); then
         echo "with $(basename "$path") missing it goes on"
         exit 1
     fi
@@ -27,7 +29,7 @@ refused() { # refused PATH WORD…: exit 1, the words on standard error
     done
 }
 
-said=$("$bash" scripts/install-packages.sh build 2>&1)
+said=$("$bash" scripts/install-packages.sh "${build[@]}" 2>&1)
 [[ -z $said ]] || { echo "with all there it says: $said"; exit 1; }
 refused "$(path_without ninja apt-get apt)" "Missing: ninja-build" "no apt"
 if ((EUID != 0)); then
@@ -36,7 +38,7 @@ elif command -v setpriv >/dev/null; then
     folder=$(path_without cmake sudo)
     chmod 755 "$scratch"
     cp scripts/install-packages.sh "$scratch/script"
-    said=$(PATH=$folder setpriv --reuid 65534 --clear-groups "$bash" "$scratch/script" build 2>&1 </dev/null) && { echo "without root it goes on"; exit 1; }
+    said=$(PATH=$folder setpriv --reuid 65534 --clear-groups "$bash" "$scratch/script" "${build[@]}" 2>&1 </dev/null) && { echo "without root it goes on"; exit 1; }
     [[ $said == *"Missing: cmake"*"apt-get install cmake"* ]] || { echo "without root it says: $said"; exit 1; }
 fi
 # each package of the list is one of this system's
@@ -47,3 +49,28 @@ if command -v apt-cache >/dev/null && [[ -n $(apt-cache search --names-only '^cm
         grep -qxF -- "$package" <<<"$known" || { echo "there is no package $package"; exit 1; }
     done
 fi
+
+# listed NAME: the lines of a list in the script, without blanks around the bars
+listed() { sed -n "/^$1() {/,/^END/p" scripts/install-packages.sh | sed -n 's/ *| */|/gp'; }
+groups=$(listed groups | cut -d'|' -f1)
+twice=$(listed pieces | cut -d'|' -f2 | sort | uniq -d)
+[[ -z $twice ]] || { echo "in more than one group: $twice"; exit 1; }
+[[ $(listed pieces | cut -d'|' -f1 | uniq) == "$groups" ]] || { echo "the groups of the packages are not the groups of the list, in its order"; exit 1; }
+if said=$("$bash" scripts/install-packages.sh tools nonsense 2>&1); then echo "a group 'nonsense' is accepted"; exit 1; fi
+[[ $said == *"no group 'nonsense'"*compiler*sundials* ]] || { echo "for an unknown group it says: $said"; exit 1; }
+
+# what the steps ask for, whatever the make that runs this test was told
+plan() { env -u MAKEFLAGS -u MAKEOVERRIDES -u PAGE make -n --no-print-directory "$@"; }
+steps=$(plan all test quick test-more coverage demo package fuzz campaign bench lint docs |
+    sed -n 's/.*install-packages\.sh //p' | tr ' ' '\n' | sed '/^$/d' | sort -u)
+[[ $steps == "$(sort <<<"$groups")" ]] || { echo "the Makefile asks for other groups:"; diff <(echo "$steps") <(sort <<<"$groups"); exit 1; }
+without=$(plan PAGE=OFF test | sed -n 's/.*install-packages\.sh //p' | xargs)
+[[ $without == "compiler tools libraries figures test" ]] || { echo "without the page the tests ask for: $without"; exit 1; }
+
+# the table of CONTRIBUTING: group, purpose, packages, sizes
+told=$(sed -n '/^| group | for | packages/,/^$/p' CONTRIBUTING.md | sed -n 's/^| `\([a-z]*\)` | \([^|]*\) | \([^|]*\) | [0-9]* | [0-9]* |$/\1|\2|\3/p')
+true=$(while IFS='|' read -r group purpose; do
+    packages=$(listed pieces | awk -F'|' -v group="$group" '$1 == group { print $2 }' | paste -sd,)
+    echo "$group|$purpose|${packages//,/, }"
+done < <(listed groups))
+[[ $told == "$true" ]] || { echo "CONTRIBUTING lists other groups:"; diff <(echo "$told") <(echo "$true"); exit 1; }
