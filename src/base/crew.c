@@ -11,9 +11,11 @@ int crew_threads(int wanted) {
 
     if (threads <= 0) {
         cpu_set_t set;
-        threads = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+        if (sched_getaffinity(0, sizeof set, &set) != 0)
+            return 1; /* on machines of more processors than the set has room for */
+        threads = CPU_COUNT(&set);
     }
-    return threads < 1 ? 1 : threads > CREW_MOST ? CREW_MOST : threads;
+    return threads > CREW_MOST ? CREW_MOST : threads;
 }
 
 int crew_start(crew *c, void *members, size_t size, int count, void *(*work)(void *member)) {

@@ -8,25 +8,31 @@
 
 int prefetch_lanes(void) {
 #if defined(__x86_64__)
-    if (GOUGH_WIDEST >= 8 && __builtin_cpu_supports("avx512f") &&
-        __builtin_cpu_supports("avx512dq"))
-        return 8;
-    if (GOUGH_WIDEST >= 4 && __builtin_cpu_supports("avx2")) return 4;
+    const int f = __builtin_cpu_supports("avx512f"), dq = __builtin_cpu_supports("avx512dq");
+    if (GOUGH_WIDEST >= 8 && f && dq) return 8; /* unreachable: a processor takes only one way */
+    const int avx2 = __builtin_cpu_supports("avx2");
+    if (GOUGH_WIDEST >= 4 && avx2) return 4; /* unreachable: a processor takes only one way */
 #endif
     return 2;
 }
 
 const struct prefetch_width *prefetch_widest(void) {
+    static const struct prefetch_width *const width[] = {
 #if defined(__x86_64__)
-    if (prefetch_lanes() == 8) return &prefetch_width_8;
-    if (prefetch_lanes() == 4) return &prefetch_width_4;
+        [4] = &prefetch_width_4,
+        [8] = &prefetch_width_8,
 #endif
-    return &prefetch_width_2;
+        [2] = &prefetch_width_2,
+    };
+    return width[prefetch_lanes()];
 }
 
 const struct prefetch_width *prefetch_narrow(void) {
+    static const struct prefetch_width *const width[9] = {
 #if defined(__x86_64__)
-    if (prefetch_lanes() == 8) return &prefetch_width_4;
+        [8] = &prefetch_width_4,
 #endif
-    return NULL;
+        [2] = NULL,
+    };
+    return width[prefetch_lanes()];
 }

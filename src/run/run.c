@@ -189,7 +189,7 @@ gough_status simulate_check(const gough_motion *motion, const gough_simulation *
     }
     status = motion_check(motion, error);
     if (status != GOUGH_OK) return status;
-    if (s->method == GOUGH_DOP853 && fpclassify(s->step) == FP_ZERO) {
+    if (s->method == GOUGH_DOP853 && fabs(s->step) <= 0) {
         status = check_tolerance(s, error);
     } else {
         status = check_step(s, error);
@@ -200,12 +200,14 @@ gough_status simulate_check(const gough_motion *motion, const gough_simulation *
 }
 
 const struct simulate_table *simulate_table_of(gough_precision precision) {
-    if (precision == GOUGH_QUADRUPLE) return &simulate_quad;
 #if defined(__x86_64__)
-    if (prefetch_lanes() == 8) return &simulate_double_8;
-    if (prefetch_lanes() == 4) return &simulate_double_4;
+    static const struct simulate_table *const by_lanes[] = {
+        [2] = &simulate_double, [4] = &simulate_double_4, [8] = &simulate_double_8};
+    const struct simulate_table *in_double = by_lanes[prefetch_lanes()];
+#else
+    const struct simulate_table *in_double = &simulate_double;
 #endif
-    return &simulate_double;
+    return precision == GOUGH_QUADRUPLE ? &simulate_quad : in_double;
 }
 
 /* an end that is the input's fault is its error's sentence too */

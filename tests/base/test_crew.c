@@ -1,4 +1,6 @@
 /* A crew: every member works once, each on what is its own, however many there are. */
+#define _GNU_SOURCE
+#include <pthread.h>
 #include <stdatomic.h>
 #include <unistd.h>
 
@@ -31,6 +33,26 @@ START_TEST(each_member_works_once) {
 }
 END_TEST
 
+/* stacks of 2^46 bytes, which no machine has */
+START_TEST(without_threads_the_caller_works_alone) {
+    member members[4] = {{NULL, 0}};
+    pthread_attr_t attributes;
+    atomic_int sum;
+    size_t usual;
+    atomic_init(&sum, 0);
+    for (int i = 0; i < 4; i++) members[i].sum = &sum;
+    ck_assert_int_eq(pthread_getattr_default_np(&attributes), 0);
+    pthread_attr_getstacksize(&attributes, &usual);
+    pthread_attr_setstacksize(&attributes, (size_t)1 << 46);
+    ck_assert_int_eq(pthread_setattr_default_np(&attributes), 0);
+    crew_work(members, sizeof members[0], 4, work);
+    pthread_attr_setstacksize(&attributes, usual);
+    ck_assert_int_eq(pthread_setattr_default_np(&attributes), 0);
+    pthread_attr_destroy(&attributes);
+    for (int i = 0; i < 4; i++) ck_assert_int_eq(members[i].worked, i == 0);
+}
+END_TEST
+
 START_TEST(a_wish_has_bounds) {
     ck_assert_int_eq(crew_threads(3), 3);
     ck_assert_int_eq(crew_threads(1000000), CREW_MOST);
@@ -43,4 +65,7 @@ START_TEST(a_wish_has_bounds) {
 }
 END_TEST
 
-int main(void) { return SUITE_RUN("base/crew", 60, each_member_works_once, a_wish_has_bounds); }
+int main(void) {
+    return SUITE_RUN("base/crew", 60, each_member_works_once,
+                     without_threads_the_caller_works_alone, a_wish_has_bounds);
+}

@@ -85,6 +85,16 @@ START_TEST(ends_are_those_of_the_text) {
 }
 END_TEST
 
+START_TEST(the_last_line_needs_no_end) {
+    static const char text[] = "a\nb,c";
+    gough_piece rest = {text, text + 5}, line;
+    ck_assert(gough_csv_line(&rest, &line) && line.end == text + 1);
+    ck_assert(gough_csv_line(&rest, &line));
+    ck_assert(line.begin == text + 2 && line.end == text + 5);
+    ck_assert(gough_csv_ended(rest) && !gough_csv_line(&rest, &line));
+}
+END_TEST
+
 /* A quote that is never closed is a letter like any other: the cell ends at the next comma. */
 START_TEST(an_open_quote_swallows_nothing) {
     static const char text[] = "\"a,b";
@@ -97,5 +107,5 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("base/csv", 60, what_was_written_is_read, ends_are_those_of_the_text,
-                     an_open_quote_swallows_nothing);
+                     the_last_line_needs_no_end, an_open_quote_swallows_nothing);
 }

@@ -76,6 +76,18 @@ START_TEST(characters_are_read) {
 }
 END_TEST
 
+/* the table of distances has room for 60 letters */
+START_TEST(words_and_names_that_are_too_long_have_no_nearest) {
+    static const char letters[] =
+        "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa";
+    const char *const both[] = {letters, letters + 8};
+    ck_assert_uint_eq(strlen(letters), 68);
+    ck_assert_int_eq(gough_word_nearest(letters, 60, both, 2), 1);
+    ck_assert_int_eq(gough_word_nearest(letters, 60, both, 1), -1);
+    ck_assert_int_eq(gough_word_nearest(letters, 61, both, 2), -1);
+}
+END_TEST
+
 START_TEST(characters_are_counted) {
     ck_assert_uint_eq(gough_character_count(""), 0);
     ck_assert_uint_eq(gough_character_count("3×3 — µm"), 8);
@@ -84,5 +96,6 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("base/nearest", 60, the_nearest_name_is_found_and_no_far_one,
-                     characters_are_read, characters_are_counted);
+                     words_and_names_that_are_too_long_have_no_nearest, characters_are_read,
+                     characters_are_counted);
 }

@@ -62,6 +62,23 @@ START_TEST(a_sentence_stays_in_its_room) {
 }
 END_TEST
 
+START_TEST(text_is_padded_to_its_width) {
+    char text[40];
+    write_sentence(text, sizeof text, "%-5s|%4s|%*s", "ab", "cd", 3, "e");
+    ck_assert_str_eq(text, "ab   |  cd|  e");
+}
+END_TEST
+
+/* formats that the compiler would refuse in a call that it checks */
+START_TEST(a_format_that_makes_no_sense_loses_only_its_conversion) {
+    char text[40];
+    write_sentence(text, sizeof text, "half: 50 %");
+    ck_assert_str_eq(text, "half: 50 ");
+    write_sentence(text, sizeof text, "%-00000000000000000000000000000000d and more");
+    ck_assert_ptr_nonnull(strstr(text, " and more"));
+}
+END_TEST
+
 START_TEST(long_sentences_are_cut) {
     gough_error e;
     char text[2000];
@@ -116,6 +133,8 @@ int main(void) {
     tcase_add_test(tests, no_error_struct_is_no_error);
     tcase_add_test(tests, an_error_about_a_key_names_it);
     tcase_add_test(tests, a_sentence_stays_in_its_room);
+    tcase_add_test(tests, text_is_padded_to_its_width);
+    tcase_add_test(tests, a_format_that_makes_no_sense_loses_only_its_conversion);
     tcase_add_test(tests, long_sentences_are_cut);
     tcase_add_test(tests, cut_sentences_are_still_utf8);
     tcase_add_test(tests, numbers_have_a_point_in_a_comma_locale);

@@ -412,6 +412,10 @@ START_TEST(options_are_checked) {
     REFUSES(s.tolerance = 0, "tolerance");
     REFUSES(s.tolerance = 1e-16, "tolerance");
     REFUSES(s.tolerance = NAN, "tolerance");
+    REFUSES(s.tolerance = 0.2, "between 1e-15 and 0.1 in double precision");
+    REFUSES((s.precision = GOUGH_QUADRUPLE, s.tolerance = 1e-31), "1e-30 and 0.1 in quadruple");
+    REFUSES(s.max_step = -1, "max_step");
+    REFUSES(s.max_step = INFINITY, "max_step");
     REFUSES(s.method = GOUGH_RK4, "step");
     REFUSES((s.method = GOUGH_RK4, s.step = 0.03), "divide");
     REFUSES((s.method = GOUGH_RK4, s.step = 0.1), "divide");
@@ -420,6 +424,7 @@ START_TEST(options_are_checked) {
     REFUSES((s.method = GOUGH_RATTLE2, s.step = 1e-12), "steps");
     REFUSES((s.method = GOUGH_RATTLE4, s.step = 0.01, s.constraints = GOUGH_BAUMGARTE), "rattle4");
     REFUSES((s.constraints = GOUGH_BAUMGARTE, s.baumgarte[1] = -1), "baumgarte");
+    REFUSES((s.constraints = GOUGH_BAUMGARTE, s.baumgarte[0] = INFINITY), "baumgarte");
     REFUSES(s.method = (gough_method)77, "method");
     s = good;
     s.tolerance = 1e-25;
