@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""coverage.py BUILD [--list]: branch coverage of a build with --coverage whose tests have run, by groups of files.
+"""coverage.py BUILD [--list] [--readers]: branch coverage of a build with --coverage whose tests have run, by groups of files.
 
 A branch is one way out of a condition in the source. A text that is compiled several times (lanes, quadruple and complex
-numbers) is counted once: a branch is taken if any instance takes it. Branches of assertions are not counted, nor are those never
-taken on a line with a comment "unreachable: REASON"; their number is printed. With --list every branch not taken is named. The
-exit status is 1 if a group is below its share.
+numbers) is counted once: a branch is taken if any instance takes it. Branches of assertions are not counted. A comment
+"unreachable: REASON" stands for one branch of its line that is never taken ("2 unreachable: REASON" for two); their number is
+printed, and a comment with fewer such branches on its line is an error. With --list every branch not taken is named, with
+--readers only the groups of readers of outside bytes are counted. The exit status is 1 if a group is below its share.
 """
 import fnmatch
 import json
@@ -25,7 +26,7 @@ CORE = "base kernel program plant model integrate system run batch linear floque
 GROUPS += [(room, 0, [f"src/{room}/*"]) for room in CORE]
 CORE_SHARE = 0.95
 ASSERTION = re.compile(r"\bassert(_true)?\(")
-UNREACHABLE = re.compile(r"/\* (.* )?unreachable: [^*]")
+UNREACHABLE = re.compile(r"/\* (?:.*? )??(?:([0-9]+) )?unreachable: [^*]")
 
 
 def notes(build):
@@ -58,35 +59,53 @@ def counted(build, source):
     return files
 
 
+def marked_branches(line):
+    """how many branches a line's comment calls unreachable"""
+    found = UNREACHABLE.search(line)
+    return int(found.group(1) or 1) if found else 0
+
+
+def lines_of(source, file, lines):
+    """(number, text, branches, those not taken) of each line with branches, assertions left out"""
+    with open(os.path.join(source, file), encoding="utf-8") as opened:
+        text = opened.read().splitlines()
+    sums = {}
+    for (number, _), shapes in lines.items():
+        counts = shapes[max(shapes)]
+        before = sums.get(number, (0, 0))
+        sums[number] = (before[0] + len(counts), before[1] + sum(count == 0 for count in counts))
+    for number, (of, missed) in sorted(sums.items()):
+        if number > len(text):
+            sys.exit(f"coverage.py: {file} has changed since it was built")
+        if not ASSERTION.search(text[number - 1]):
+            yield number, text[number - 1], of, missed
+
+
 def main():
-    build, listing = os.path.abspath(sys.argv[1]), "--list" in sys.argv[2:]
+    build, options = os.path.abspath(sys.argv[1]), sys.argv[2:]
     source = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-    total = {name: [0, 0, 0] for name, _, _ in GROUPS}  # taken, reachable, marked
+    groups = [group for group in GROUPS if group[1] > 0 or "--readers" not in options]
+    total = {name: [0, 0, 0] for name, _, _ in groups}  # taken, reachable, marked
+    failed = False
     for file, lines in sorted(counted(build, source).items()):
-        group = next((name for name, _, patterns in GROUPS if any(fnmatch.fnmatch(file, p) for p in patterns)), None)
+        group, least = next(((name, least) for name, least, patterns in groups if any(fnmatch.fnmatch(file, p) for p in patterns)), (None, 0))
         if group is None:
             continue
-        with open(os.path.join(source, file), encoding="utf-8") as opened:
-            text = opened.read().splitlines()
-        for (number, _), shapes in sorted(lines.items()):
-            counts = shapes[max(shapes)]
-            line = text[number - 1]
-            if ASSERTION.search(line):
-                continue
-            taken = sum(count > 0 for count in counts)
-            missed = len(counts) - taken
-            if missed and UNREACHABLE.search(line):
-                total[group][2] += missed
-                missed = 0
-            total[group][0] += taken
-            total[group][1] += taken + missed
-            if missed and listing:
-                print(f"{file}:{number}: {missed} of {len(counts)} not taken: {line.strip()}")
+        for number, line, of, missed in lines_of(source, file, lines):
+            marked = marked_branches(line)
+            if marked > missed:
+                failed = True
+                print(f"{file}:{number}: called unreachable, but taken: {line.strip()}")
+            marked = min(marked, missed)
+            total[group][0] += of - missed
+            total[group][1] += of - marked
+            total[group][2] += marked
+            if missed > marked and (least == 1 or "--list" in options):
+                print(f"{file}:{number}: {missed - marked} of {of} not taken: {line.strip()}")
 
-    failed = False
     core = [0, 0, 0]
     print(f"{'branches':28} {'taken':>7} {'of':>7} {'share':>8}  unreachable")
-    for name, least, _ in GROUPS + [("core", CORE_SHARE, [])]:
+    for name, least, _ in groups + ([] if "--readers" in options else [("core", CORE_SHARE, [])]):
         taken, of, marked = total.get(name, core)
         if name in CORE or name == "formulas and numbers":
             core = [a + b for a, b in zip(core, total[name])]

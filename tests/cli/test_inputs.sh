@@ -62,12 +62,13 @@ refused "are the same file" simulate own.yaml -o new.csv -o new.csv
 refused "are the same file" plot result.csv -o new.png -o folder/../new.png
 refused "are the same file" example own-machine -o new.yaml -o ./new.yaml
 
-# what is no regular file
+# what is no regular file; seconds after which a command that waits for one is ended
+patience=$((15 * ${GOUGH_TEST_SLOWNESS:-4}))
 mkfifo fifo fifo.csv
 waits() { # waits CODE SENTENCE ARGUMENT…
     local wanted=$1 sentence=$2
     shift 2
-    timeout -s KILL 60 "$GOUGH" "$@" >out 2>err </dev/null
+    timeout -s KILL "$patience" "$GOUGH" "$@" >out 2>err </dev/null
     code=$?
     expect_code "$wanted" "$@"
     grep -qF -- "$sentence" err || fail "$*: does not say '$sentence' but: $(cat err)"
@@ -106,10 +107,10 @@ each() { # each ARGUMENT… with STUDY for the study
     for as in - /dev/stdin /dev/fd/0; do
         arguments=("${@/STUDY/$as}")
         # shellcheck disable=SC2002
-        cat own.yaml | timeout -s KILL 60 "$GOUGH" "${arguments[@]}" >out 2>err || fail "${arguments[*]}, from a pipe: $(cat err)"
+        cat own.yaml | timeout -s KILL "$patience" "$GOUGH" "${arguments[@]}" >out 2>err || fail "${arguments[*]}, from a pipe: $(cat err)"
     done
-    timeout -s KILL 60 "$GOUGH" "${@/STUDY//dev/fd/9}" >out 2>err </dev/null 9< <(cat own.yaml) || fail "$*, of a substituted process: $(cat err)"
-    timeout -s KILL 60 "$GOUGH" "${@/STUDY/-}" >out 2>err </dev/null
+    timeout -s KILL "$patience" "$GOUGH" "${@/STUDY//dev/fd/9}" >out 2>err </dev/null 9< <(cat own.yaml) || fail "$*, of a substituted process: $(cat err)"
+    timeout -s KILL "$patience" "$GOUGH" "${@/STUDY/-}" >out 2>err </dev/null
     code=$?
     expect_code 2 "$*, of nothing"
     grep -q 'standard input:1:1: error: the study is empty' err || fail "$*, of nothing: $(cat err)"

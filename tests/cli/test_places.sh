@@ -27,7 +27,7 @@ placed study.yaml:7:10 check study.yaml
 placed study.yaml:7:10 forces study.yaml -o a.csv
 placed study.yaml:7:10 simulate study.yaml --set disturbance= -o a.csv
 placed study.yaml:8:38 simulate study.yaml -o a.csv
-placed study.yaml:8:38 report study.yaml -o a.html
+has_page && placed study.yaml:8:38 report study.yaml -o a.html
 placed "--set motion.heave" forces study.yaml --set 'motion.heave=1/(1 - t)*0'
 placed "--set disturbance.force.1" simulate study.yaml --set 'disturbance.force.1=log(1 - t)'
 placed "--set disturbance.leg_force" simulate study.yaml --set 'disturbance.leg_force=log(1 - t)'

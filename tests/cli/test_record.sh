@@ -106,6 +106,7 @@ grep -Eq "warning: motion.samples has values of heave in steps of 0.0001 m: roun
     fail "the warning of 4 decimals: $(cat err)"
 # every verb that reads a study
 for verb in "check" "forces" "simulate" "stability" "sweep" "report -o page.html"; do
+    [[ $verb != report* ]] || has_page || continue
     # shellcheck disable=SC2086
     run $verb own.yaml "${ten[@]}" --set simulation.duration=0.5 --set 'motion={samples: h3.csv}' --set control.stiffness=5000 --set 'sweep.keys={load.mass: [5, 6]}'
     expect_warnings 1 "$verb"
