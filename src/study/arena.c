@@ -16,8 +16,7 @@ enum { LEAST_BLOCK = 16384 };
 
 static study_block *new_block(study_arena *arena, size_t least) {
     const size_t size = least > LEAST_BLOCK ? least : LEAST_BLOCK;
-    study_block *block = NULL;
-    if (size <= SIZE_MAX - sizeof *block) block = calloc(1, sizeof *block + size);
+    study_block *block = calloc(1, sizeof *block + size);
     if (!block) {
         arena->exhausted = true;
         return NULL;
@@ -30,7 +29,7 @@ static study_block *new_block(study_arena *arena, size_t least) {
 
 void *study_arena_take(study_arena *arena, size_t size) {
     const size_t unit = alignof(max_align_t);
-    if (size > SIZE_MAX - unit) {
+    if (size > SIZE_MAX / 2) {
         arena->exhausted = true;
         return NULL;
     }

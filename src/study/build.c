@@ -171,7 +171,8 @@ static void check_simulation(study_build *build, study_node *node) {
     if (run.tolerance < 1e-15) run.precision = GOUGH_QUADRUPLE;
     if (gough_simulation_check(build->study->model, &run, &error) == GOUGH_OK) return;
     study_node *about = node ? node : study_node_child(build->root, "motion");
-    say_library(build, about ? about : study_node_child(build->root, "platform"), &error);
+    if (!about) about = study_node_child(build->root, "platform"); /* unreachable: defaults run */
+    say_library(build, about, &error);
 }
 
 void study_model_rebuild(study_build *build, unsigned parts) {

@@ -194,7 +194,7 @@ static void check_numeric(study_messages *messages, study_node *node, const goug
 static void check_value(study_messages *messages, study_node *node, const gough_key *key) {
     const char *phrase = study_shape_phrase(key->shape);
     const bool single = node->kind == STUDY_SCALAR && node->length > 0;
-    switch (key->shape) {
+    switch (key->shape) { /* unreachable: there is a case for each shape */
     case GOUGH_SHAPE_MAPPING:
     case GOUGH_SHAPE_CONSTRAINTS:
     case GOUGH_SHAPE_SMOOTH:

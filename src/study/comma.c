@@ -22,11 +22,10 @@ static const study_node *piece_of(const study_node *parent, const study_node *no
     return piece && is_plain(piece) ? piece : NULL;
 }
 
-/* Whether between two texts of one source there is one comma and otherwise blanks. */
+/* Whether between two texts, one after the other in a source, there is one comma and otherwise blanks. */
 static bool only_a_comma(const study_node *left, const study_node *right) {
     const study_source *source = left->place.source;
     int commas = 0;
-    if (source != right->place.source || right->place.offset < left->end) return false;
     for (size_t at = left->end; at < right->place.offset; at++) {
         if (source->text[at] == ',')
             commas++;
@@ -40,8 +39,8 @@ static bool only_a_comma(const study_node *left, const study_node *right) {
 static bool ends_there(const study_node *piece) {
     const study_source *source = piece->place.source;
     size_t at = piece->end;
-    while (at < source->length && is_blank(source->text[at])) at++;
-    return at < source->length && strchr(",]}", source->text[at]);
+    while (is_blank(source->text[at])) at++;
+    return memchr(",]}", source->text[at], 3) != NULL;
 }
 
 /* The last of the nodes that a cut text goes on in; NULL if it cannot be told without doubt. */

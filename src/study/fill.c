@@ -25,13 +25,11 @@ static double *read_each(const study_node *node, double factor, double *value) {
     return value;
 }
 
-void study_numbers(const study_node *list, double *value) {
-    if (list) read_each(list, 1, value);
-}
+void study_numbers(const study_node *list, double *value) { read_each(list, 1, value); }
 
 static gough_formula read_formula(const study_node *node) {
     gough_formula formula = gough_formula_constant(0);
-    if (!node->wrong) gough_formula_compile(&formula, node->text, node->length, NULL, NULL);
+    gough_formula_compile(&formula, node->text, node->length, NULL, NULL);
     return formula;
 }
 
@@ -50,7 +48,7 @@ static void read_formulas(const gough_field *field, const study_node *node, goug
 }
 
 static void read_value(const gough_field *field, const study_node *node, void *value) {
-    switch (field->place.kind) {
+    switch (field->place.kind) { /* unreachable: there is a case for each kind */
     case GOUGH_KIND_NUMBER:
         read_numbers(field, node, value);
         break;

@@ -8,8 +8,8 @@
 const gough_key *gough_study_keys(size_t *count) {
     size_t fields, keys = 0;
     const gough_field *field = gough_fields(&fields);
-    while (keys < fields && field[keys].is_key) keys++;
-    if (count) *count = keys;
+    while (field[keys].is_key) keys++; /* the last fields are no keys */
+    *count = keys;
     return field;
 }
 

@@ -73,7 +73,7 @@ void study_say(study_messages *messages, gough_status status, study_place place,
 static bool line_ends_before(const study_source *source, size_t offset) {
     const char *text = source->text;
     if (text[offset - 1] == '\n') return true;
-    return text[offset - 1] == '\r' && !(offset < source->length && text[offset] == '\n');
+    return text[offset - 1] == '\r' && text[offset] != '\n';
 }
 
 static size_t line_begin(study_place place) {
@@ -144,9 +144,9 @@ static void write_name(FILE *out, const char *name) {
 
 static void write_message(FILE *out, const study_message *message) {
     const study_place place = message->place;
-    if (place.source) write_name(out, place.source->name);
-    if (!place.source || !place.source->text) {
-        fprintf(out, "%serror: %s\n", place.source ? ": " : "", message->sentence);
+    write_name(out, place.source->name);
+    if (!place.source->text) {
+        fprintf(out, ": error: %s\n", message->sentence);
         return;
     }
     size_t line, column;
@@ -158,15 +158,14 @@ static void write_message(FILE *out, const study_message *message) {
 
 static int compare(const void *left, const void *right) {
     const study_message *a = *(study_message *const *)left, *b = *(study_message *const *)right;
-    const int rank_a = a->place.source ? a->place.source->rank : -1;
-    const int rank_b = b->place.source ? b->place.source->rank : -1;
+    const int rank_a = a->place.source->rank, rank_b = b->place.source->rank;
     if (rank_a != rank_b) return rank_a < rank_b ? -1 : 1;
     if (a->place.offset != b->place.offset) return a->place.offset < b->place.offset ? -1 : 1;
-    return a->order < b->order ? -1 : a->order > b->order;
+    return (a->order > b->order) - (a->order < b->order);
 }
 
 const char *study_messages_first(const study_messages *messages) {
-    return messages->first ? messages->first->sentence : "";
+    return messages->first->sentence;
 }
 
 /* All of it in the order of the files; NULL where memory is short. */

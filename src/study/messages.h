@@ -10,7 +10,7 @@
 /* A text that messages point into: the study, a sample file, or one setting as "key=value". */
 typedef struct study_source {
     const char *name; /* "lift.yaml", or "--set control.stiffness" */
-    const char *text; /* may hold any bytes */
+    const char *text; /* may hold any bytes; a NUL follows */
     size_t length;
     int rank;     /* messages come by rank, then by offset */
     bool setting; /* its name is the whole place, without line and column */
@@ -36,7 +36,7 @@ typedef struct study_messages {
 void study_say(study_messages *messages, gough_status status, study_place place, const char *format,
                ...) __attribute__((format(printf, 4, 5)));
 
-/* The sentence said first; "" if there is none. */
+/* The sentence said first, of at least one. */
 const char *study_messages_first(const study_messages *messages);
 
 /* The status of a reading and, unless `text` is NULL, the allocated text of all its messages in the order of the files (NULL if

@@ -82,7 +82,7 @@ static study_node *child_of(study_arena *arena, study_node *mapping, study_node 
 }
 
 static bool is_number(const study_node *part) {
-    return part->length > 0 && strspn(part->text, "0123456789") == part->length;
+    return strspn(part->text, "0123456789") == part->length;
 }
 
 /* Walks to the node that the path names, creating what is not there; a scalar on the way gives way to a mapping. */
@@ -152,5 +152,5 @@ void study_setting_apply(study_messages *messages, study_node *root, const gough
     study_node *value = study_tree_parse(messages, source, end + 1);
     if (messages->count != before) return;
     study_node *node = find(messages, root, source, end);
-    if (node && node->parent) replace(messages->arena, node, value, source);
+    if (node) replace(messages->arena, node, value, source);
 }

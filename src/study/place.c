@@ -8,18 +8,15 @@
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 /* Bytes that an escape sequence of a double-quoted scalar takes in the file. */
-static size_t escape_length(const char *raw, size_t left) {
-    if (left < 2) return left;
-    const size_t digits = raw[1] == 'x' ? 2 : raw[1] == 'u' ? 4 : raw[1] == 'U' ? 8 : 0;
-    return 2 + digits < left ? 2 + digits : left;
+static size_t escape_length(const char *raw) {
+    return raw[1] == 'x' ? 4 : raw[1] == 'u' ? 6 : raw[1] == 'U' ? 10 : 2;
 }
 
 /* Bytes in the file of the non-blank character there. */
 static size_t raw_length(study_quoting quoting, const char *raw, size_t left) {
-    if (quoting == STUDY_DOUBLE_QUOTED && raw[0] == '\\') return escape_length(raw, left);
-    if (quoting == STUDY_SINGLE_QUOTED && raw[0] == '\'' && left > 1 && raw[1] == '\'') return 2;
-    const size_t size = gough_character_read(raw, left, NULL);
-    return size ? size : 1;
+    if (quoting == STUDY_DOUBLE_QUOTED && raw[0] == '\\') return escape_length(raw);
+    if (quoting == STUDY_SINGLE_QUOTED && raw[0] == '\'') return 2; /* '' */
+    return gough_character_read(raw, left, NULL);
 }
 
 /* Folding and indentation change blanks only, and escapes stand for one character each: so the n-th character of the text that
@@ -31,15 +28,13 @@ static size_t walk(const study_node *node, const char *raw, size_t size, size_t 
             value++;
             continue;
         }
-        while (at < size &&
-               (is_blank(raw[at]) ||
-                (node->quoting == STUDY_DOUBLE_QUOTED && raw[at] == '\\' && at + 1 < size &&
-                 (is_blank(raw[at + 1]) || raw[at + 1] == 'n' || raw[at + 1] == 't'))))
+        /* the terminator of the source is no blank */
+        while (is_blank(raw[at]) ||
+               (node->quoting == STUDY_DOUBLE_QUOTED && raw[at] == '\\' &&
+                (is_blank(raw[at + 1]) || raw[at + 1] == 'n' || raw[at + 1] == 't')))
             at += raw[at] == '\\' ? 2 : 1;
-        if (at >= size) break;
-        const size_t character =
-            gough_character_read(node->text + value, node->length - value, NULL);
-        value += character ? character : 1;
+        if (at >= size) break; /* unreachable: each such character stands in the file */
+        value += gough_character_read(node->text + value, node->length - value, NULL);
         if (value > offset) return at;
         at += raw_length(node->quoting, raw + at, size - at);
     }
@@ -50,7 +45,6 @@ study_place study_scalar_place(const study_node *node, size_t offset) {
     study_place place = node->place;
     const size_t size = node->end - place.offset;
     const char *raw = place.source->text + place.offset;
-    if (offset > node->length) offset = node->length;
     if (size == node->length && memcmp(raw, node->text, size) == 0)
         place.offset += offset;
     else

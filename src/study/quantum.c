@@ -25,7 +25,7 @@ void study_digits_take(study_digits *column, const char *text, size_t length) {
             break;
         }
         if (c == '.') point = true;
-        if (c < '0' || c > '9') continue;
+        if (c < '0') continue; /* the point or a sign */
         if (point) place--;
         if (digits > 0 || c != '0') digits++;
     }
@@ -165,7 +165,7 @@ static bool are_rounded(study_clock *clock, const double *time, size_t count, do
 
 study_clock study_clock_find(const study_digits *column, const double *time, size_t count,
                              double *scratch) {
-    const bool exact = !column->any || column->digits >= EXACT_DIGITS;
+    const bool exact = column->digits >= EXACT_DIGITS;
     const double whole = time[count - 1] - time[0], mean = whole / (double)(count - 1);
     study_clock clock = {.interval = mean};
     double shortest;
@@ -173,9 +173,10 @@ study_clock study_clock_find(const study_digits *column, const double *time, siz
     if (!exact) clock.step = fmax(step_of(column, time[0]), step_of(column, time[count - 1]));
 
     if (!(grid && mean < 1.0000001 * shortest) && !exact &&
-        unevenness(time, count, mean) <= 1.01 * clock.step &&
-        are_rounded(&clock, time, count, mean))
+        unevenness(time, count, mean) <= 1.01 * clock.step) {
+        are_rounded(&clock, time, count, mean);
         return clock;
+    }
     if (grid) {
         clock.interval = whole / intervals_in(time, count, shortest);
         clock.step = 0;

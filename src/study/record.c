@@ -131,8 +131,9 @@ static void uncover_motion(const study_record_table *table, const doubt *d, goug
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         const gough_record_column *column = &record->column[c];
         if (isfinite(column->cutoff) || column->rounding <= 0.05 * column->motion) continue;
-        if (smooth_rounding(table, copy, c, &d[c], &cutoff, NULL) == GOUGH_OK && isfinite(cutoff))
-            smoothed[c] = 1;
+        cutoff = INFINITY;
+        smooth_rounding(table, copy, c, &d[c], &cutoff, NULL);
+        if (isfinite(cutoff)) smoothed[c] = 1;
     }
     if (prepare(table, copy, NULL) != GOUGH_OK) return;
     for (int c = 0; c < GOUGH_COMPONENTS; c++)

@@ -33,7 +33,7 @@ static void say(const study_recording *recording, bool warning, const char *form
 
 static void say(const study_recording *recording, bool warning, const char *format, ...) {
     gough_record *record = recording->record;
-    if (record->remarks == GOUGH_REMARKS) return;
+    if (record->remarks == GOUGH_REMARKS) return; /* unreachable: there is room for all */
     gough_remark *remark = &record->remark[record->remarks++];
     va_list list;
     va_start(list, format);

@@ -34,15 +34,15 @@ static char *read_all(int file, size_t most, size_t *length) {
         if (got < 0) break;
         used += (size_t)got;
     }
-    const int cause = text && used > most ? EFBIG : text ? errno : ENOMEM;
+    const int cause = used > most ? EFBIG : errno;
     free(text);
     errno = cause;
     return NULL;
 }
 
 static const char *cause_text(study_arena *arena, int cause) {
-    char text[128];
-    if (strerror_r(cause, text, sizeof text) != 0) return "it cannot be read";
+    char text[128] = "";
+    (void)strerror_r(cause, text, sizeof text);
     return study_printable(arena, text);
 }
 
@@ -68,8 +68,7 @@ static int open_input(const char *path, const char **kind) {
     close(file);
     *kind = S_ISDIR(about.st_mode)    ? "a folder"
             : S_ISFIFO(about.st_mode) ? "a named pipe"
-            : S_ISCHR(about.st_mode)  ? "a device"
-                                      : "neither a file nor a folder";
+                                      : "a device"; /* a socket cannot be opened */
     return -1;
 }
 
@@ -79,7 +78,7 @@ int gough_open_input(const char *path, gough_error *error) {
     if (strcmp(path, "-") == 0) return STDIN_FILENO;
     const int file = open_input(path, &kind);
     if (file >= 0) return file;
-    if (!kind && strerror_r(errno, cause, sizeof cause) != 0) cause[0] = '\0';
+    (void)strerror_r(errno, cause, sizeof cause);
     if (kind)
         gough_fail(error, GOUGH_ERROR_FILE, "%s: is %s; a regular file is needed", path, kind);
     else

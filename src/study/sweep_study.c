@@ -145,7 +145,7 @@ const gough_setting *gough_sweep_settings(const gough_sweep *sweep, size_t *coun
 void gough_sweep_print(double value, char text[GOUGH_SWEEP_TEXT]) {
     const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     const locale_t before = plain ? uselocale(plain) : (locale_t)0;
-    for (int digits = 15; digits <= 17; digits++) {
+    for (int digits = 15;; digits++) {
         snprintf(text, GOUGH_SWEEP_TEXT, "%.*g", digits, value);
         if (digits == 17 || !(fabs(strtod(text, NULL) - value) > 0)) break;
     }

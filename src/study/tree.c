@@ -73,7 +73,7 @@ study_node *study_node_follow(const study_node *root, const char *path, const ch
     for (*rest = path; **rest;) {
         char name[40];
         const size_t length = strcspn(*rest, ".");
-        if (length >= sizeof name) break; /* longer than any key */
+        if (length >= sizeof name) break; /* unreachable: no key is as long */
         memcpy(name, *rest, length);
         name[length] = '\0';
         study_node *child = study_node_child(node ? node : root, name);
@@ -91,7 +91,7 @@ study_node *study_node_at(const study_node *root, const char *path) {
 }
 
 const study_node *study_node_section(const study_node *node) {
-    while (node->parent && node->parent->parent) node = node->parent;
+    while (node->parent->parent) node = node->parent;
     return node;
 }
 
@@ -102,7 +102,7 @@ bool study_node_meant(const study_node *parent, const char *name) {
 }
 
 study_node *study_node_item(const study_node *parent, size_t n) {
-    study_node *node = parent ? parent->first : NULL;
+    study_node *node = parent->first;
     while (node && n-- > 0) node = node->next;
     return node;
 }
@@ -112,7 +112,7 @@ study_place study_node_place(const study_node *node, bool name) {
     study_place place = about->place;
     const bool quoted = about->kind == STUDY_SCALAR && (about->quoting == STUDY_SINGLE_QUOTED ||
                                                         about->quoting == STUDY_DOUBLE_QUOTED);
-    if (quoted && place.offset > 0) place.offset--;
+    if (quoted) place.offset--;
     return place;
 }
 
@@ -148,8 +148,8 @@ static void refuse_properties(builder *build, struct fy_event *event) {
     struct fy_token *anchor = fy_event_get_anchor_token(event);
     struct fy_token *tag = fy_event_get_tag_token(event);
     if (anchor) {
-        const size_t offset = offset_of(build, fy_token_start_mark(anchor));
-        fail(build, offset > 0 ? offset - 1 : 0, "anchors (&) are not allowed in a study");
+        fail(build, offset_of(build, fy_token_start_mark(anchor)) - 1,
+             "anchors (&) are not allowed in a study");
     } else if (tag) {
         fail(build, offset_of(build, fy_token_start_mark(tag)),
              "tags (!) are not allowed in a study");
@@ -247,7 +247,6 @@ static void open_node(builder *build, struct fy_event *event, study_kind kind) {
 }
 
 static void close_node(builder *build, struct fy_event *event) {
-    if (!build->open) return;
     build->open->end = offset_of(build, fy_event_end_mark(event));
     if (build->open->in_flow) study_join_at_commas(build->arena, build->open);
     build->open = build->open->parent;
@@ -256,11 +255,10 @@ static void close_node(builder *build, struct fy_event *event) {
 
 /* Where a document begins that no `---` announces: after the `...` that ends the one before. */
 static size_t after_end_mark(const builder *build) {
-    const char *text = build->source->text, *end = text + build->source->length;
-    const char *at = text + offset_of(build, NULL);
-    while (at < end && !(*at == '.' && (at == text || at[-1] == '\n'))) at++;
-    while (at < end && (*at == '.' || *at == ' ' || *at == '\n' || *at == '\r')) at++;
-    return (size_t)(at - text);
+    const size_t offset = offset_of(build, NULL); /* perhaps behind the line's end */
+    const char *mark = strstr(build->source->text + offset - (offset > 0), "\n...");
+    if (!mark) return offset; /* unreachable: only such a mark ends a document */
+    return (size_t)(mark - build->source->text) + strspn(mark, ". \n\r");
 }
 
 static void take_event(builder *build, struct fy_event *event) {
@@ -301,13 +299,11 @@ static size_t offset_of_line(const builder *build, int line, int column) {
     const study_source *source = build->source;
     size_t at = build->begin;
     for (; line > 1 && at < source->length; at++)
-        if (source->text[at] == '\n' ||
-            (source->text[at] == '\r' &&
-             !(at + 1 < source->length && source->text[at + 1] == '\n')))
+        if (source->text[at] == '\n' || (source->text[at] == '\r' && source->text[at + 1] != '\n'))
             line--;
-    for (; column > 1 && at < source->length && source->text[at] != '\n'; column--) {
-        const size_t size = gough_character_read(source->text + at, source->length - at, NULL);
-        at += size ? size : 1;
+    for (; column > 1; column--) {
+        if (at >= source->length) break; /* unreachable: columns are within their line */
+        at += gough_character_read(source->text + at, source->length - at, NULL);
     }
     return at;
 }
@@ -335,7 +331,7 @@ static void say_syntax_error(builder *build, struct fy_diag *diagnostics) {
     void *iterator = NULL;
     const struct fy_diag_error *error;
     while ((error = fy_diag_errors_iterate(diagnostics, &iterator))) {
-        if (!error->msg || error->type < FYET_ERROR) continue;
+        if (!error->msg || error->type < FYET_ERROR) continue; /* 2 unreachable: no warnings */
         const size_t at = offset_of_line(build, error->line, error->column);
         const bool at_end = at + 1 >= build->source->length;
         if (build->open && build->open->in_flow && at_end)
@@ -344,10 +340,11 @@ static void say_syntax_error(builder *build, struct fy_diag *diagnostics) {
                                                  : "this brace is not closed");
         else if (meaning(error->msg))
             fail(build, at, meaning(error->msg));
-        else if (!build->failed)
+        else
             study_say(build->messages, GOUGH_ERROR_INPUT, (study_place){build->source, at},
                       "this is not YAML: %s", study_printable(build->arena, error->msg));
         build->failed = true;
+        return;
     }
     fail(build, build->last, "this is not YAML");
 }
@@ -361,8 +358,7 @@ static void parse(builder *build, struct fy_parser *parser, struct fy_diag *diag
         ended = event->type == FYET_STREAM_END;
         fy_parser_event_free(parser, event);
     }
-    if (!build->failed && (!ended || fy_parser_get_stream_error(parser)))
-        say_syntax_error(build, diagnostics);
+    if (!build->failed && !ended) say_syntax_error(build, diagnostics);
 }
 
 study_node *study_tree_parse(study_messages *messages, const study_source *source, size_t begin) {

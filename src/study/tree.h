@@ -49,7 +49,7 @@ study_node *study_node_follow(const study_node *root, const char *path, const ch
 /* The node at the end of such a path, or NULL if the tree has no such node. */
 study_node *study_node_at(const study_node *root, const char *path);
 
-/* The child of the root that a node is in, or is. */
+/* The child of the root that a node other than the root is in, or is. */
 const study_node *study_node_section(const study_node *node);
 
 /* Whether a misspelled child of the mapping stands for that name, so that it need not be called missing too. */

@@ -177,7 +177,7 @@ void study_record_turn(study_record_table *table, study_recording *recording,
                        study_quantum step[GOUGH_COMPONENTS], double *copy) {
     const size_t values = table->count * GOUGH_COMPONENTS;
     double axes[4];
-    if (table->count < 2 || !comes_close(table)) return;
+    if (!comes_close(table)) return;
     const double distance = gough_samples_axes(table->count, table->value, 180, axes);
     table->crowded = !(distance >= FAR);
     if (table->crowded) return;

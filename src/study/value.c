@@ -29,13 +29,11 @@ study_decimal study_decimal_read(const char *text, size_t length, double *value,
 double study_number(const study_node *node) {
     double value = NAN;
     size_t rest;
-    if (node && node->kind == STUDY_SCALAR)
-        study_decimal_read(node->text, node->length, &value, &rest);
+    if (node) study_decimal_read(node->text, node->length, &value, &rest);
     return value;
 }
 
 const char *study_node_path(study_arena *arena, const study_node *node) {
-    if (!node->parent) return "the study";
     const bool top = !node->parent->parent;
     const char *parent = top ? "" : study_node_path(arena, node->parent);
     char number[32];
@@ -126,11 +124,11 @@ static bool is_cut(const study_node *node) {
     if (!node->in_flow || node->quoting != STUDY_PLAIN) return false;
     const study_source *source = node->place.source;
     size_t at = node->end;
-    while (at < source->length && (source->text[at] == ' ' || source->text[at] == '\t')) at++;
+    while (source->text[at] == ' ' || source->text[at] == '\t') at++;
     int open = 0;
     for (size_t i = 0; i < node->length; i++)
         open += (node->text[i] == '(') - (node->text[i] == ')');
-    return open > 0 && at < source->length && source->text[at] == ',';
+    return open > 0 && source->text[at] == ',';
 }
 
 bool study_check_formula(study_messages *messages, study_node *node) {
@@ -205,7 +203,7 @@ bool study_check_text(study_messages *messages, study_node *node, gough_shape sh
         return false;
     }
     unsigned code = 0;
-    for (size_t at = 0, size; at < node->length; at += size ? size : 1) {
+    for (size_t at = 0, size; at < node->length; at += size) {
         size = gough_character_read(node->text + at, node->length - at, &code);
         const bool blank = shape == GOUGH_SHAPE_TEXT && (code == '\n' || code == '\t');
         if (blank || (code >= 0x20 && code < 0x7F) || code >= 0xA0) continue;

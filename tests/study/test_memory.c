@@ -1,6 +1,6 @@
 /* Memory that runs out anywhere in reading a study: the reading ends as it would have, or says so; nothing is left allocated.
  * Faults: malloc calloc realloc open_memstream fclose study_arena_take study_arena_copy fy_diag_create fy_parser_create
- * Faults: fy_parser_set_string fy_token_iter_create newlocale */
+ * Faults: fy_parser_set_string fy_token_iter_create newlocale read fstat */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <libfyaml.h>
@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "gough/sweep.h"
@@ -21,6 +22,8 @@ FAULTY_MALLOC;
 FAULTY_CALLOC;
 FAULTY_REALLOC;
 FAULTY_OPEN_MEMSTREAM;
+FAULTY_READ;
+FAULTY_FSTAT;
 FAULTY(struct fy_diag *, fy_diag_create, (const struct fy_diag_cfg *how), NULL, how);
 FAULTY(struct fy_parser *, fy_parser_create, (const struct fy_parse_cfg *how), NULL, how);
 FAULTY(int, fy_parser_set_string, (struct fy_parser * parser, const char *text, size_t length), -1,
@@ -79,7 +82,7 @@ static char *as_study(const char *text, size_t length, const gough_setting *sett
     gough_study *study = NULL;
     char *messages = NULL, place[200] = "", more[600] = "";
     const gough_status status =
-        gough_study_parse("study.yaml", text, length, setting, settings, &study, &messages);
+        gough_study_parse("./study.yaml", text, length, setting, settings, &study, &messages);
     if (study) {
         const gough_motion *motion = &study->model->motion;
         gough_study_place(study, "platform.height", place, sizeof place);
@@ -99,7 +102,7 @@ static char *as_sweep(const char *text, size_t length, const gough_setting *sett
     char *messages = NULL, more[1200] = "";
     gough_error error = {.message = ""};
     gough_status status =
-        gough_sweep_parse("study.yaml", text, length, setting, settings, &sweep, &messages);
+        gough_sweep_parse("./study.yaml", text, length, setting, settings, &sweep, &messages);
     gough_sweep_maker *maker = sweep ? gough_sweep_maker_new(sweep) : NULL;
     if (sweep && !maker) status = GOUGH_ERROR_FILE;
     for (int last = 0; maker && last < 2; last++) {
@@ -202,6 +205,47 @@ START_TEST(memory_may_end_in_recorded_motion) {
 }
 END_TEST
 
+/* Reads a study whose record is larger than what is read at once, with one call failing; the messages, "" if there are none. */
+static char *read_with(const char *path, const char *name, long n, int number) {
+    gough_study *study = NULL;
+    char *messages = NULL;
+    fault_arm(name, n, number);
+    const gough_status status = gough_study_read(path, NULL, 0, &study, &messages);
+    ck_assert(fault_disarm());
+    ck_assert_int_eq(status, messages ? GOUGH_ERROR_FILE : GOUGH_OK);
+    gough_study_free(study);
+    return messages ? messages : calloc(1, 1);
+}
+
+static void expect_with(const char *path, const char *name, long n, int number, const char *said) {
+    char *messages = read_with(path, name, n, number);
+    ck_assert_msg(*said ? strstr(messages, said) != NULL : !*messages, "call %ld of %s: %s", n,
+                  name, messages);
+    free(messages);
+}
+
+START_TEST(files_that_cannot_be_read_are_named_with_the_cause) {
+    enum { ROWS = 10000 };
+    char text[2000], *csv = malloc(20 * ROWS);
+    size_t length = (size_t)sprintf(csv, "t,heave\n");
+    for (int i = 0; i < ROWS; i++) length += (size_t)sprintf(csv + length, "%d,%d\n", i, i % 7);
+    char *record = write_file("motion.csv", csv, length);
+    snprintf(text, sizeof text, "%smotion: {samples: '%s'}\nsimulation: {duration: 1}\n",
+             good_study, record);
+    char *path = write_file("study.yaml", text, strlen(text));
+    for (long n = 1; n <= 4; n++) expect_with(path, "read", n, EINTR, "");
+    expect_with(path, "read", 1, EIO, "study.yaml`: Input/output error");
+    expect_with(path, "read", 3, EIO, "motion.csv`: Input/output error");
+    expect_with(path, "fstat", 1, EIO, "study.yaml`: Input/output error");
+    expect_with(path, "fstat", 2, EIO, "motion.csv`: Input/output error");
+    expect_with(path, "fstat", 3, EIO, ""); /* whether it is regular has been found before */
+    expect_with(path, "realloc", 1, ENOMEM, "motion.csv`: Cannot allocate memory");
+    forget_file(path);
+    forget_file(record);
+    free(csv);
+}
+END_TEST
+
 /* without a locale to print in, a number is printed in the one of the program */
 START_TEST(a_number_is_printed_without_a_locale) {
     char text[GOUGH_SWEEP_TEXT];
@@ -215,5 +259,6 @@ END_TEST
 int main(void) {
     return SUITE_RUN("study/memory", 60, memory_may_end_in_any_study_of_the_corpus,
                      memory_may_end_in_settings, memory_may_end_in_recorded_motion,
+                     files_that_cannot_be_read_are_named_with_the_cause,
                      a_number_is_printed_without_a_locale);
 }
