@@ -129,7 +129,7 @@ if "$GOUGH" report own.yaml -o page.html 2>err; then
     "$GOUGH" report <(cat own.yaml) >out 2>err && [[ -s report.html ]] || fail "report of a substituted process: $(cat err)"
 fi
 # standard input twice: the second would find it empty
-for twice in "- -" "- /dev/stdin" "/dev/fd/0 -"; do
+for twice in "- -" "- /dev/stdin" "/dev/fd/0 -" "/proc/self/fd/0 -"; do
     # shellcheck disable=SC2086
     waits 2 "standard input can be read only once; it is given as" report $twice -o piped.html
     # shellcheck disable=SC2086

@@ -25,6 +25,10 @@ refused "KEY=VALUE" forces "$study" --set control.stiffness
 refused "KEY=VALUE" simulate "$study" --set =3
 refused "double or quad" simulate "$study" --precision=triple
 refused "--threads takes a whole number of 1 or more; got 'x'" sweep "$study" --threads x
+refused "--threads takes a whole number of 1 or more; got '0'" sweep "$study" --threads 0
+refused "--threads takes a whole number of 1 or more; got '123456789012'" sweep "$study" --threads 123456789012
+printf 't,x\n0,1\n' >"$scratch/table.csv" # beside a file, standard input is another one
+refused "standard input:1:1: the file is empty" plot "$scratch/table.csv" - -o "$scratch/a.svg"
 for number in 0x10 -0X1P4 nan inf Infinity 1e999 1e 0b1 1_000 + . 1.5.2 ١; do
     refused "--pose: heave must be a number; got '$number" stability "$study" --pose "heave=$number"
     refused "three decimal numbers" stability "$study" --sweep-stiffness "$number:2:3"

@@ -23,6 +23,12 @@ void *allocate(size_t size) {
     return memory;
 }
 
+void *reallocate(void *old, size_t size) {
+    void *memory = realloc(old, size);
+    if (!memory) out_of_memory();
+    return memory;
+}
+
 /* Sanitizers have allocators of their own. */
 #if defined(__SANITIZE_ADDRESS__)
 #define GOUGH_SANITIZED 1

@@ -8,5 +8,7 @@
 _Noreturn void out_of_memory(void);
 /* malloc() that does not return without memory. */
 void *allocate(size_t size);
+/* The same for realloc(). */
+void *reallocate(void *old, size_t size);
 
 #endif

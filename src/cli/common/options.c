@@ -49,9 +49,7 @@ static void read_counts(const struct argp_state *state, const option *o, const c
 /* ---- lists -------------------------------------------------------------------------------------------------------- */
 
 void word_list_add(word_list *list, const char *word) {
-    const char **more = realloc(list->word, (list->count + 1) * sizeof *more);
-    if (!more) out_of_memory();
-    list->word = more;
+    list->word = reallocate(list->word, (list->count + 1) * sizeof *list->word);
     list->word[list->count++] = word;
 }
 
@@ -77,10 +75,11 @@ static void add_setting(const struct argp_state *state, const option *o, const c
                     text);
         return;
     }
-    char *key = strndup(text, (size_t)(equal - text));
-    gough_setting *list = realloc(settings->list, (settings->count + 1) * sizeof *list);
-    if (!key || !list) out_of_memory();
-    settings->list = list;
+    const size_t length = (size_t)(equal - text);
+    char *key = allocate(length + 1);
+    memcpy(key, text, length);
+    key[length] = '\0';
+    settings->list = reallocate(settings->list, (settings->count + 1) * sizeof *settings->list);
     settings->list[settings->count++] = (gough_setting){.key = key, .value = equal + 1};
 }
 
@@ -194,7 +193,7 @@ gough_status verb_run(const command_verb *verb, int count, char **argument) {
     const group_use *use;
     const option *o;
     for (size_t n = 0; (o = verb_option(verb, n, &use)); n++) {
-        if (n == MOST_OPTIONS) abort(); /* a verb with more needs more room here */
+        if (n == MOST_OPTIONS) abort(); /* unreachable: a verb with more needs more room here */
         known[n] = (struct argp_option){o->name, key_of(o, n), o->value, 0, option_text(o, use), 0};
     }
     const struct argp argp = {.options = known,
