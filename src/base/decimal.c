@@ -39,7 +39,6 @@ static void multiply_power_of_ten(whole *w, int power) {
 
 static int bits(const whole *w) {
     int n = 32 * w->count;
-    if (n == 0) return 0;
     for (uint32_t top = w->limb[w->count - 1]; top < 0x80000000u; top <<= 1) n--;
     return n;
 }
@@ -154,10 +153,10 @@ static void take_digit(digits *d, int digit, bool fraction) {
     if (d->count < DIGITS) {
         multiply_add(&d->value, 10, (uint32_t)digit);
         if (d->value.count > 0) d->count++;
-        if (fraction && d->power > -EXPONENT_CAP) d->power--;
+        d->power -= fraction;
     } else {
         if (digit > 0) d->rest = true;
-        if (!fraction && d->power < EXPONENT_CAP) d->power++;
+        d->power += !fraction;
     }
 }
 

@@ -228,9 +228,8 @@ static gough_status close(compiler *c) {
     c->nesting--;
     if (w.code == OPEN) return GOUGH_OK;
     const gough_word_ *word = gough_word_of_(w.code);
-    if (w.arguments != word->arguments)
-        return FAIL(c, w.at, "%s takes %d argument%s: %s", word->name, word->arguments,
-                    word->arguments == 1 ? "" : "s", word->form);
+    if (w.arguments != word->arguments) /* one of several: too many are noticed at their comma */
+        return FAIL(c, w.at, "%s takes %d arguments: %s", word->name, word->arguments, word->form);
     return emit_operation(c, w.code, w.at);
 }
 

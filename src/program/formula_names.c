@@ -54,7 +54,7 @@ const gough_word_ *gough_find_word_(const char *name, size_t length) {
 }
 
 const gough_word_ *gough_word_of_(int code) {
-    for (int i = 0; i < WORD_COUNT; i++)
+    for (int i = 0; i < WORD_COUNT; i++) /* unreachable: each code is one of them */
         if (WORDS[i].code == code) return &WORDS[i];
     return NULL;
 }

@@ -236,6 +236,16 @@ START_TEST(one_too_long_is_an_error) {
     ck_assert_int_eq(compile_repeated("t + ", sums, "t", "", &error), GOUGH_OK);
     ck_assert_int_eq(compile_repeated("t + ", sums + 1, "t", "", &error), GOUGH_ERROR_INPUT);
     ck_assert(strstr(error.message, "too long") != NULL);
+    /* also where the last operation comes with the end of a parenthesis or of an argument */
+    ck_assert_int_eq(compile_repeated("t + ", sums + 1, "t)", "", &error), GOUGH_ERROR_INPUT);
+    ck_assert(strstr(error.message, "too long") != NULL);
+    gough_formula f;
+    char text[8 * GOUGH_FORMULA_OPERATIONS] = "atan2(t";
+    for (int i = 0; i <= sums; i++) strcat(text, " + t");
+    strcat(text, ", 1)");
+    ck_assert_int_eq(gough_formula_compile(&f, text, strlen(text), NULL, &error),
+                     GOUGH_ERROR_INPUT);
+    ck_assert(strstr(error.message, "too long") != NULL);
 }
 END_TEST
 

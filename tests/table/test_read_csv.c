@@ -50,6 +50,7 @@ START_TEST(accepts_what_other_programs_write) {
     expect_read("Größe\n7\n", 1, 1, 7.0);
     expect_read("t,x\n", 0, 2, 0.0);
     expect_read("t,x\n0,inf\n", 1, 2, INFINITY);
+    expect_read("t,x\n0,+inf\n", 1, 2, INFINITY);
     expect_read("t\n4.9406564584124654e-324\n", 1, 1, 4.9406564584124654e-324);
 }
 END_TEST

@@ -2,6 +2,7 @@
  * Faults: malloc calloc realloc strdup strndup read write stat fstat pipe fork waitpid H5Oopen H5Tset_size H5Aread H5Dread
  * Faults: H5Literate */
 #define _GNU_SOURCE
+#include <fcntl.h>
 #include <hdf5.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -41,11 +42,11 @@ herr_t __wrap_H5Literate(hid_t group, H5_index_t index, H5_iter_order_t order, h
 
 enum { ROWS = 300, COLUMNS = 2 };
 
-static void add_text(hid_t object, const char *name, const char *text) {
+static void add_text(hid_t object, const char *name, const char *text, bool variable) {
     const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
-    H5Tset_size(type, strlen(text));
+    H5Tset_size(type, variable ? H5T_VARIABLE : strlen(text));
     const hid_t attribute = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
-    ck_assert(H5Awrite(attribute, type, text) >= 0);
+    ck_assert(H5Awrite(attribute, type, variable ? (const void *)&text : text) >= 0);
     H5Aclose(attribute);
     H5Sclose(space);
     H5Tclose(type);
@@ -64,14 +65,14 @@ static void write_both(const char *folder, char csv[PATH_SIZE], char hdf5[PATH_S
     for (int r = 0; r < ROWS; r++) value[r] = r / 8.0;
     const hid_t made =
         H5Fcreate(path_in(folder, "a.h5", hdf5), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-    add_text(made, "title", "by hand");
-    add_text(made, "verb", "simulate");
+    add_text(made, "title", "by hand", false);
+    add_text(made, "verb", "simulate", true);
     for (int c = 0; c < COLUMNS; c++) {
         const hid_t space = H5Screate_simple(1, &(hsize_t){ROWS}, NULL);
         const hid_t set = H5Dcreate2(made, names[c], H5T_IEEE_F64LE, space, H5P_DEFAULT,
                                      H5P_DEFAULT, H5P_DEFAULT);
         ck_assert(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, value) >= 0);
-        add_text(set, "units", "s");
+        add_text(set, "units", "s", c > 0);
         H5Dclose(set);
         H5Sclose(space);
     }
@@ -206,10 +207,33 @@ START_TEST(a_text_that_cannot_be_read_is_empty) {
             ck_assert_msg(status == GOUGH_OK, "%s", error.message);
             ck_assert_uint_eq(table->rows, ROWS);
             ck_assert_str_eq(table->title, n == 1 ? "" : "by hand");
+            ck_assert_str_eq(table->verb, n == 2 ? "" : "simulate");
             gough_table_free(table);
             if (!came) break;
         }
     remove_folder(folder);
+}
+END_TEST
+
+/* ---- what never ends ---- */
+
+START_TEST(standard_input_may_be_anything) {
+    gough_table *table = NULL;
+    gough_error error = {.message = ""};
+    char path[40];
+    const int folder = open("/", O_RDONLY), zeros = open("/dev/zero", O_RDONLY);
+    ck_assert_int_eq(dup2(folder, STDIN_FILENO), STDIN_FILENO);
+    ck_assert_int_eq(gough_table_read("-", &table, &error), GOUGH_ERROR_FILE);
+    ck_assert_str_eq(error.message, "standard input: is a folder, not a result");
+    snprintf(path, sizeof path, "/dev/fd/%d", zeros);
+    fault_arm("realloc", 1, ENOMEM);
+    ck_assert_int_eq(gough_table_read(path, &table, &error), GOUGH_ERROR_FILE);
+    ck_assert(fault_disarm());
+    ck_assert_ptr_nonnull(strstr(error.message, "cannot read: Cannot allocate memory"));
+    ck_assert_int_eq(gough_table_read(path, &table, &error), GOUGH_ERROR_INPUT);
+    ck_assert_ptr_nonnull(strstr(error.message, "is larger than 256 MiB, the most that can be"));
+    close(folder);
+    close(zeros);
 }
 END_TEST
 
@@ -278,7 +302,7 @@ END_TEST
 int main(void) {
     return SUITE_RUN("table/read_faults", 60, without_memory_a_table_is_whole_or_refused,
                      interrupted_calls_are_repeated, a_failing_system_is_named,
-                     what_the_hdf5_library_cannot_read_is_damaged,
+                     what_the_hdf5_library_cannot_read_is_damaged, standard_input_may_be_anything,
                      a_text_that_cannot_be_read_is_empty, a_child_is_not_believed_everything,
                      a_file_of_more_than_4_gib_is_refused_at_once);
 }
