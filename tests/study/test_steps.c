@@ -120,10 +120,24 @@ START_TEST(what_smoothing_leaves_is_still_remarked_on) {
 }
 END_TEST
 
+/* Near the pole roll and yaw turn together while the platform hardly turns. */
+START_TEST(only_angles_are_about_turned_axes) {
+    char csv[60 * MOST] = "t,heave,roll,pitch,yaw\n";
+    for (int i = 0; i <= 60; i++)
+        sprintf(csv + strlen(csv), "%.1f,%.2f,%.3f,89,%.3f\n", 0.1 * i, 0.02 * sin(0.3 * i),
+                60 * sin(1.7 * i), 60 * sin(1.7 * i));
+    reading made = read_record(csv, "");
+    ck_assert(made.study->record->turned);
+    ck_assert_ptr_nonnull(remark_with(&made, "has values of heave in steps of 0.01"));
+    ck_assert_ptr_null(remark_with(&made, "heave about turned axes"));
+    reading_free(&made);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("study/steps", 30, counts_are_found_where_values_jitter,
                      values_far_apart_are_no_counts, smooth_curves_are_no_counts,
                      exponents_of_any_size_are_digits_too, times_of_fifteen_digits_are_exact,
-                     times_alone_may_be_what_is_rounded,
-                     what_smoothing_leaves_is_still_remarked_on);
+                     times_alone_may_be_what_is_rounded, what_smoothing_leaves_is_still_remarked_on,
+                     only_angles_are_about_turned_axes);
 }
