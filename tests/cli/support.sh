@@ -24,7 +24,7 @@ expect_code() {
 }
 
 # whether the command was built with the page
-has_page() { ! "$GOUGH" report nothing.yaml -o nothing.html 2>&1 | grep -q 'without the page'; }
+has_page() { ! grep -q 'without the page' <("$GOUGH" report nothing.yaml -o nothing.html 2>&1); }
 
 # a column of a CSV file by name
 column() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next } { print $c }' "$1"; }
