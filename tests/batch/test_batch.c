@@ -177,6 +177,18 @@ START_TEST(adaptive_runs_go_one_by_one) {
 END_TEST
 
 /* some runs fall without force, some leave a limit at once, some later, the rest reach the end */
+/* lanes are of doubles */
+START_TEST(runs_in_quadruple_precision_go_one_by_one) {
+    fixture *f = new_fixture(LOADS, 2);
+    gough_simulation s = fixed(GOUGH_RK4, 0.1, 0.2);
+
+    s.precision = GOUGH_QUADRUPLE;
+    run_batch(f, &s, 0, 2, f->outcome);
+    check_alone(f, &s);
+    free(f);
+}
+END_TEST
+
 START_TEST(each_run_has_its_own_end) {
     fixture *f = new_fixture(LOADS, 2);
     const gough_simulation s = fixed(GOUGH_RK4, 0.01, 3);
@@ -341,6 +353,32 @@ START_TEST(progress_may_stop_a_batch) {
 }
 END_TEST
 
+/* groups of runs that other threads were about to finish have no outcomes */
+START_TEST(progress_may_stop_several_threads) {
+    fixture *f = new_fixture(0, 2);
+    const gough_simulation s = fixed(GOUGH_RK4, 0.002, 20);
+    gough_batch_options options = gough_batch_options_default();
+    gough_error error = {0};
+    size_t done = 0;
+    int finished = 0;
+    void *memory;
+
+    options.threads = 3;
+    options.progress = stop_at_once;
+    options.context = &done;
+    memory = aligned_alloc(64, (gough_batch_size(&options) + 63) / 64 * 64);
+    ck_assert_int_eq(
+        gough_batch(&f->model.motion, &s, f->run, RUNS, &options, f->outcome, memory, &error),
+        GOUGH_ERROR_NUMERICAL);
+    ck_assert_msg(strstr(error.message, "was stopped after") != NULL, "%s", error.message);
+    for (int i = 0; i < RUNS; i++) finished += f->outcome[i].rows > 0;
+    ck_assert_int_ge(finished, 1);
+    ck_assert_int_lt(finished, RUNS);
+    free(memory);
+    free(f);
+}
+END_TEST
+
 START_TEST(misfits_are_refused) {
     fixture *f = new_fixture(LOADS, 2);
     const gough_simulation s = fixed(GOUGH_RK4, 0.01, 1);
@@ -366,6 +404,24 @@ START_TEST(misfits_are_refused) {
         gough_batch(&f->model.motion, &s, f->run, RUNS, &options, f->outcome, memory, &error),
         GOUGH_ERROR_INPUT);
     ck_assert(strstr(error.message, "run 7") != NULL);
+    f->machine[7].platform.height = 0.1;
+    ck_assert_int_eq(
+        gough_batch(&f->model.motion, &s, f->run, RUNS, &options, f->outcome, memory, &error),
+        GOUGH_ERROR_INPUT);
+    ck_assert(strstr(error.message, "run 7") != NULL);
+    for (double interval = 0.1; interval < 0.4; interval += 0.2) {
+        f->disturbance[3] = f->disturbance[0] = f->model.disturbance;
+        f->disturbance[0].noise.interval = 0.2;
+        f->disturbance[3].noise.interval = interval;
+        for (int i = 0; i < RUNS; i++) f->run[i].disturbance = &f->disturbance[i == 3 ? 3 : 0];
+        ck_assert_int_eq(
+            gough_batch(&f->model.motion, &s, f->run, RUNS, &options, f->outcome, memory, &error),
+            GOUGH_ERROR_INPUT);
+        ck_assert(strstr(error.message, "the noise of run 3 has a different interval") != NULL);
+    }
+    /* no runs, nothing to refuse */
+    ck_assert_int_eq(gough_batch(&f->model.motion, &s, NULL, 0, &options, NULL, memory, &error),
+                     GOUGH_OK);
     free(memory);
     free(f);
 }
@@ -405,9 +461,9 @@ END_TEST
 int main(void) {
     return SUITE_RUN("batch", 120, lanes_and_threads_change_no_bit,
                      runs_may_differ_in_everything_but_the_program, adaptive_runs_go_one_by_one,
-                     each_run_has_its_own_end, outcomes_are_summaries,
-                     outcomes_of_ended_and_disturbed_runs_are_summaries,
+                     runs_in_quadruple_precision_go_one_by_one, each_run_has_its_own_end,
+                     outcomes_are_summaries, outcomes_of_ended_and_disturbed_runs_are_summaries,
                      runs_that_divide_time_differently_keep_their_numbers,
-                     progress_may_stop_a_batch, misfits_are_refused, random_numbers_are_philox,
-                     normal_numbers_are_normal);
+                     progress_may_stop_a_batch, progress_may_stop_several_threads,
+                     misfits_are_refused, random_numbers_are_philox, normal_numbers_are_normal);
 }
