@@ -295,6 +295,9 @@ test("sets the amplitude as the study does", () => assertSameEnd(all, { set: { a
 test("sets the frequency as the study does", () => assertSameEnd(all, { set: { frequency: 1.7 } }, "motion.frequency=1.7"));
 test("pushes as a constant force does", () =>
   assertSameEnd(all, { push: [0.1, -0.2, 0.05] }, "disturbance.force=[0.1, -0.2, 0.05]"));
+test("pushes as hard, however the disturbances are scaled", () =>
+  assertSameEnd(machine + waves + held + stepped("dop853"), { set: { disturbance: 3 }, push: [0.1, -0.2, 0.05] },
+    "disturbance.force=[0.1, -0.2, 0.05]"));
 test("scales what the study scales already", () =>
   assertSameEnd(all.replace("motion: {", "motion: {amplitude: 0.5, frequency: 2, "), { set: { amplitude: 0.5, frequency: 0.75 } },
     "motion.amplitude=0.25", "motion.frequency=1.5"));
@@ -319,6 +322,26 @@ test("feedback below its threshold loses the platform, above it holds", async ()
 });
 
 // The program's position and speed, by differences, while size and speed of it are changed on the way.
+test("an amplitude is reached after the machine's unit of time, half of the way after half of it", async () => {
+  const core = await coreOf(machine + "motion: {surge: 0.05*cos(2*t)}\n" + held + stepped("dop853"));
+  core.advance(1, 1 / 128);
+  core.set({ amplitude: 0.5 });
+  for (const [t, factor] of [[1.5, 0.75], [2, 0.5], [2.5, 0.5]]) {
+    core.advance(0.5, 1 / 128);
+    assert.equal(core.row()[core.place.t], t);
+    const [x] = core.program();
+    assert.ok(Math.abs(x - factor * 0.05 * Math.cos(2 * t)) < 1e-14, `t = ${t}: ${x}`);
+  }
+});
+test("a program does not go backwards: with a frequency below 0 it stands", async () => {
+  const core = await coreOf(machine + "motion: {surge: 0.05*cos(2*t)}\n" + held + stepped("dop853"));
+  core.advance(1, 1 / 128);
+  core.set({ frequency: -1 });
+  core.advance(1, 1 / 128);
+  const stands = core.program();
+  core.advance(1, 1 / 128);
+  assert.deepEqual(core.program(), stands);
+});
 test("the program stays smooth while its amplitude and frequency change", async () => {
   const core = await coreOf(machine + "motion: {heave: 0.1*sin(3*t), surge: 0.05*cos(2*t)}\n" + held + stepped("dop853"));
   const step = 1 / 1024;

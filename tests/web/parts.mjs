@@ -114,11 +114,15 @@ test("a pose between rows goes straight, and angles turn the short way", () => {
   const names = ["x", "y", "z", "roll", "pitch", "yaw"];
   const table = new Table([
     encoded("t", [0, 0.1, 0.2]),
-    ...names.map((name) => encoded(name, name === "yaw" ? [179, -179, -177] : [0, 1, 4])),
+    ...names.map((name) =>
+      encoded(name, { pitch: [10, -10, -30], yaw: [179, -179, -177] }[name] ?? [0, 1, 4]),
+    ),
   ]);
   near(table.value("x", 0.15), 2.5, 1e-12);
   near(table.value("x", 0.125), 1.75, 1e-12);
   near(Math.cos((table.value("yaw", 0.05) * Math.PI) / 180), -1, 1e-12);
+  near(table.value("pitch", 0.025), 5, 1e-12);
+  near(table.value("pitch", 0.15), -20, 1e-12);
   assert.equal(table.value("x", 0.1), 1);
   assert.equal(table.value("x", 99), 4);
 });
