@@ -158,6 +158,34 @@ START_TEST(words_outside_the_enumerations_are_unknown) {
 }
 END_TEST
 
+/* ---- reasons ---- */
+
+START_TEST(the_reason_names_what_ends_every_run) {
+    static const char *const WORDS[] = {
+        "a leg becomes too short", "a leg becomes too long", "a leg moves too fast",
+        "the platform collapses into a singular pose", "a formula or the motion is not finite"};
+    for (int i = 0; i < 5; i++) {
+        request r = sagging();
+        gough_platform *limits = &r.model->machine.platform;
+        const double home = r.model->machine.home_length[0];
+        gough_error error = {0};
+
+        if (i == 0) limits->length_min = 1.01 * home;
+        if (i == 1) limits->length_max = 0.99 * home;
+        if (i == 2) {
+            limits->speed_max = 0.01;
+            set_formula(&r.model->motion.formula[GOUGH_HEAVE], "0.1*sin(t)");
+        }
+        if (i == 3) set_formula(&r.model->motion.formula[GOUGH_YAW], "2*ramp(t - 0.5, 1)");
+        if (i == 4) set_formula(&r.model->disturbance.force[0], "sqrt(1 - t)");
+        ck_assert_msg(ask(&r, &error) == GOUGH_OK, "%d: %s", i, error.message);
+        ck_assert(!r.tuning.found);
+        ck_assert_msg(strstr(r.tuning.reason, WORDS[i]) != NULL, "%d: %s", i, r.tuning.reason);
+        drop(&r);
+    }
+}
+END_TEST
+
 /* ---- damping for a ratio ---- */
 
 START_TEST(damping_is_refused_where_nothing_can_be_damped) {
@@ -184,9 +212,9 @@ START_TEST(damping_is_refused_where_nothing_can_be_damped) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("tune requests", 120, a_search_stops_at_whichever_call_asks_it_to,
-                     numbers_out_of_range_are_refused_with_their_sentence,
-                     a_loop_damped_too_strongly_to_be_followed_is_refused,
-                     words_outside_the_enumerations_are_unknown,
-                     damping_is_refused_where_nothing_can_be_damped);
+    return SUITE_RUN(
+        "tune requests", 120, a_search_stops_at_whichever_call_asks_it_to,
+        numbers_out_of_range_are_refused_with_their_sentence,
+        a_loop_damped_too_strongly_to_be_followed_is_refused, the_reason_names_what_ends_every_run,
+        words_outside_the_enumerations_are_unknown, damping_is_refused_where_nothing_can_be_damped);
 }
