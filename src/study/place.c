@@ -15,7 +15,6 @@ static size_t escape_length(const char *raw) {
 /* Bytes in the file of the non-blank character there. */
 static size_t raw_length(study_quoting quoting, const char *raw, size_t left) {
     if (quoting == STUDY_DOUBLE_QUOTED && raw[0] == '\\') return escape_length(raw);
-    if (quoting == STUDY_SINGLE_QUOTED && raw[0] == '\'') return 2; /* '' */
     return gough_character_read(raw, left, NULL);
 }
 

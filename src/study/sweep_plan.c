@@ -118,7 +118,8 @@ static bool check_overlap(study_messages *messages, const study_plan *plan, size
         const size_t length = strlen(path), other_length = strlen(other);
         const size_t least = length < other_length ? length : other_length;
         const char next = length < other_length ? other[least] : path[least];
-        if (strncmp(path, other, least) != 0 || next != '.') continue;
+        if (strncmp(path, other, least) != 0) continue;
+        if (next != '.') continue; /* unreachable: no key's name begins with another's */
         study_node_say(messages, plan->axis[n].node, study_node_place(plan->axis[n].node, true),
                        "`%s` and `%s` set the same number", path, other);
         return false;

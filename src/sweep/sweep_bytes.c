@@ -58,7 +58,7 @@ static void put_identity(FILE *stream, const sweep_head *head) {
 }
 
 static void *written(FILE *stream, char **bytes) {
-    if (stream != NULL && fclose(stream) == 0) return *bytes;
+    if (fclose(stream) == 0) return *bytes;
     free(*bytes);
     return NULL;
 }

@@ -148,6 +148,58 @@ START_TEST(refuses_wrong_headers) {
 }
 END_TEST
 
+START_TEST(names_may_stand_in_quotes_at_both_ends) {
+    char *path;
+    reading made = read_with("\"t\",\"heave\"\n0,1\n1,2\n", 20, &path);
+    ck_assert_int_eq(made.status, GOUGH_OK);
+    reading_free(&made);
+    forget_file(path);
+    made = read_with("t,\"heave\n0,1\n1,2\n", 17, &path);
+    ck_assert_int_eq(made.status, GOUGH_ERROR_INPUT);
+    ck_assert_ptr_nonnull(strstr(made.messages, "motion.csv:1:3: error: unknown column `\"heave`"));
+    reading_free(&made);
+    forget_file(path);
+    made = read_with("t,\"\n0,1\n1,2\n", 12, &path);
+    ck_assert_int_eq(made.status, GOUGH_ERROR_INPUT);
+    reading_free(&made);
+    forget_file(path);
+}
+END_TEST
+
+/* of a header with many wrong columns, and of times with one decimal or with more than help */
+START_TEST(headers_and_times_are_not_complained_of_without_end) {
+    static const char *const csv[] = {
+        "t,a1,a2,a3,a4,a5,a6,a7,a8,a9,b1,b2,b3,b4,b5,b6,b7,b8,b9,c1,c2,c3,c4,c5\n0,1\n",
+        "t,heave\n0.1,0\n0.1,1\n", "t,heave\n-0.1,0\n-0.1,1\n",
+        "t,heave\n-0.1234567891,0\n-0.1234567891,1\n"};
+    for (int i = 0; i < 4; i++) {
+        char *path;
+        reading made = read_with(csv[i], strlen(csv[i]), &path);
+        ck_assert_int_eq(made.status, GOUGH_ERROR_INPUT);
+        if (i == 0) ck_assert_int_eq(occurrences(made.messages, ": error: "), 20);
+        ck_assert_int_eq(strstr(made.messages, "rounded to 1 decimal, record more digits") != NULL,
+                         i == 1 || i == 2);
+        reading_free(&made);
+        forget_file(path);
+    }
+}
+END_TEST
+
+START_TEST(refuses_more_than_two_million_rows) {
+    enum { LINES = 2000003 };
+    char *path, *csv = malloc(8 + LINES);
+    ck_assert_ptr_nonnull(csv);
+    memcpy(csv, "t,heave\n", 8);
+    memset(csv + 8, '\n', LINES);
+    reading made = read_with(csv, 8 + LINES, &path);
+    ck_assert_int_eq(made.status, GOUGH_ERROR_INPUT);
+    ck_assert_ptr_nonnull(strstr(made.messages, "motion.csv:1:1: error: more than 2 000 000 rows"));
+    reading_free(&made);
+    forget_file(path);
+    free(csv);
+}
+END_TEST
+
 START_TEST(names_all_wrong_columns_at_once) {
     EXPECT_CSV("time,heav,zzz,t,roll,roll,,yaw_deg\n0,0,0,0,0,0,0,0\n",
                "@:1:1: error: unknown column `time`; the columns are t, surge, sway, heave, roll, "
@@ -281,8 +333,10 @@ int main(void) {
         "study/samples", 60, reads_columns_in_any_order, accepts_cr_lf_and_byte_order_mark,
         accepts_empty_lines_at_the_end, path_starts_from_the_folder_of_the_study,
         a_missing_file_is_a_file_error_at_the_key, refuses_wrong_headers,
-        names_all_wrong_columns_at_once, refuses_wrong_rows_all_at_once,
-        refuses_times_that_do_not_increase, refuses_fewer_than_two_rows,
-        refuses_nul_bytes_and_garbage, stops_after_twenty_errors, refuses_a_run_beyond_the_record,
-        refuses_more_than_64_mib, a_hundred_thousand_rows_are_read);
+        names_all_wrong_columns_at_once, names_may_stand_in_quotes_at_both_ends,
+        headers_and_times_are_not_complained_of_without_end, refuses_more_than_two_million_rows,
+        refuses_wrong_rows_all_at_once, refuses_times_that_do_not_increase,
+        refuses_fewer_than_two_rows, refuses_nul_bytes_and_garbage, stops_after_twenty_errors,
+        refuses_a_run_beyond_the_record, refuses_more_than_64_mib,
+        a_hundred_thousand_rows_are_read);
 }

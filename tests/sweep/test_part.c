@@ -166,6 +166,9 @@ START_TEST(records_come_back_until_the_first_that_is_torn) {
     ck_assert_int_eq(sweep_part_flush(&part, &error), GOUGH_OK);
     char *records = malloc(runs * sweep_record_size(2));
     ck_assert_uint_eq(sweep_part_get(&part, 0, runs, records), runs);
+    sweep_part_close(&part); /* opened again, it goes on behind all of them */
+    ck_assert_int_eq(sweep_part_open(&part, path, new_head(), &error), GOUGH_OK);
+    ck_assert_uint_eq(part.done, runs);
     double value[2];
     gough_sweep_row row;
     sweep_record_take(&part, records + sweep_record_size(2), value, &row);
@@ -229,6 +232,20 @@ START_TEST(shards_of_other_sweeps_do_not_merge) {
     ck_assert_int_eq(write_shard(base, two, 2, 2), GOUGH_OK);
     ck_assert_int_eq(gough_sweep_merge(shards, 2, table, &summary, &error), GOUGH_OK);
     ck_assert_uint_eq(summary.runs, 4);
+    /* what stands behind the last record does not matter; a shard may have no run */
+    size_t length;
+    char *bytes = read_bytes(two, &length), *more = calloc(length + 1000, 1);
+    memcpy(more, bytes, length);
+    write_bytes(two, more, length + 1000);
+    ck_assert_int_eq(gough_sweep_merge(shards, 2, table, &summary, &error), GOUGH_OK);
+    ck_assert_uint_eq(summary.runs, 4);
+    free(more);
+    free(bytes);
+    static sweep_part part;
+    ck_assert_int_eq(write_shard(base, one, 1, 9), GOUGH_OK);
+    ck_assert_int_eq(sweep_part_read(&part, one, &error), GOUGH_OK);
+    ck_assert_uint_eq(part.done, 0);
+    sweep_part_close(&part);
     remove_folder(folder);
 }
 END_TEST

@@ -89,6 +89,7 @@ START_TEST(text_in_a_number_has_its_place) {
     REFUSES("t,x\n0,abcdefghijklmnopqrstuvwxyzabcdefghij\n",
             "read.csv:2:3: 'abcdefghijklmnopqrstuvwxyzabcde...' is not a number");
     REFUSES("t,x\n0,\n", "read.csv:2:3: a number is missing");
+    REFUSES("t,end_cause\n0,\n", "read.csv:2:3: a number is missing");
     REFUSES("t,x\n,1\n", "read.csv:2:1: a number is missing");
     REFUSES("t,x\n0,1e999\n", "read.csv:2:3: this number is too large for double precision");
 }

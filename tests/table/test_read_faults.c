@@ -283,6 +283,18 @@ START_TEST(a_child_is_not_believed_everything) {
 }
 END_TEST
 
+START_TEST(a_name_tells_the_format) {
+    gough_study *study = study_by_hand("by hand", false);
+    gough_result *result = result_by_hand(study, "simulate", 2, &own_units);
+    gough_error error = {.message = ""};
+    ck_assert_int_eq(gough_result_write(result, "a", &error), GOUGH_ERROR_INPUT);
+    ck_assert_ptr_nonnull(strstr(error.message, "a: the name must end in .h5 (HDF5) or .csv"));
+    ck_assert_int_ne(access("a", F_OK), 0);
+    gough_result_free(result);
+    free_study_by_hand(study);
+}
+END_TEST
+
 START_TEST(a_file_of_more_than_4_gib_is_refused_at_once) {
     char folder[PATH_SIZE], path[PATH_SIZE];
     gough_table *table = NULL;
@@ -300,9 +312,10 @@ START_TEST(a_file_of_more_than_4_gib_is_refused_at_once) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("table/read_faults", 60, without_memory_a_table_is_whole_or_refused,
-                     interrupted_calls_are_repeated, a_failing_system_is_named,
-                     what_the_hdf5_library_cannot_read_is_damaged, standard_input_may_be_anything,
-                     a_text_that_cannot_be_read_is_empty, a_child_is_not_believed_everything,
+    return SUITE_RUN("table/read_faults", 60, a_name_tells_the_format,
+                     without_memory_a_table_is_whole_or_refused, interrupted_calls_are_repeated,
+                     a_failing_system_is_named, what_the_hdf5_library_cannot_read_is_damaged,
+                     standard_input_may_be_anything, a_text_that_cannot_be_read_is_empty,
+                     a_child_is_not_believed_everything,
                      a_file_of_more_than_4_gib_is_refused_at_once);
 }
