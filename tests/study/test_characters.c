@@ -105,6 +105,10 @@ START_TEST(a_setting_without_a_value_takes_a_key_of_a_move_away) {
     ck_assert_int_eq(made.status, GOUGH_ERROR_INPUT);
     ck_assert_ptr_nonnull(strstr(made.messages, "unknown key `rol`; did you mean `roll`?"));
     reading_free(&made);
+    made = read_more("", SETTINGS("control.stifness="));
+    ck_assert_int_eq(made.status, GOUGH_ERROR_INPUT);
+    ck_assert_ptr_nonnull(strstr(made.messages, "did you mean `stiffness`?"));
+    reading_free(&made);
 }
 END_TEST
 

@@ -182,6 +182,8 @@ START_TEST(memory_may_end_in_settings) {
     both_ways("right settings", good_study, settings, 9);
     both_ways("a missing element", good_study, settings + 9, 1);
     both_ways("a list that is none", good_study, settings + 10, 1);
+    const gough_setting swept = {"sweep.keys.load.mess", "[1, 2]"};
+    both_ways("an unknown key that varies", good_study, &swept, 1);
     both_ways("unknown", good_study, settings + 11, COUNT - 11);
 }
 END_TEST

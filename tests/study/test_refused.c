@@ -50,6 +50,7 @@ START_TEST(numbers_that_are_none_are_told_apart) {
                 {"control: {stiffness: 2 * 3}\n", "only motion and disturbance take formulas"},
                 {"simulation: {method: zzzzzzzz}\n", "found `zzzzzzzz`\n"},
                 {"simulation: {method: rk5}\n", "did you mean `rk4`?"});
+    expect_said("title: \"a\\nb\\x07\"\n", "study.yaml:1:13: error: control character U+0007");
     expect_said("title: \"a\tb\\x07\"\n", "study.yaml:1:12: error: control character U+0007");
 }
 END_TEST
@@ -214,6 +215,11 @@ START_TEST(syntax_errors_have_their_place_in_any_line_ends) {
     expect_said("a: [1, 2\n", "this bracket is not closed");
     expect_said("a: {b: 2\n", "this brace is not closed");
     expect_said("a: ]\n", "error: ");
+    /* a key that is a list, and one level too deep: the first is said */
+    reading made = read_bytes("[[[[[[[[[[[{[a]: 1}]]]]]]]]]]]\n", 31, NULL);
+    ck_assert_int_eq(occurrences(made.messages, ": error: "), 1);
+    ck_assert_ptr_nonnull(strstr(made.messages, "study.yaml:1:13: error: nested too deeply"));
+    reading_free(&made);
 }
 END_TEST
 
