@@ -117,7 +117,11 @@ jq -rn --slurpfile si si.json --slurpfile bare bare.json '
     ($si[0] | del(.choices[].curve.scale)) as $all |
     ($all | [paths(type == "number")][]) as $p | same($p; $all | getpath($p); $bare[0] | getpath($p)),
     ($si[0].choices[0].legs | select((.force_share - .force / 80 | fabs) > 1e-12 or (.speed_share - .speed / 0.25 | fabs) > 1e-12) |
-        "shares of the limits: \(.)")' >differences
+        "shares of the limits: \(.)"),
+    # the curve is scale · G^slope in the units of each
+    ($si[0].choices[0] | .curve.scale * pow(.stiffness; .curve.slope)) as $one |
+    ($bare[0].choices[0] | $L * .curve.scale * pow(.stiffness; .curve.slope)) as $other |
+    (select(($one / $other - 1 | fabs) <= 1e-9 | not) | "the curve: \($one) and \($other)")' >differences
 [[ ! -s differences ]] || fail "tune in other units: $(cat differences)"
 paste -d, si.csv bare.csv | awk -F, '
     function differs(a, b, unit) { return !(a == "nan" && b == "nan") && !((a - b * unit) ^ 2 <= 1e-18 * a * a) }
