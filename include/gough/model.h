@@ -3,7 +3,7 @@
  *
  *  Units: any consistent set (SI, or the dimensionless one of docs/theory/units.md); angles in radians.
  *  Frames: the base frame has x forward, y left, z up; at home the top frame is parallel to it, with its origin
- *  at (0, 0, height). A leg force is positive when it pushes the top away from the base. Legs are massless.
+ *  at (0, 0, height). A leg force is positive when it pushes the top away from the base.
  *  All structs are plain data: fill, copy and share them freely. Nothing here allocates or keeps state. An error argument may be
  *  NULL.
  *
@@ -26,7 +26,31 @@ extern "C" {
 
 enum { GOUGH_LEGS = 6 };
 
-/** Joints and limits. gough_platform_default() has no joints and no limits. */
+/** One of the two parts that each leg consists of: a straight body whose centre of mass lies on the leg's axis. A number for each
+ *  leg, from 1 to 6. */
+typedef struct gough_leg_part {
+    double mass[GOUGH_LEGS];   /**< >= 0 */
+    double center[GOUGH_LEGS]; /**< its centre of mass, from the joint on which it hangs towards the
+                                     other joint of the leg */
+    double inertia
+        [GOUGH_LEGS]; /**< moment of inertia about the centre of mass, across the leg, >= 0 */
+} gough_leg_part;
+
+/** Friction of each leg, from 1 to 6, (mass-12), (mass-13): between the drive force and the force in the leg. */
+typedef struct gough_friction {
+    double viscous[GOUGH_LEGS];        /**< b, force per speed, >= 0 */
+    double coulomb[GOUGH_LEGS];        /**< F_C, force at speed, >= 0 */
+    double breakaway[GOUGH_LEGS];      /**< F_S, force at rest, >= F_C; 0: F_C */
+    double stribeck_speed[GOUGH_LEGS]; /**< v_S, speed at which half of F_S − F_C is left, > 0 where
+                                       F_S exceeds F_C */
+    double smoothing_speed[GOUGH_LEGS]; /**< v_0, speed within which friction changes its sign, > 0;
+                                             0: v_S/20, or 1e-3 √(g R_b) without v_S */
+    double efficiency[GOUGH_LEGS]; /**< η of a screw that drives, 0 … 1; one of 0.5 or less locks
+                                        itself, and no drive force gives a motion */
+} gough_friction;
+
+/** Joints, limits, and mass and friction of the legs. gough_platform_default() has no joints, no limits, and legs without mass and
+ *  friction. */
 typedef struct gough_platform {
     double base[GOUGH_LEGS][3]; /**< base joints, base frame */
     double top[GOUGH_LEGS][3];  /**< top joints, top frame; leg n joins base[n] and top[n] */
@@ -37,7 +61,14 @@ typedef struct gough_platform {
     double length_min; /**< least leg length; 0: no limit */
     double length_max; /**< greatest leg length; INFINITY: no limit */
     double speed_max;  /**< greatest |leg rate|; INFINITY: no limit */
-    double force_max;  /**< greatest |leg force|; INFINITY: no limit */
+    double force_max;  /**< greatest |drive force|; INFINITY: no limit */
+
+    gough_leg_part cylinder;           /**< hangs on the base joint */
+    gough_leg_part piston;             /**< hangs on the top joint */
+    double reflected_mass[GOUGH_LEGS]; /**< what rotor, screw and oil weigh along the leg, >= 0 */
+    bool legs_have_mass; /**< use the equations of legs with mass, even if all of it is 0; set by
+                                gough_machine_init() where some is not */
+    gough_friction friction; /**< of the legs */
 } gough_platform;
 
 /** Fills in a platform without joints and without limits.
@@ -92,13 +123,17 @@ typedef struct gough_machine {
     double second_moments[3];       /**< I_x = ∫x²dm, …, in the central frame, (1.1) */
     double home_length[GOUGH_LEGS]; /**< leg lengths at home */
     double home_condition;          /**< condition number at home, as from gough_conditioning() */
+    double breakaway[GOUGH_LEGS];   /**< F_S of each leg, >= F_C */
+    double smoothing_speed[GOUGH_LEGS]; /**< v_0 of each leg, > 0 */
 } gough_machine;
 
 /** Checks geometry and inertia and computes the derived quantities, (1.1), (2.7).
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with a sentence: a number is not finite, the mass is not positive, no body can have
  *  the inertia, two legs share both joints, all base or all top joints lie on one line, a leg has no length at home, or the
  *  machine is singular in every pose (similar hexagons). A machine singular only at home is accepted (see home_condition).
- *  A flat body (J_x + J_y = J_z within 1e-12) is accepted, and its vanishing second moment is set to 0.
+ *  A flat body (J_x + J_y = J_z within 1e-12) is accepted, and its vanishing second moment is set to 0. Refused too: mass, inertia
+ *  or friction of a leg that is negative, an efficiency outside 0 … 1, breakaway below coulomb, breakaway above it
+ *  without a stribeck_speed, dry friction without smoothing_speed where neither v_S nor gravity gives one.
  *  @param gravity       acceleration of free fall, base axes; {0, 0, −9.80665} for a machine that stands on the earth, in SI units;
  *                       may be zero
  *  @param[out] machine  copies of the arguments and the derived quantities; unchanged after an error
@@ -330,7 +365,9 @@ GOUGH_API gough_status gough_motion_range(const gough_motion *motion, double dur
 
 /** F = F^p + G (l^p − l) + D (l̇^p − l̇) for each leg, (law-1). With all gains 0, open loop. */
 typedef struct gough_control {
-    bool feedforward; /**< F^p from inverse dynamics along the program; false: F^p ≡ 0 */
+    bool feedforward;      /**< F^p from inverse dynamics along the program; false: F^p ≡ 0 */
+    bool ignores_legs;     /**< F^p is that of legs without mass */
+    bool ignores_friction; /**< F^p is that of legs without friction */
     double stiffness[GOUGH_LEGS]; /**< G, force per length, >= 0 */
     double damping[GOUGH_LEGS];   /**< D, force per speed, >= 0 */
 } gough_control;

@@ -34,6 +34,8 @@ static const struct {
     SIZE_OF(gough_initial),
     SIZE_OF(gough_interval),
     SIZE_OF(gough_leg_summary),
+    SIZE_OF(gough_leg_part),
+    SIZE_OF(gough_friction),
     SIZE_OF(gough_load),
     SIZE_OF(gough_machine),
     SIZE_OF(gough_map),

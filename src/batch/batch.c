@@ -160,6 +160,29 @@ static void *work_on(void *context) {
 
 /* ---- checks ---- */
 
+/* whether runs have legs of one kind and controllers that know as much of them: what chooses equations is the same in all lanes */
+static bool legs_alike(const gough_batch_run *a, const gough_batch_run *b) {
+    return a->machine->platform.legs_have_mass == b->machine->platform.legs_have_mass &&
+           a->control->ignores_legs == b->control->ignores_legs &&
+           a->control->ignores_friction == b->control->ignores_friction;
+}
+
+/* each run's machine, beside the first run's */
+static gough_status check_machines(const gough_simulation *simulation, const gough_batch_run *runs,
+                                   size_t count, gough_error *error) {
+    gough_status status = GOUGH_OK;
+
+    for (size_t i = 0; i < count && status == GOUGH_OK; i++) {
+        status = simulate_check_legs(runs[i].machine, simulation, error);
+        if (status != GOUGH_OK || legs_alike(&runs[0], &runs[i])) continue;
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "run %zu takes the mass or friction of its legs into account differently "
+                          "from run 0; all runs of a batch must do the same",
+                          i);
+    }
+    return status;
+}
+
 static gough_status check_runs(const gough_motion *motion, const gough_simulation *simulation,
                                const gough_batch_run *runs, size_t count, gough_error *error) {
     for (size_t i = 1; i < count; i++) {
@@ -186,7 +209,8 @@ static gough_status check_runs(const gough_motion *motion, const gough_simulatio
                               i);
         }
     }
-    return simulate_check(motion, simulation, error);
+    const gough_status status = simulate_check(motion, simulation, error);
+    return status == GOUGH_OK ? check_machines(simulation, runs, count, error) : status;
 }
 
 /* whether all runs have the same thing in a place of their description, by address or by content */

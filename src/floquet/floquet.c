@@ -6,6 +6,7 @@
 #include "floquet/orbit.h"
 #include "floquet/spectrum.h"
 #include "linear/mode.h"
+#include "plant/can_move.h"
 #include "program/program_valid.h"
 
 /* the steps' tolerance where none is given, and what double precision can be asked for */
@@ -120,6 +121,8 @@ gough_status gough_floquet_multipliers(const gough_model *model, const gough_per
     spectrum s;
 
     status = motion_check(&model->motion, error);
+    if (status == GOUGH_OK)
+        status = machine_is_plain(&model->machine, "stability along a program is", error);
     if (status != GOUGH_OK) return status;
     if (period == NULL) {
         status = gough_motion_period(&model->motion, &found, error);

@@ -29,26 +29,39 @@ static inline vector body_acceleration(const body *b, vector F, vector gravity) 
     return along(gravity, b->inverse_mass, F);
 }
 
+/* what ï, j̈, k̈ have along the other two axes */
+typedef struct {
+    number i_j, i_k, j_k, j_i, k_i, k_j;
+} triad_bends;
+
+/* second derivatives of the triad: along each axis itself −ė·ė, which keeps it of unit length */
+KERNEL_INLINE triad triad_bent(const triad *q, const triad *rate, const triad_bends *t) {
+    triad a;
+
+    a.i = scale(-dot(rate->i, rate->i), q->i);
+    a.i = along(a.i, t->i_j, q->j);
+    a.i = along(a.i, t->i_k, q->k);
+
+    a.j = scale(-dot(rate->j, rate->j), q->j);
+    a.j = along(a.j, t->j_k, q->k);
+    a.j = along(a.j, t->j_i, q->i);
+
+    a.k = scale(-dot(rate->k, rate->k), q->k);
+    a.k = along(a.k, t->k_i, q->i);
+    a.k = along(a.k, t->k_j, q->j);
+    return a;
+}
+
 /* (1.5), (body-4), with L the moment about the centre of mass along i, j, k */
 KERNEL_INLINE triad triad_acceleration(const body *b, const triad *q, const triad *rate, vector L) {
     const number two = number_of(2);
     const number ij = two * b->xy * dot(rate->i, rate->j), z = L.z * b->xy;
     const number jk = two * b->yz * dot(rate->j, rate->k), x = L.x * b->yz;
     const number ki = two * b->zx * dot(rate->k, rate->i), y = L.y * b->zx;
-    triad a;
+    const triad_bends t = {z - b->Iy * ij,  -y - b->Iz * ki, x - b->Iz * jk,
+                           -z - b->Ix * ij, y - b->Ix * ki,  -x - b->Iy * jk};
 
-    a.i = scale(-dot(rate->i, rate->i), q->i);
-    a.i = along(a.i, z - b->Iy * ij, q->j);
-    a.i = along(a.i, -y - b->Iz * ki, q->k);
-
-    a.j = scale(-dot(rate->j, rate->j), q->j);
-    a.j = along(a.j, x - b->Iz * jk, q->k);
-    a.j = along(a.j, -z - b->Ix * ij, q->i);
-
-    a.k = scale(-dot(rate->k, rate->k), q->k);
-    a.k = along(a.k, y - b->Ix * ki, q->i);
-    a.k = along(a.k, -x - b->Iy * jk, q->j);
-    return a;
+    return triad_bent(q, rate, &t);
 }
 
 /* Baumgarte's terms, (body-6): each constraint g = e_a·e_b − δ_ab then obeys g̈ + 2αġ + β²g = 0. What Λ adds to ë_a along

@@ -4,6 +4,8 @@
 #define GOUGH_KERNEL_LEGS_H
 
 #include "kernel/body.h"
+#include "kernel/friction.h"
+#include "kernel/leg_mass.h"
 #include "kernel/solve.h"
 
 enum { LEGS = 6 };
@@ -18,6 +20,8 @@ typedef struct {
     vector center;     /* centre of mass, top frame */
     triad axes;        /* central axes in the top frame */
     number reach; /* mean distance of the top joints from the top frame's origin: scales moments */
+    leg_mass mass[LEGS];
+    friction dry[LEGS];
 } hexapod;
 
 /* What the legs are in one pose, and in one motion. */
@@ -27,10 +31,12 @@ typedef struct {
     number rate[LEGS];   /* (legs-4) */
 } legs;
 
-/* axes: columns are the central axes in the top frame; moments: second moments along them */
+/* axes: columns are the central axes in the top frame; moments: second moments along them. Legs without mass and friction */
 static inline void hexapod_setup(hexapod *h, const double base[LEGS][3], const double top[LEGS][3],
                                  double mass, const double center_of_mass[3], number axes[3][3],
                                  const number moments[3], const double gravity[3]) {
+    static const double none[3] = {0, 0, 0};
+
     h->axes = (triad){{axes[0][0], axes[1][0], axes[2][0]},
                       {axes[0][1], axes[1][1], axes[2][1]},
                       {axes[0][2], axes[1][2], axes[2][2]}};
@@ -44,6 +50,8 @@ static inline void hexapod_setup(hexapod *h, const double base[LEGS][3], const d
         h->top[v] = onto(&h->axes, vector_of(top[v]));
         h->arm[v] = onto(&h->axes, subtract(vector_of(top[v]), h->center));
         h->reach = h->reach + norm(h->top[v]) / number_of(LEGS);
+        h->mass[v] = leg_mass_of(none, none, 0);
+        h->dry[v] = friction_none();
     }
 }
 
@@ -62,9 +70,14 @@ KERNEL_INLINE void legs_at(const hexapod *h, const coordinates *x, legs *g) {
     for (int v = 0; v < LEGS; v++) g->n[v] = scale(inverse[v], l[v]);
 }
 
+/* top joint v less a point that is at rest, in coordinates, or its velocity or acceleration in their derivatives */
+static inline vector joint_of(const hexapod *h, const coordinates *x, int v) {
+    return add(x->rho, out_of(&x->q, h->arm[v]));
+}
+
 /* (legs-4): l̇ = n·(ρ̇ + x i̇ + y j̇ + z k̇), of leg v */
 static inline number leg_rate(const hexapod *h, const coordinates *rate, int v, vector n) {
-    return dot(n, add(rate->rho, out_of(&rate->q, h->arm[v])));
+    return dot(n, joint_of(h, rate, v));
 }
 
 static inline void legs_rates(const hexapod *h, const coordinates *rate, legs *g) {
@@ -76,8 +89,7 @@ static inline void legs_second_rates(const hexapod *h, const coordinates *rate,
                                      const coordinates *acceleration, const legs *g,
                                      number second_rate[LEGS]) {
     for (int v = 0; v < LEGS; v++) {
-        const vector velocity = add(rate->rho, out_of(&rate->q, h->arm[v]));
-        const vector a = add(acceleration->rho, out_of(&acceleration->q, h->arm[v]));
+        const vector velocity = joint_of(h, rate, v), a = joint_of(h, acceleration, v);
         const vector turn =
             scale(number_of(1) / g->length[v], along(velocity, -g->rate[v], g->n[v]));
 
@@ -97,10 +109,8 @@ static inline push push_none(void) {
     return (push){zero, {zero, zero, zero}};
 }
 
-/* the force u of leg v in the direction n */
-static inline void push_add(push *p, const hexapod *h, int v, number u, vector n) {
-    const vector f = scale(u, n);
-
+/* a force on top joint v */
+static inline void push_add(push *p, const hexapod *h, int v, vector f) {
     p->F = add(p->F, f);
     p->Q.i = along(p->Q.i, h->arm[v].x, f);
     p->Q.j = along(p->Q.j, h->arm[v].y, f);
@@ -119,7 +129,7 @@ static inline vector push_moment(const push *p, const triad *q) {
 KERNEL_INLINE push legs_push(const hexapod *h, const legs *g, const number u[LEGS]) {
     push p = push_none();
 
-    for (int v = 0; v < LEGS; v++) push_add(&p, h, v, u[v], g->n[v]);
+    for (int v = 0; v < LEGS; v++) push_add(&p, h, v, scale(u[v], g->n[v]));
     return p;
 }
 
@@ -154,13 +164,11 @@ static inline elimination legs_determinant(const hexapod *h, const coordinates *
 }
 
 /* Generalised forces on i, j, k with a moment m on the load (base axes) besides, as ½ m × e */
-static inline triad legs_generalised(const hexapod *h, const legs *g, const triad *q,
-                                     const number u[LEGS], vector moment) {
+static inline triad push_generalised(const push *p, const triad *q, vector moment) {
     const vector half = scale(number_of(0.5), moment);
-    const push p = legs_push(h, g, u);
 
-    return (triad){add(p.Q.i, cross(half, q->i)), add(p.Q.j, cross(half, q->j)),
-                   add(p.Q.k, cross(half, q->k))};
+    return (triad){add(p->Q.i, cross(half, q->i)), add(p->Q.j, cross(half, q->j)),
+                   add(p->Q.k, cross(half, q->k))};
 }
 
 #endif

@@ -87,6 +87,31 @@ KERNEL_APART elimination solve_six(number a[6][6], number b[][6], int count) {
     }
 }
 
+/* a x = b by L D Lᵀ without pivots, for a symmetric positive definite matrix, of which the lower triangle is read; b becomes the
+ * solution and a is destroyed. No branch, and no pivot below the least eigenvalue. */
+KERNEL_INLINE void solve_definite(number a[6][6], number b[6]) {
+    number inverse[6];
+
+    KERNEL_UNROLL
+    for (int c = 0; c < 6; c++) {
+        inverse[c] = number_of(1) / a[c][c];
+        KERNEL_UNROLL
+        for (int r = c + 1; r < 6; r++) {
+            const number factor = a[r][c] * inverse[c];
+            KERNEL_UNROLL
+            for (int k = r; k < 6; k++) a[k][r] = a[k][r] - a[k][c] * factor;
+            b[r] = b[r] - factor * b[c];
+            a[c][r] = factor;
+        }
+    }
+    KERNEL_UNROLL
+    for (int r = 5; r >= 0; r--) {
+        b[r] = b[r] * inverse[r];
+        KERNEL_UNROLL
+        for (int c = r + 1; c < 6; c++) b[r] = b[r] - a[r][c] * b[c];
+    }
+}
+
 /* Makes columns p and q of a matrix orthogonal by a rotation, in the lanes that want it. Returns 1 in lanes where they were not
  * orthogonal to round-off, else 0. */
 static inline number jacobi_rotate(number a[6][6], int p, int q, mask wanted) {

@@ -157,27 +157,37 @@ static gough_status check_pose(const gough_machine *machine, const gough_state *
                       what, pose, condition);
 }
 
+/* whether what is fed forward at rest is less than holds the load */
+static bool falls_short(const gough_machine *machine, const gough_control *control) {
+    return !control->feedforward || (control->ignores_legs && machine->platform.legs_have_mass);
+}
+
 static gough_status sag(const linear_loop *loop, const char *pose, double determinant,
                         gough_state *state, gough_error *error) {
+    const char *how = loop->control->feedforward ? "with feed-forward that ignores the legs' mass"
+                                                 : "without feed-forward";
+    const char *cure = loop->control->feedforward ? "control.model.legs to true"
+                                                  : "control.feedforward to program";
     const double borne = take_up_load(loop, state);
+    gough_error what;
     double there;
     gough_status status;
 
     if (!(borne >= 1)) {
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "without feed-forward no equilibrium was found near the requested pose "
+                          "%s no equilibrium was found near the requested pose "
                           "(%s): the stiffness of the legs carries only %.3g %% of the weight; "
-                          "increase control.stiffness, or set control.feedforward to program",
-                          pose, 100 * borne);
+                          "increase control.stiffness, or set %s",
+                          how, pose, 100 * borne, cure);
     }
-    status = check_pose(loop->machine, state, "the equilibrium without feed-forward, starting from",
-                        pose, &there, error);
+    gough_fail(&what, GOUGH_OK, "the equilibrium %s, starting from", how);
+    status = check_pose(loop->machine, state, what.message, pose, &there, error);
     if (status != GOUGH_OK || there * determinant > 0) return status;
     return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                      "without feed-forward the load comes to rest only beyond a singular pose, "
+                      "%s the load comes to rest only beyond a singular pose, "
                       "starting from the requested pose (%s); increase control.stiffness, or set "
-                      "control.feedforward to program",
-                      pose);
+                      "%s",
+                      how, pose, cure);
 }
 
 gough_status equilibrium_find(const gough_model *model, const double *component, gough_motion *rest,
@@ -204,7 +214,7 @@ gough_status equilibrium_find(const gough_model *model, const double *component,
     pose = words_of(from, &words);
     gough_program(&model->machine, rest, 0, &state, &none);
     status = check_pose(&model->machine, &state, "the requested pose", pose, &determinant, error);
-    if (status != GOUGH_OK || model->control.feedforward) return status;
+    if (status != GOUGH_OK || !falls_short(&model->machine, &model->control)) return status;
 
     status = sag(&loop, pose, determinant, &state, error);
     if (status == GOUGH_OK) stand(&model->machine, &state, rest);

@@ -2,6 +2,7 @@
 #include "linear/linear.h"
 
 #include "base/limits.h"
+#include "plant/can_move.h"
 #include "plant/rotation_valid.h"
 #include "program/program_valid.h"
 
@@ -92,10 +93,11 @@ size_t gough_linear_size(const gough_model *model) {
 gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
                              size_t size, double *matrix, gough_error *error) {
     const linear_loop loop = {&model->machine, &model->motion, &model->control};
-    const gough_status status = motion_check(&model->motion, error);
+    gough_status status = motion_check(&model->motion, error);
     linear_matrix found;
     const char *wrong;
 
+    if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
     if (status != GOUGH_OK) return status;
     if (size != gough_linear_size(model)) {
         return gough_fail(error, GOUGH_ERROR_INPUT,

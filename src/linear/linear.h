@@ -27,6 +27,9 @@ struct linear_complex {
     const char *(*accelerations)(const linear_loop *loop, double t, const gough_state *state,
                                  double acceleration[6], double force[GOUGH_LEGS]);
 
+    /* M̂ on (ρ̇, ω) in base axes of a machine whose legs have mass */
+    void (*mass)(const gough_machine *machine, const gough_state *state, double mass[6][6]);
+
     /* rates of (ρ, i, j, k) and their rates, and (stab-13) there */
     const char *(*flow)(const linear_loop *loop, double t, const double y[MOTION],
                         double rate[MOTION], linear_matrix matrix);

@@ -15,6 +15,7 @@ static void begin(struct system *r, const linear_loop *loop, const gough_simulat
     const system_lane lane = {loop->machine, loop->control, &undisturbed, 0};
 
     system_begin(r, loop->motion, options, &lane);
+    system_take_dry_friction_off(r);
 }
 
 static gough_simulation unstabilised(void) {
@@ -149,6 +150,44 @@ static const char *complex_accelerations(const linear_loop *loop, double t,
     return r.fault.what;
 }
 
+/* the block of M̂ in rows from `r` and columns from `c`, from central axes to those of the base */
+static void turn_block(const triad *q, number A[6][6], int r, int c, double mass[6][6]) {
+    const number axis[3][3] = {
+        {q->i.x, q->i.y, q->i.z}, {q->j.x, q->j.y, q->j.z}, {q->k.x, q->k.y, q->k.z}};
+
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            number sum = 0;
+            for (int a = 0; a < 3; a++) {
+                for (int b = 0; b < 3; b++) sum += axis[a][i] * A[r + a][c + b] * axis[b][j];
+            }
+            mass[r + i][c + j] = creal(sum);
+        }
+    }
+}
+
+static void complex_mass(const gough_machine *machine, const gough_state *state,
+                         double mass[6][6]) {
+    const number none[LEGS] = {0};
+    heavy_equations e;
+    coordinates x, rate;
+    hexapod h;
+    legs g;
+
+    hexapod_of_machine(&h, machine);
+    state_of_top(&h, state, &x, &rate);
+    legs_at(&h, &x, &g);
+    legs_rates(&h, &rate, &g);
+    const heavy_central c = heavy_central_of(&h, &x, &rate);
+    e = heavy_equations_of(&h, &x, &c, &g, none);
+    for (int i = 0; i < 6; i++) {
+        for (int j = i + 1; j < 6; j++) e.A[i][j] = e.A[j][i];
+    }
+    for (int r = 0; r < 6; r += 3) {
+        for (int k = 0; k < 6; k += 3) turn_block(&x.q, e.A, r, k, mass);
+    }
+}
+
 static const char *complex_flow(const linear_loop *loop, double t, const double y[MOTION],
                                 double rate[MOTION], linear_matrix matrix) {
     const gough_simulation options = unstabilised();
@@ -167,4 +206,4 @@ static const char *complex_flow(const linear_loop *loop, double t, const double 
 }
 
 const struct linear_complex linear_complex = {complex_matrix, complex_along, complex_accelerations,
-                                              complex_flow};
+                                              complex_mass, complex_flow};

@@ -10,6 +10,7 @@
 #include "linear/mode.h"
 #include "linear/symmetric.h"
 #include "linear/verdict.h"
+#include "plant/can_move.h"
 #include "program/program_valid.h"
 
 enum { WORK = 512 };
@@ -34,7 +35,7 @@ typedef struct {
     double mass[FREEDOMS][FREEDOMS]; /* M, and the inertia about the centre of mass in base axes */
 } at_rest;
 
-/* the mass matrix on (δv, δω): M and J */
+/* the mass matrix on (δv, δω): M and J, and what the legs add to them */
 static void mass_matrix(const gough_machine *machine, const gough_state *state,
                         double mass[FREEDOMS][FREEDOMS]) {
     double inertia[3][3];
@@ -45,6 +46,7 @@ static void mass_matrix(const gough_machine *machine, const gough_state *state,
         mass[r][r] = machine->load.mass;
         for (int c = 0; c < 3; c++) mass[3 + r][3 + c] = inertia[r][c];
     }
+    if (machine->platform.legs_have_mass) linear_complex.mass(machine, state, mass);
 }
 
 /* largest |K − Kᵀ| and |K|, angles counted as lengths on the base radius */
@@ -196,7 +198,10 @@ static gough_status eigenvalues(const at_rest *r, double K[FREEDOMS][FREEDOMS], 
     double found_damping[FREEDOMS][FREEDOMS], C[FREEDOMS][FREEDOMS];
     bool damping = false, found;
 
-    for (int v = 0; v < GOUGH_LEGS; v++) damping |= fabs(r->loop.control->damping[v]) > 0;
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        damping |= fabs(r->loop.control->damping[v]) > 0;
+        damping |= machine->platform.friction.viscous[v] > 0;
+    }
     found = damping ? damped(r, rest->matrix, value, shape) : undamped(r, K[0], value, shape);
     if (!found) return gough_fail(error, GOUGH_ERROR_NUMERICAL, "%s", no_eigenvalues);
 
@@ -244,7 +249,21 @@ static double level_of(double joint[GOUGH_LEGS][3], const double up[3], double t
     return sum / GOUGH_LEGS;
 }
 
-/* (stab-5) */
+/* what of the legs' mass hangs on the top, Σ S of (mass-1) */
+static double hanging_mass(const gough_machine *machine, const gough_state *state) {
+    const gough_platform *p = &machine->platform;
+    double length[GOUGH_LEGS], sum = 0;
+
+    gough_leg_kinematics(machine, state, NULL, length, NULL, NULL);
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        sum += (p->cylinder.mass[v] * p->cylinder.center[v] +
+                p->piston.mass[v] * (length[v] - p->piston.center[v])) /
+               length[v];
+    }
+    return sum;
+}
+
+/* (stab-5), with legs that have mass (mass-16) */
 static void traces(const at_rest *r, gough_rest *rest) {
     const gough_machine *machine = r->loop.machine;
     const double g = machine->gravity_magnitude, tolerance = plane_tolerance * machine->base_radius;
@@ -261,7 +280,8 @@ static void traces(const at_rest *r, gough_rest *rest) {
     memcpy(base, machine->platform.base, sizeof base);
     h = level_of(top, up, tolerance) - level_of(base, up, tolerance);
     rest->trace = rest->geometric[0][0] + rest->geometric[1][1] + rest->geometric[2][2];
-    rest->trace_theorem = fabs(h) > tolerance ? 0 - 2 * machine->load.mass * g / h : NAN;
+    const double mass = machine->load.mass + hanging_mass(machine, &r->state);
+    rest->trace_theorem = fabs(h) > tolerance ? 0 - 2 * mass * g / h : NAN;
 }
 
 /* (stab-15) at the equilibrium, whose forces count as fed forward: the loop about it is the same */
@@ -296,10 +316,12 @@ gough_status gough_stability_at_rest(const gough_model *model,
 
     memset(rest, 0, sizeof *rest);
     status = motion_check(&model->motion, error);
+    if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
     if (status != GOUGH_OK) return status;
     status = equilibrium_find(model, component, &motion, error);
     if (status != GOUGH_OK) return status;
     control.feedforward = true;
+    control.ignores_legs = control.ignores_friction = false;
     gough_program(&model->machine, &motion, 0, &r.state, &none);
     mass_matrix(&model->machine, &r.state, r.mass);
     rest->state = r.state;

@@ -12,6 +12,7 @@
 #include "gough/batch.h"
 #include "gough/sizes.h"
 #include "map/map_row.h"
+#include "plant/can_move.h"
 
 /* steps are refined up to this; beyond it errors up to the second value pass */
 static const double finest = 16, rough = 1e-6;
@@ -234,8 +235,11 @@ static size_t most_parts(map_worker *probe, size_t rows) {
 
 static gough_status prepare(const gough_model *model, const gough_map_options *given,
                             gough_map_options *o, map_job *job, gough_error *error) {
-    const gough_status status = check(given, o, error);
+    gough_status status = check(given, o, error);
     map_worker probe;
+
+    if (status == GOUGH_OK)
+        status = machine_is_plain(&model->machine, "stability along a program is", error);
 
     if (status != GOUGH_OK) return status;
     memset(job, 0, sizeof *job);

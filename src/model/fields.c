@@ -40,6 +40,8 @@
 #define BOUND_STEPS BOUND("2 to 100000000", "a whole number from 2 to 100000000", 2, 1e8, false)
 #define BOUND_UNITS WORDS("si, dimensionless")
 #define BOUND_FEEDFORWARD WORDS("program, none")
+#define BOUND_KNOWN WORDS("false, true")
+#define BOUND_EFFICIENCY BOUND("> 0, <= 1", "greater than 0, and at most 1", 0, 1, true)
 #define BOUND_METHOD WORDS("dop853, rk4, rattle2, rattle4, rattle6, rattle8")
 #define BOUND_CONSTRAINTS WORDS("projection, none")
 #define BOUND_SMOOTH WORDS("rounding, none")

@@ -3,7 +3,7 @@
 #ifndef GOUGH_PLANT_FORWARD_H
 #define GOUGH_PLANT_FORWARD_H
 
-#include "kernel/top.h"
+#include "plant/heavy_legs.h"
 
 /* p: what the legs do; force (at the centre of mass) and moment: what else acts on the load, base axes; force NULL: nothing */
 KERNEL_INLINE coordinates accelerations_under(const hexapod *h, const coordinates *x,
@@ -19,13 +19,14 @@ KERNEL_INLINE coordinates accelerations_under(const hexapod *h, const coordinate
                          triad_acceleration(&h->load, &x->q, &rate->q, L)};
 }
 
-/* the same from leg forces u */
-static inline void forward_dynamics(const hexapod *h, const coordinates *x, const coordinates *rate,
-                                    const legs *g, const number u[LEGS], vector force,
-                                    vector moment, coordinates *acceleration) {
-    const push p = legs_push(h, g, u);
-
-    *acceleration = accelerations_under(h, x, rate, &p, &force, &moment);
+/* the same from leg forces F; heavy: the legs have mass, and g has their rates */
+KERNEL_INLINE coordinates forward_dynamics(const hexapod *h, const coordinates *x,
+                                           const coordinates *rate, const legs *g, int heavy,
+                                           const number F[LEGS], const vector *force,
+                                           const vector *moment) {
+    if (heavy) return heavy_accelerations(h, x, rate, g, F, force, moment);
+    const push p = legs_push(h, g, F);
+    return accelerations_under(h, x, rate, &p, force, moment);
 }
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef GOUGH_PLANT_INVERSE_H
 #define GOUGH_PLANT_INVERSE_H
 
-#include "kernel/top.h"
+#include "plant/heavy_legs.h"
 
 /* Right-hand side of (legs-7): what the legs together must give the load, as force and moment/reach in central axes.
  * force and moment: what else acts on the load, in base axes, the force at the centre of mass. */
@@ -21,6 +21,18 @@ static inline void required_wrench(const hexapod *h, const coordinates *x, const
 
     wrench[0] = F.x, wrench[1] = F.y, wrench[2] = F.z;
     wrench[3] = L.x, wrench[4] = L.y, wrench[5] = L.z;
+}
+
+/* (mass-4): adds what legs with mass need; g: with their rates */
+static inline void required_by_legs(const hexapod *h, const coordinates *x, const coordinates *rate,
+                                    const coordinates *acceleration, const legs *g,
+                                    number wrench[6]) {
+    const push p = heavy_legs(h, g, rate, acceleration);
+    const vector F = onto(&x->q, p.F);
+    const vector L = scale(number_of(1) / h->reach, push_moment(&p, &x->q));
+
+    wrench[0] = wrench[0] + F.x, wrench[1] = wrench[1] + F.y, wrench[2] = wrench[2] + F.z;
+    wrench[3] = wrench[3] + L.x, wrench[4] = wrench[4] + L.y, wrench[5] = wrench[5] + L.z;
 }
 
 /* A force in base axes through the centre of mass, no moment, in the form of required_wrench */

@@ -82,6 +82,110 @@ static gough_status check_numbers(const gough_platform *p, const gough_load *loa
     return GOUGH_OK;
 }
 
+/* ---- legs ---- */
+
+/* the first leg of which the number is below `least` or not finite; 0: none */
+static int first_below(const double x[GOUGH_LEGS], double least) {
+    for (int v = 0; v < GOUGH_LEGS; v++)
+        if (!(x[v] >= least && real_finite(x[v]))) return v + 1;
+    return 0;
+}
+
+/* What must be 0 or positive in each leg: the place of the six numbers in the platform, their key, what they are. */
+static const struct {
+    size_t place;
+    const char *key, *what;
+} not_negative[] = {
+    {offsetof(gough_platform, cylinder.mass), "platform.legs.cylinder.mass",
+     "mass of the cylinder"},
+    {offsetof(gough_platform, cylinder.inertia), "platform.legs.cylinder.inertia",
+     "moment of inertia of the cylinder"},
+    {offsetof(gough_platform, piston.mass), "platform.legs.piston.mass", "mass of the piston"},
+    {offsetof(gough_platform, piston.inertia), "platform.legs.piston.inertia",
+     "moment of inertia of the piston"},
+    {offsetof(gough_platform, reflected_mass), "platform.legs.reflected_mass", "reflected mass"},
+    {offsetof(gough_platform, friction.viscous), "platform.legs.friction.viscous",
+     "viscous friction"},
+    {offsetof(gough_platform, friction.coulomb), "platform.legs.friction.coulomb",
+     "Coulomb friction"},
+    {offsetof(gough_platform, friction.breakaway), "platform.legs.friction.breakaway",
+     "breakaway friction"},
+    {offsetof(gough_platform, friction.stribeck_speed), "platform.legs.friction.stribeck_speed",
+     "Stribeck speed"},
+    {offsetof(gough_platform, friction.smoothing_speed), "platform.legs.friction.smoothing_speed",
+     "smoothing speed of friction"},
+};
+
+static gough_status check_legs(const gough_platform *p, gough_error *error) {
+    for (size_t i = 0; i < sizeof not_negative / sizeof not_negative[0]; i++) {
+        const double *six = (const double *)(const void *)((const char *)p + not_negative[i].place);
+        const int leg = first_below(six, 0);
+        if (leg)
+            return FAIL(error, not_negative[i].key,
+                        "the %s must be 0 or positive, not %g, in leg %d", not_negative[i].what,
+                        six[leg - 1], leg);
+    }
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        if (!real_finite(p->cylinder.center[v]))
+            return FAIL(error, "platform.legs.cylinder.center",
+                        "the centre of mass of the cylinder is not finite in leg %d", v + 1);
+        if (!real_finite(p->piston.center[v]))
+            return FAIL(error, "platform.legs.piston.center",
+                        "the centre of mass of the piston is not finite in leg %d", v + 1);
+        if (!(p->friction.efficiency[v] > 0 && p->friction.efficiency[v] <= 1))
+            return FAIL(error, "platform.legs.friction.efficiency",
+                        "the efficiency must be above 0 and at most 1, not %g, in leg %d",
+                        p->friction.efficiency[v], v + 1);
+    }
+    return GOUGH_OK;
+}
+
+/* (mass-12) of leg v: breakaway, and the speed within which friction changes its sign; 1, of no effect, without dry friction */
+static gough_status set_friction(gough_machine *m, int v, gough_error *error) {
+    const gough_friction *f = &m->platform.friction;
+    const double coulomb = f->coulomb[v], stribeck = f->stribeck_speed[v];
+    const double given = f->smoothing_speed[v];
+    const double usual =
+        stribeck > 0 ? stribeck / 20 : 1e-3 * sqrt(m->gravity_magnitude * m->base_radius);
+
+    m->breakaway[v] = f->breakaway[v] > 0 ? f->breakaway[v] : coulomb;
+    if (m->breakaway[v] < coulomb)
+        return FAIL(
+            error, "platform.legs.friction.breakaway",
+            "the breakaway friction, %g, must not be below the Coulomb friction, %g, in leg "
+            "%d",
+            m->breakaway[v], coulomb, v + 1);
+    if (m->breakaway[v] > coulomb && !(stribeck > 0))
+        return FAIL(error, "platform.legs.friction.breakaway",
+                    "breakaway friction above Coulomb friction needs a stribeck_speed, in leg %d",
+                    v + 1);
+    const bool dry = m->breakaway[v] > 0 || f->efficiency[v] < 1;
+    m->smoothing_speed[v] = given > 0 ? given : dry ? usual : 1;
+    if (!(m->smoothing_speed[v] > 0))
+        return FAIL(error, "platform.legs.friction",
+                    "dry friction needs a smoothing_speed where there is neither a stribeck_speed "
+                    "nor gravity, in leg %d",
+                    v + 1);
+    return GOUGH_OK;
+}
+
+static bool any_above_zero(const double x[GOUGH_LEGS]) {
+    for (int v = 0; v < GOUGH_LEGS; v++)
+        if (x[v] > 0) return true;
+    return false;
+}
+
+static gough_status set_legs(gough_machine *m, gough_error *error) {
+    gough_platform *p = &m->platform;
+    gough_status status = GOUGH_OK;
+
+    p->legs_have_mass = p->legs_have_mass || any_above_zero(p->cylinder.mass) ||
+                        any_above_zero(p->cylinder.inertia) || any_above_zero(p->piston.mass) ||
+                        any_above_zero(p->piston.inertia) || any_above_zero(p->reflected_mass);
+    for (int v = 0; v < GOUGH_LEGS && status == GOUGH_OK; v++) status = set_friction(m, v, error);
+    return status;
+}
+
 /* ---- joints ---- */
 
 /* Whether all six points lie on one line, or at one point. */
@@ -275,13 +379,15 @@ gough_status gough_machine_init(gough_machine *machine, const gough_platform *pl
     memcpy(m.gravity, gravity, sizeof m.gravity);
 
     gough_status status = check_numbers(platform, load, gravity, error);
+    if (status == GOUGH_OK) status = check_legs(platform, error);
     if (status == GOUGH_OK) status = check_joints(platform, error);
     if (status != GOUGH_OK) return status;
     m.gravity_magnitude = magnitude_of(gravity);
     m.base_radius = platform->base_radius > 0 ? platform->base_radius
                                               : decimal_again(mean_radius(platform->base));
 
-    status = set_inertia(&m, error);
+    status = set_legs(&m, error);
+    if (status == GOUGH_OK) status = set_inertia(&m, error);
     if (status == GOUGH_OK) status = set_home(&m, error);
     if (status == GOUGH_OK) *machine = m;
     return status;

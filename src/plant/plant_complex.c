@@ -29,7 +29,9 @@ static void complex_accelerations(const gough_machine *machine, const number sta
 
     hexapod_of_machine(&h, machine);
     legs_at(&h, &x, &g);
-    forward_dynamics(&h, &x, &v, &g, leg_force, vector_load(force), vector_load(moment), &a);
+    const vector pull = vector_load(force), turn = vector_load(moment);
+    legs_rates(&h, &v, &g);
+    a = forward_dynamics(&h, &x, &v, &g, machine->platform.legs_have_mass, leg_force, &pull, &turn);
     coordinates_store(&a, acceleration);
 }
 
@@ -45,6 +47,8 @@ static void complex_forces(const gough_machine *machine, const number state[MOTI
     hexapod_of_machine(&h, machine);
     legs_at(&h, &x, &g);
     required_wrench(&h, &x, &v, &a, none, none, wrench[0]);
+    legs_rates(&h, &v, &g);
+    if (machine->platform.legs_have_mass) required_by_legs(&h, &x, &v, &a, &g, wrench[0]);
     (void)leg_forces_of(&h, &x, &g, wrench, 1);
     for (int i = 0; i < LEGS; i++) leg_force[i] = wrench[0][i];
 }

@@ -5,6 +5,7 @@
 #include "base/limits.h"
 #include "gough/sizes.h"
 #include "kernel/law.h"
+#include "plant/can_move.h"
 #include "plant/forward.h"
 #include "plant/hexapod.h"
 #include "plant/inverse.h"
@@ -18,6 +19,7 @@ typedef struct {
     coordinates x, rate;
     legs g;
     vector omega;
+    bool heavy, rough; /* the legs have mass; friction */
 } pose;
 
 static triad triad_of_rotation(const double r[3][3]) {
@@ -46,6 +48,8 @@ static bool pose_of_state(pose *p, const gough_machine *machine, const gough_sta
     p->rate = rates_of_top(&p->h, &p->x, vector_of(state->velocity), p->omega);
     legs_at(&p->h, &p->x, &p->g);
     legs_rates(&p->h, &p->rate, &p->g);
+    p->heavy = machine->platform.legs_have_mass;
+    p->rough = machine_has_friction(machine);
     return true;
 }
 
@@ -140,28 +144,43 @@ gough_status gough_inverse_dynamics(const gough_machine *machine, const gough_st
     a = acceleration_of(&p, acceleration);
     required_wrench(&p.h, &p.x, &p.rate, &a, external_force(external), external_moment(external),
                     wrench[0]);
+    if (p.heavy) required_by_legs(&p.h, &p.x, &p.rate, &a, &p.g, wrench[0]);
     (void)leg_forces_of(&p.h, &p.x, &p.g, wrench, 1);
     worst = legs_condition(&p.h, &p.x, &p.g);
     if (condition) *condition = worst;
     sound = worst <= greatest_condition;
     for (int v = 0; v < LEGS; v++) {
-        force[v] = wrench[0][v];
+        force[v] = p.rough ? friction_drive(&p.h.dry[v], wrench[0][v], p.g.rate[v]) : wrench[0][v];
         sound &= fabs(force[v]) < INFINITY;
     }
     return sound ? GOUGH_OK : GOUGH_ERROR_NUMERICAL;
 }
 
+/* (mass-13): leg forces from drive forces */
+static void leg_forces(const pose *p, const double drive[GOUGH_LEGS], double F[GOUGH_LEGS]) {
+    for (int v = 0; v < LEGS; v++)
+        F[v] = p->rough ? friction_leg(&p->h.dry[v], drive[v], p->g.rate[v]) : drive[v];
+}
+
+static coordinates accelerations(const pose *p, const double F[GOUGH_LEGS],
+                                 const gough_wrench *external) {
+    const vector pull = external_force(external), turn = external_moment(external);
+
+    return forward_dynamics(&p->h, &p->x, &p->rate, &p->g, p->heavy, F, &pull, &turn);
+}
+
 gough_status gough_forward_dynamics(const gough_machine *machine, const gough_state *state,
                                     const double force[GOUGH_LEGS], const gough_wrench *external,
                                     gough_acceleration *acceleration) {
+    double F[GOUGH_LEGS];
     coordinates a;
     vector linear;
     triad R;
     pose p;
 
-    if (!pose_of_state(&p, machine, state)) return GOUGH_ERROR_INPUT;
-    forward_dynamics(&p.h, &p.x, &p.rate, &p.g, force, external_force(external),
-                     external_moment(external), &a);
+    if (!pose_of_state(&p, machine, state) || machine_locks(machine)) return GOUGH_ERROR_INPUT;
+    leg_forces(&p, force, F);
+    a = accelerations(&p, F, external);
     top_of_coordinates(&p.h, &a, &linear, &R);
     vector_out(linear, acceleration->linear);
     vector_out(triad_angular_velocity(&p.x.q, &a.q), acceleration->angular);
@@ -175,11 +194,20 @@ gough_status gough_forward_dynamics(const gough_machine *machine, const gough_st
 gough_status gough_reactions(const gough_machine *machine, const gough_state *state,
                              const double force[GOUGH_LEGS], const gough_wrench *external,
                              double reactions[6]) {
+    double F[GOUGH_LEGS];
+    push given;
     triad Q;
     pose p;
 
-    if (!pose_of_state(&p, machine, state)) return GOUGH_ERROR_INPUT;
-    Q = legs_generalised(&p.h, &p.g, &p.x.q, force, external_moment(external));
+    if (!pose_of_state(&p, machine, state) || machine_locks(machine)) return GOUGH_ERROR_INPUT;
+    leg_forces(&p, force, F);
+    if (p.heavy) {
+        const coordinates a = accelerations(&p, F, external);
+        given = heavy_push(&p.h, &p.g, &p.rate, &a, F);
+    } else {
+        given = legs_push(&p.h, &p.g, F);
+    }
+    Q = push_generalised(&given, &p.x.q, external_moment(external));
     body_reactions(&p.h.load, &p.x.q, &p.rate.q, &Q, reactions);
     return GOUGH_OK;
 }

@@ -8,6 +8,7 @@ gough_status gough_platform_init(gough_platform *platform, size_t size) {
     if (size != sizeof *platform) return gough_size_refuse(platform, size);
     *platform =
         (gough_platform){.length_max = INFINITY, .speed_max = INFINITY, .force_max = INFINITY};
+    for (int v = 0; v < GOUGH_LEGS; v++) platform->friction.efficiency[v] = 1;
     return GOUGH_OK;
 }
 

@@ -69,7 +69,7 @@ static inline void walk_at(walk *a, real t, signals *m) {
     m->rate = s->x[1];
     m->acceleration = s->x[2];
     m->g = s->program;
-    for (int v = 0; v < LEGS; v++) m->force[v] = s->force[v];
+    for (int v = 0; v < LEGS; v++) m->force[v] = s->force[v], m->leg[v] = s->leg[v];
 }
 
 static inline void walk_margins(walk *a, real t, signals *m, real margin[MARGINS]) {

@@ -51,7 +51,10 @@ static inline void row_reactions(const struct system *r, const wanted *s, const 
                                  int simulated, real *value) {
     const number zero = number_of(0);
     const vector turn = simulated ? s->turn : (vector){zero, zero, zero};
-    const triad Q = legs_generalised(&r->h, &m->g, &m->x.q, m->force, turn);
+    const push p = r->traits & MOVING_MASS
+                       ? heavy_push(&r->h, &m->g, &m->rate, &m->acceleration, m->leg)
+                       : legs_push(&r->h, &m->g, m->leg);
+    const triad Q = push_generalised(&p, &m->x.q, turn);
 
     body_reactions(&r->h.load, &m->x.q, &m->rate.q, &Q, value + GOUGH_RXX);
 }

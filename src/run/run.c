@@ -5,6 +5,7 @@
 
 #include "gough/sizes.h"
 #include "model/places.h"
+#include "plant/can_move.h"
 #include "program/program_valid.h"
 #include "run/prefetch.h"
 #include "run/run.h"
@@ -147,12 +148,36 @@ static gough_status check_samples(const gough_motion *motion, const gough_simula
     return GOUGH_OK;
 }
 
+/* RATTLE's steps are those of a constant mass matrix, and of forces linear in the rates */
+static gough_status check_rattle(const gough_machine *machine, const gough_simulation *s,
+                                 gough_error *error) {
+    const gough_platform *p = &machine->platform;
+    const char *what = p->legs_have_mass ? "mass" : NULL;
+
+    for (int v = 0; v < GOUGH_LEGS && what == NULL; v++) {
+        if (machine->breakaway[v] > 0 || p->friction.efficiency[v] < 1) what = "dry friction";
+    }
+    if (s->method < GOUGH_RATTLE2 || what == NULL) return GOUGH_OK;
+    return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.method",
+                          "simulation.method: the method %s needs legs without %s; use dop853 or "
+                          "rk4 with them",
+                          gough_method_name((int)s->method), what);
+}
+
+gough_status simulate_check_legs(const gough_machine *machine, const gough_simulation *simulation,
+                                 gough_error *error) {
+    const gough_status status = machine_can_move(machine, error);
+
+    return status == GOUGH_OK ? check_rattle(machine, simulation, error) : status;
+}
+
 gough_status gough_simulation_check(const gough_model *model, const gough_simulation *simulation,
                                     gough_error *error) {
     const gough_noise *noise = &model->disturbance.noise;
     const bool noisy = noise->leg_force > 0 || noise->force > 0 || noise->moment > 0;
-    const gough_status status = simulate_check(&model->motion, simulation, error);
+    gough_status status = simulate_check(&model->motion, simulation, error);
 
+    if (status == GOUGH_OK) status = check_rattle(&model->machine, simulation, error);
     if (status != GOUGH_OK) return status;
     if (noisy && !(simulation->duration / noise->interval <= most_knots)) {
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "disturbance.noise.interval",
@@ -234,8 +259,9 @@ gough_status gough_forces(const gough_model *model, const gough_simulation *simu
 
 gough_status gough_simulate(const gough_model *model, const gough_simulation *simulation,
                             gough_sink sink, void *context, gough_end *end, gough_error *error) {
-    const gough_status checked = gough_simulation_check(model, simulation, error);
+    gough_status checked = gough_simulation_check(model, simulation, error);
 
+    if (checked == GOUGH_OK) checked = machine_can_move(&model->machine, error);
     *end = (gough_end){.cause = GOUGH_END_DONE};
     if (checked != GOUGH_OK) return checked;
     if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};

@@ -18,6 +18,10 @@ typedef struct {
 gough_status simulate_check(const gough_motion *motion, const gough_simulation *simulation,
                             gough_error *error);
 
+/* whether a machine moves under drive forces, by the method */
+gough_status simulate_check_legs(const gough_machine *machine, const gough_simulation *simulation,
+                                 gough_error *error);
+
 struct simulate_table {
     gough_status (*forces)(const gough_model *model, const gough_simulation *options,
                            gough_sink sink, void *context, gough_crossing_sink crossings,

@@ -68,6 +68,50 @@ static void check_stroke(study_build *build, study_node *legs) {
                    "`platform.legs.length` must be [shortest, longest], in this order");
 }
 
+/* A part of the legs with a mass needs to say where its centre of mass is, and its inertia: a silent 0 would be a wrong answer. */
+static void check_part(study_build *build, const study_node *legs, const char *name) {
+    static const char *const needed[] = {"center", "inertia"};
+    study_node *part = study_node_child(legs, name);
+    study_node *mass = study_node_child(part, "mass");
+    if (!mass || mass->wrong) return;
+    double number[GOUGH_LEGS] = {0};
+    bool heavy = false;
+    study_numbers(mass, number);
+    for (int v = 0; v < GOUGH_LEGS; v++) heavy = heavy || number[v] > 0;
+    for (size_t i = 0; heavy && i < sizeof needed / sizeof needed[0]; i++) {
+        if (study_node_child(part, needed[i]) || study_node_meant(part, needed[i])) continue;
+        study_node_say(build->messages, mass, study_node_place(mass, true),
+                       "`platform.legs.%s` has a mass but no `%s`: %s", name, needed[i],
+                       i == 0 ? "the distance of its centre of mass from its joint"
+                              : "its moment of inertia about its centre of mass, across the leg; a "
+                                "rod of length L has mass·L²/12");
+    }
+}
+
+/* Breakaway that is given as 0 would mean coulomb to the library. */
+static void check_breakaway(study_build *build, const study_node *legs) {
+    study_node *friction = study_node_child(legs, "friction");
+    study_node *breakaway = study_node_child(friction, "breakaway");
+    const study_node *coulomb = study_node_child(friction, "coulomb");
+    double most = 0, least = INFINITY, number[GOUGH_LEGS] = {0};
+    if (!breakaway || !coulomb || breakaway->wrong || coulomb->wrong) return;
+    study_numbers(coulomb, number);
+    for (int v = 0; v < GOUGH_LEGS; v++) most = fmax(most, number[v]);
+    const size_t count = breakaway->kind == STUDY_LIST ? GOUGH_LEGS : 1;
+    study_numbers(breakaway, number);
+    for (size_t v = 0; v < count; v++) least = fmin(least, number[v]);
+    if (least > 0 || !(most > 0)) return;
+    study_node_say(build->messages, breakaway, study_node_place(breakaway, false),
+                   "`platform.legs.friction.breakaway` must not be below `coulomb`");
+}
+
+static void check_legs(study_build *build, study_node *legs) {
+    check_stroke(build, legs);
+    check_part(build, legs, "cylinder");
+    check_part(build, legs, "piston");
+    check_breakaway(build, legs);
+}
+
 static bool read_inertia(study_build *build, study_node *node, double inertia[3][3]) {
     double number[9], largest = 0;
     study_numbers(node, number);
@@ -123,7 +167,7 @@ static bool build_machine(study_build *build) {
     gough_machine *machine = &build->study->model->machine;
     study_part_reset(build->study, GOUGH_PART_MACHINE);
     if (inertia && !inertia->wrong) read_inertia(build, inertia, machine->load.inertia);
-    if (legs && !legs->wrong) check_stroke(build, legs);
+    if (legs && legs->kind == STUDY_MAPPING && !legs->wrong) check_legs(build, legs);
     const bool rings = base_right && top_right && !platform->wrong;
     if (!rings || !load || load->wrong || !is_right(gravity)) return false;
     machine->platform = read_rings(platform);

@@ -20,7 +20,8 @@
 typedef struct {
     coordinates x[3];        /* the program and its derivatives */
     legs program;            /* l^p, l̇^p */
-    number force[LEGS];      /* F^p, if fed forward, and what disturbs the legs */
+    number force[LEGS];      /* F^p of the drives, if fed forward, and what disturbs the legs */
+    number leg[LEGS];        /* F^p in the legs; only where the equations were solved for it */
     vector push, turn;       /* force at the centre of mass and moment on the load, base axes */
     elimination singularity; /* of the six equations of F^p; determinant 1 where none were solved */
 } wanted;
@@ -51,7 +52,9 @@ typedef struct {
 enum {
     NEEDS_RATES = 1, /* forces of the legs depend on their rates */
     LINEAR_IN_RATES =
-        2 /* and fall in proportion to them: RATTLE's closing kick can be solved for */
+        2,           /* and fall in proportion to them: RATTLE's closing kick can be solved for */
+    MOVING_MASS = 4, /* of legs */
+    FRICTION = 8
 };
 
 /* What was prefetched or recorded lacks the rates of the program and the directions of its legs, and without its pose that too. */
@@ -76,6 +79,7 @@ struct system {
     /* controller */
     number G[LEGS], D[LEGS];
     int feeds;  /* F^p is fed forward */
+    int knows;  /* MOVING_MASS and FRICTION where F^p counts with them */
     int solves; /* the six equations of the program are needed */
 
     /* disturbances */
@@ -110,6 +114,9 @@ static inline void system_add_lane(struct system *r, int lane) {
     number_put(&r->fastest, lane, 1 / (real)p->speed_max);
     number_put(&r->strongest, lane, 1 / (real)p->force_max);
 
+    if (p->legs_have_mass) r->traits |= MOVING_MASS | NEEDS_RATES;
+    if (machine_has_friction(r->lane[lane].machine)) r->traits |= FRICTION | NEEDS_RATES;
+
     r->limited[0] |= p->length_max < INFINITY;
     r->limited[1] |= p->speed_max < INFINITY;
     r->limited[2] |= p->force_max < INFINITY;
@@ -117,7 +124,8 @@ static inline void system_add_lane(struct system *r, int lane) {
     for (int v = 0; v < LEGS; v++) {
         number_put(&r->G[v], lane, control->stiffness[v]);
         number_put(&r->D[v], lane, control->damping[v]);
-        if (control->damping[v] > 0) r->traits |= NEEDS_RATES | LINEAR_IN_RATES;
+        if (control->damping[v] > 0 || p->friction.viscous[v] > 0)
+            r->traits |= NEEDS_RATES | LINEAR_IN_RATES;
         r->shaken[v] = r->shaken[v] || !gough_formula_is_zero(&d->leg_force[v]);
     }
     r->noise.present |= d->noise.leg_force > 0 || d->noise.force > 0 || d->noise.moment > 0;
@@ -151,6 +159,8 @@ static inline void system_begin(struct system *r, const gough_motion *motion,
         system_add_lane(r, i);
     }
     r->feeds = lane[0].control->feedforward;
+    r->knows = r->traits & ((lane[0].control->ignores_legs ? 0 : MOVING_MASS) |
+                            (lane[0].control->ignores_friction ? 0 : FRICTION));
     r->solves = r->feeds || r->share;
     r->alpha = number_of(options->constraints == GOUGH_BAUMGARTE ? options->baumgarte[0] : 0);
     r->beta = number_of(options->constraints == GOUGH_BAUMGARTE ? options->baumgarte[1] : 0);
@@ -162,9 +172,18 @@ static inline void system_begin(struct system *r, const gough_motion *motion,
     r->fault = (wanted_fault){NULL, 0};
 }
 
+/* without dry friction, which has no useful derivative: at rest it is a damper so strong that any loop seems to hold */
+static inline void system_take_dry_friction_off(struct system *r) {
+    const number zero = number_of(0);
+
+    for (int v = 0; v < LEGS; v++)
+        r->h.dry[v].coulomb = r->h.dry[v].excess = r->h.dry[v].loss = zero;
+}
+
 /* F^p alone, whatever control and disturbances the study has: the direct problem */
 static inline void system_program_only(struct system *r) {
     r->feeds = r->solves = 1;
+    r->knows = r->traits;
     r->share = r->loaded = r->noise.present = 0;
     for (int v = 0; v < LEGS; v++) r->shaken[v] = 0;
 }

@@ -1,13 +1,14 @@
 /* One instant of a machine in motion, filled in one order, each line from lines above it: wanted (of time alone), legs of the
  * pose, forces of the legs, accelerations. Text over the number type. Theory: docs/theory/control.md.
  *
- * While drives are ideal, the force of a leg is what the controller commands and what disturbs the leg, in one sum. */
+ * While drives are ideal, the force of a drive is what the controller commands and what disturbs the leg, in one sum. The force in
+ * the leg is what friction leaves of it. */
 #ifndef GOUGH_SYSTEM_SIGNALS_H
 #define GOUGH_SYSTEM_SIGNALS_H
 
 #include "system/wanted.h"
 
-/* (law-1), with the disturbances of the legs */
+/* drive forces: (law-1), with the disturbances of the legs */
 static inline void signals_forces(const struct system *r, const wanted *s, const legs *g,
                                   number u[LEGS]) {
     for (int v = 0; v < LEGS; v++) {
@@ -19,19 +20,29 @@ static inline void signals_forces(const struct system *r, const wanted *s, const
     }
 }
 
+/* leg forces from drive forces u, (mass-13) */
+static inline void signals_legs(const struct system *r, const legs *g, const number u[LEGS],
+                                number F[LEGS]) {
+    for (int v = 0; v < LEGS; v++) {
+        F[v] = u[v];
+        if (r->traits & FRICTION) F[v] = friction_leg(&r->h.dry[v], u[v], g->rate[v]);
+    }
+}
+
 /* All of one instant: legs, forces and accelerations in a state. */
 typedef struct {
     coordinates x, rate, acceleration;
     legs g;
-    number force[LEGS];
+    number force[LEGS]; /* of the drives */
+    number leg[LEGS];   /* in the legs */
 } signals;
 
 /* what the legs and all else that acts do to the load in a state */
 KERNEL_INLINE coordinates signals_acceleration(const struct system *r, const wanted *s,
                                                const coordinates *x, const coordinates *rate,
-                                               const legs *g, const number u[LEGS]) {
-    const push p = legs_push(&r->h, g, u);
-    coordinates a = accelerations_under(&r->h, x, rate, &p, r->loaded ? &s->push : NULL, &s->turn);
+                                               const legs *g, const number F[LEGS]) {
+    coordinates a = forward_dynamics(&r->h, x, rate, g, r->traits & MOVING_MASS, F,
+                                     r->loaded ? &s->push : NULL, &s->turn);
 
     if (r->options->constraints == GOUGH_BAUMGARTE) {
         triad_stabilise(&r->h.load, &x->q, &rate->q, r->alpha, r->beta, &a.q);
@@ -48,7 +59,8 @@ static inline void system_signals(struct system *r, real t, const number *y, sig
     legs_at(&r->h, &m->x, &m->g);
     legs_rates(&r->h, &m->rate, &m->g);
     signals_forces(r, s, &m->g, m->force);
-    m->acceleration = signals_acceleration(r, s, &m->x, &m->rate, &m->g, m->force);
+    signals_legs(r, &m->g, m->force, m->leg);
+    m->acceleration = signals_acceleration(r, s, &m->x, &m->rate, &m->g, m->leg);
 }
 
 #endif

@@ -11,7 +11,7 @@ static inline void system_rates(void *context, real t, const number *y, number *
     struct system *r = context;
     const wanted *s = system_wanted(r, t);
     const coordinates x = coordinates_load(y), v = coordinates_load(y + COORDINATES);
-    number u[LEGS];
+    number u[LEGS], F[LEGS];
     coordinates a;
     legs g;
 
@@ -19,7 +19,8 @@ static inline void system_rates(void *context, real t, const number *y, number *
     legs_at(&r->h, &x, &g);
     if (r->traits & NEEDS_RATES) legs_rates(&r->h, &v, &g);
     signals_forces(r, s, &g, u);
-    a = signals_acceleration(r, s, &x, &v, &g, u);
+    signals_legs(r, &g, u, F);
+    a = signals_acceleration(r, s, &x, &v, &g, F);
     coordinates_store(&v, rate);
     coordinates_store(&a, rate + COORDINATES);
 }
@@ -49,11 +50,12 @@ static inline void system_wrench(void *context, real t, const coordinates *x, nu
         for (int j = 0; j < 6; j++) damping[i][j] = number_of(0);
     }
     for (int v = 0; v < LEGS; v++) {
+        const number D = r->D[v] + r->h.dry[v].viscous;
         number w[6];
         vector_store(g.n[v], w);
         vector_store(cross(r->h.arm[v], onto(&x->q, g.n[v])), w + 3);
         for (int i = 0; i < 6; i++) {
-            for (int j = 0; j < 6; j++) damping[i][j] = damping[i][j] + r->D[v] * w[i] * w[j];
+            for (int j = 0; j < 6; j++) damping[i][j] = damping[i][j] + D * w[i] * w[j];
         }
     }
 }

@@ -38,7 +38,7 @@ static inline number wanted_disturbance(struct system *r, size_t place, const ch
     return sum;
 }
 
-/* F^p, and the share of each leg in a vertical force: solutions of the same six equations, (law-2) */
+/* F^p, of the drives, and the share of each leg in a vertical force: solutions of the same six equations, (law-2) */
 static inline void wanted_forces(struct system *r, number vertical, wanted *s) {
     const number zero = number_of(0);
     const vector none = {zero, zero, zero};
@@ -48,6 +48,9 @@ static inline void wanted_forces(struct system *r, number vertical, wanted *s) {
     if (r->feeds) {
         program = count++;
         required_wrench(&r->h, &s->x[0], &s->x[1], &s->x[2], none, none, wrench[program]);
+        if (r->knows & MOVING_MASS) {
+            required_by_legs(&r->h, &s->x[0], &s->x[1], &s->x[2], &s->program, wrench[program]);
+        }
     }
     if (r->share) {
         share = count++;
@@ -55,7 +58,10 @@ static inline void wanted_forces(struct system *r, number vertical, wanted *s) {
     }
     if (count > 0) s->singularity = leg_forces_of(&r->h, &s->x[0], &s->program, wrench, count);
     for (int v = 0; v < LEGS; v++) {
-        if (program >= 0) s->force[v] = wrench[program][v];
+        if (program >= 0) s->force[v] = s->leg[v] = wrench[program][v];
+        if (program >= 0 && r->knows & FRICTION) {
+            s->force[v] = friction_drive(&r->h.dry[v], s->force[v], s->program.rate[v]);
+        }
         if (share >= 0) s->force[v] = s->force[v] + wrench[share][v];
     }
 }

@@ -7,6 +7,7 @@
 
 #include "base/assert.h"
 #include "gough/sizes.h"
+#include "plant/can_move.h"
 
 /* the curve goes on above the G named by this factor */
 static const double beyond = 5;
@@ -270,6 +271,7 @@ gough_status gough_tune_size(const gough_model *model, const gough_tuning_option
     gough_status status = check_options(options, error);
 
     *bytes = 0;
+    if (status == GOUGH_OK) status = machine_is_plain(&model->machine, "the gain is", error);
     if (status == GOUGH_OK) status = bytes_for_map(model, options, &for_map, error);
     if (status != GOUGH_OK) return status;
     *bytes = rounded(sizeof(tune)) + 2 * rounded(sizeof(gough_model)) +

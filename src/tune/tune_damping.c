@@ -5,6 +5,7 @@
 
 #include "linear/equilibrium.h"
 #include "linear/linear.h"
+#include "plant/can_move.h"
 #include "program/program_valid.h"
 #include "tune/tune.h"
 
@@ -106,6 +107,8 @@ gough_status gough_damping_for_ratio(const gough_model *model, double ratio, dou
                           "the damping ratio must be at least 0 and less than 1, not %.9g", ratio);
     }
     status = motion_check(&model->motion, error);
+    if (status == GOUGH_OK)
+        status = machine_is_plain(&model->machine, "the damping for a ratio is", error);
     if (status != GOUGH_OK) return status;
     for (int v = 0; v < GOUGH_LEGS; v++) stiffness = fmax(stiffness, model->control.stiffness[v]);
     unit = stiffness > 0

@@ -21,7 +21,7 @@ typedef struct {
 } fixture;
 
 /* which parts differ from run to run */
-enum { LOADS = 1, DISTURBANCES = 2, VERTICAL = 4, NOISE = 8 };
+enum { LOADS = 1, DISTURBANCES = 2, VERTICAL = 4, NOISE = 8, HEAVY = 16, FRICTION = 32 };
 
 static fixture *new_fixture(int differing, double damping) {
     fixture *f = calloc(1, sizeof *f);
@@ -56,6 +56,8 @@ static fixture *new_fixture(int differing, double damping) {
                                                 f->model.machine.gravity, NULL),
                              GOUGH_OK);
         }
+        if (differing & HEAVY) give_legs(&f->machine[i], LEGS_HEAVY, &d);
+        if (differing & FRICTION && i % 3) give_legs(&f->machine[i], LEGS_VISCOUS | LEGS_DRY, &d);
         if (differing & DISTURBANCES) {
             char text[64];
             f->disturbance[i] = f->model.disturbance;
@@ -161,6 +163,35 @@ START_TEST(runs_may_differ_in_everything_but_the_program) {
     check_everything_alike(VERTICAL, GOUGH_RATTLE4, 0.02, 2);
     check_everything_alike(NOISE, GOUGH_RK4, 0.01, 2);
     check_everything_alike(NOISE | LOADS | DISTURBANCES, GOUGH_RATTLE4, 0.02, 0);
+}
+END_TEST
+
+START_TEST(legs_with_mass_and_friction_keep_the_bits) {
+    check_everything_alike(HEAVY, GOUGH_RK4, 0.01, 2);
+    check_everything_alike(FRICTION, GOUGH_RK4, 0.01, 0);
+    check_everything_alike(HEAVY | FRICTION | LOADS | VERTICAL, GOUGH_DOP853, 0.05, 2);
+}
+END_TEST
+
+/* a control that knows nothing of the legs is the same in all runs */
+START_TEST(what_chooses_equations_is_the_same_in_all_runs) {
+    fixture *f = new_fixture(HEAVY, 2);
+    const gough_simulation s = fixed(GOUGH_RK4, 0.01, 3);
+    gough_batch_options options = gough_batch_options_default();
+    gough_error error = {0};
+    char memory[64];
+
+    for (int i = 0; i < RUNS; i++)
+        f->control[i].ignores_legs = f->control[i].ignores_friction = true;
+    run_batch(f, &s, 0, 1, f->outcome);
+    check_alone(f, &s);
+    f->control[7].ignores_legs = false;
+    ck_assert_int_eq(
+        gough_batch(&f->model.motion, &s, f->run, RUNS, &options, f->outcome, memory, &error),
+        GOUGH_ERROR_INPUT);
+    ck_assert_msg(strncmp(error.message, "run 7 takes the mass or friction", 32) == 0, "%s",
+                  error.message);
+    free(f);
 }
 END_TEST
 
@@ -460,7 +491,9 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("batch", 120, lanes_and_threads_change_no_bit,
-                     runs_may_differ_in_everything_but_the_program, adaptive_runs_go_one_by_one,
+                     runs_may_differ_in_everything_but_the_program,
+                     legs_with_mass_and_friction_keep_the_bits,
+                     what_chooses_equations_is_the_same_in_all_runs, adaptive_runs_go_one_by_one,
                      runs_in_quadruple_precision_go_one_by_one, each_run_has_its_own_end,
                      outcomes_are_summaries, outcomes_of_ended_and_disturbed_runs_are_summaries,
                      runs_that_divide_time_differently_keep_their_numbers,

@@ -308,6 +308,12 @@ typedef struct {
                 "disturbance.noise={leg_force: 0.001, interval: 0.2, seed: 3}"                     \
         }                                                                                          \
     }
+#define HEAVY_LANES(n)                                                                             \
+    {                                                                                              \
+        "heavy/lanes", "heavy.yaml", LIBM, n, run_sweep, {                                         \
+            "simulation={duration: 2, output_step: 0.05, method: rk4, step: 0.025}"                \
+        }                                                                                          \
+    }
 #define EVERY_LANE(method) LANES(1, method), LANES(2, method), LANES(4, method), LANES(8, method)
 #define MAP_LANES(n)                                                                               \
     {                                                                                              \
@@ -360,6 +366,16 @@ static const digest_case cases[] = {
     {"quad/rk4", "everything.yaml", LIBM, 0, run_simulate, {SHORT("rk4"), QUAD}},
     {"quad/rattle2", "everything.yaml", LIBM, 0, run_simulate, {SHORT("rattle2"), QUAD}},
     {"quad/rattle8", "samples.yaml", 0, 0, run_simulate, {SHORT("rattle8"), QUAD}},
+
+    {"heavy/forces", "heavy.yaml", LIBM, 0, run_forces, {REACTIONS}},
+    {"heavy/dop853", "heavy.yaml", LIBM, 0, run_simulate, {REACTIONS}},
+    {"heavy/rk4", "heavy.yaml", LIBM, 0, run_simulate, {FIXED("rk4")}},
+    {"heavy/quad", "heavy.yaml", 0, 0, run_simulate, {SHORT("rk4"), QUAD}},
+    {"heavy/linearise", "heavy.yaml", LIBM, 0, run_linearise, {NULL}},
+    HEAVY_LANES(1),
+    HEAVY_LANES(2),
+    HEAVY_LANES(4),
+    HEAVY_LANES(8),
 
     EVERY_LANE("rk4"),
     EVERY_LANE("dop853"),

@@ -39,7 +39,7 @@ static inline void evaluate(const gough_machine *machine, int count, double (*st
             u[n] = law_force(wrench[0][n], number_of(20), number_of(3), number_of(1.3), g.rate[n],
                              g.length[n], number_of(0));
         }
-        forward_dynamics(&h, &x, &v, &g, u, none, none, &acc);
+        acc = forward_dynamics(&h, &x, &v, &g, 0, u, &none, &none);
         triad_stabilise(&h.load, &x.q, &v.q, number_of(1), number_of(2), &acc.q);
         coordinates_store(&acc, rate);
         for (int k = 0; k < NUMBER_WIDTH; k++) {

@@ -178,11 +178,13 @@ static void goes_as_predicted(gough_model *model, const gough_eigenvalue *e, dou
 }
 
 /* an asymmetric machine with a full tensor of inertia, gravity not vertical, its centre of mass aside */
-START_TEST(each_mode_of_a_skew_machine_goes_as_its_eigenvalue_says) {
+static void check_modes(int legs) {
     static const double gains[3][2] = {{0, 0}, {1.5, 0}, {2, 0.4}};
     gough_model *model = new_model(0, 0);
+    dice d = {23};
 
     skew_machine(&model->machine);
+    if (legs) give_legs(&model->machine, legs, &d);
     memcpy(model->motion.about, model->machine.load.center_of_mass, sizeof model->motion.about);
     for (int g = 0; g < 3; g++) {
         gough_rest rest;
@@ -195,10 +197,19 @@ START_TEST(each_mode_of_a_skew_machine_goes_as_its_eigenvalue_says) {
     }
     free(model);
 }
+
+START_TEST(each_mode_of_a_skew_machine_goes_as_its_eigenvalue_says) { check_modes(0); }
+END_TEST
+
+START_TEST(each_mode_goes_so_with_legs_that_have_mass) {
+    check_modes(LEGS_HEAVY);
+    check_modes(LEGS_HEAVY | LEGS_VISCOUS);
+}
 END_TEST
 
 int main(void) {
     return SUITE_RUN("rest_runs", 60, without_feedforward_a_damped_run_settles_in_the_equilibrium,
                      the_upper_of_two_equilibria_is_found_up_to_where_they_meet,
-                     each_mode_of_a_skew_machine_goes_as_its_eigenvalue_says);
+                     each_mode_of_a_skew_machine_goes_as_its_eigenvalue_says,
+                     each_mode_goes_so_with_legs_that_have_mass);
 }

@@ -15,6 +15,10 @@ static const char *const machine =
     "  top: {joints: [[0.5, 0.5, 0], [0.4, 0.6, 0], [-0.6, 0.1, 0], [-0.6, -0.1, 0], "
     "[0.3, -0.6, 0], [0.5, -0.45, 0]]}\n"
     "  height: 1.2\n"
+    "  legs:\n"
+    "    cylinder: {center: 0.4, inertia: 0.02}\n"
+    "    piston: {center: 0.3, inertia: 0.01}\n"
+    "    friction: {stribeck_speed: 0.5}\n"
     "load: {mass: 1, inertia: [0.08, 0.09, 0.15]}\n"
     "disturbance: {noise: {interval: 1}}\n"
     "simulation: {output_step: 0.1, step: 0.05}\n";
@@ -33,6 +37,9 @@ static const char *value_for(const gough_key *key, int which) {
         {"platform.height", "1.3"},
         {"platform.legs.length", "[0.1, 9]"},
         {"load.inertia", "[[0.1, 0.01, 0.02], [0.01, 0.11, 0], [0.02, 0, 0.16]]"},
+        {"platform.legs.friction.efficiency", "[0.9, 0.8, 0.7, 0.95, 0.85, 0.75]", "0.7"},
+        {"control.model.legs", "false"},
+        {"control.model.friction", "false"},
         {"simulation.output_step", "0.2"},
         {"simulation.step", "0.025"},
         {"simulation.method", "rk4"},
@@ -116,8 +123,10 @@ static void expect_value(const gough_field *field, const void *value, const char
         case GOUGH_KIND_CHOICE: /* its second word */
             ck_assert_msg(((const int *)value)[i] == 1, "%s", field->path);
             return;
-        case GOUGH_KIND_FLAG:
-            ck_assert_msg(!((const bool *)value)[i], "%s", field->path);
+        case GOUGH_KIND_FLAG: /* true for its first word */
+            ck_assert_msg(((const bool *)value)[i] ==
+                              (strncmp(field->range, text, strlen(text)) == 0),
+                          "%s", field->path);
             return;
         }
         ck_assert_msg(count == 1 || count == field->place.count, "%s: %s", field->path, text);
@@ -184,9 +193,10 @@ static void expect_round_trip(const gough_field *field, const char *value) {
                   setting);
     expect_value(field, after + field->place.offset, value);
     ck_assert_msg(given == 0 || *(const bool *)(after + given), "%s is not given", field->path);
-    /* the base has a move of heave */
+    /* the base has a move of heave, and inertia of legs */
     ck_assert_msg(given == 0 || !*(const bool *)(before + given) ||
-                      strcmp(field->path, "motion.moves.N.heave") == 0,
+                      strcmp(field->path, "motion.moves.N.heave") == 0 ||
+                      strncmp(field->path, "platform.legs.", 14) == 0,
                   "%s is given", field->path);
     expect_others_same(field, base.study, study);
     expect_flat(field, study->model, &study->simulation);

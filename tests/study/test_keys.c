@@ -157,6 +157,9 @@ START_TEST(rejects_every_number_out_of_range) {
             expect_of_number(key, "-1e-300", "greater than 0, found -1e-300");
         } else if (strcmp(key->range, ">= 0") == 0) {
             expect_of_number(key, "-1", "0 or greater, found -1");
+        } else if (strcmp(key->range, "> 0, <= 1") == 0) {
+            expect_of_number(key, "0", "greater than 0, and at most 1, found 0");
+            expect_of_number(key, "1.01", "greater than 0, and at most 1, found 1.01");
         } else if (strcmp(key->range, "0 to 60") == 0) {
             expect_of_number(key, "-1", "from 0 to 60 degrees, found -1");
             expect_of_number(key, "60.01", "from 0 to 60 degrees, found 60.01");

@@ -22,12 +22,12 @@ START_TEST(points_at_unknown_key) {
         "mass: 50\n",
         "study.yaml:8:1: error: unknown key `mass`; known here: title, units, platform, load, "
         "gravity, motion, disturbance, control, initial, simulation, sweep; keys of that name "
-        "elsewhere: `load.mass`\n"
+        "elsewhere: `platform.legs.cylinder.mass`, `platform.legs.piston.mass`, `load.mass`\n"
         "mass: 50\n"
         "^\n");
     expect_more("control: {zzz: 50}\n",
                 "study.yaml:8:11: error: unknown key `zzz`; known here: feedforward, stiffness, "
-                "damping\n"
+                "damping, model\n"
                 "control: {zzz: 50}\n"
                 "          ^\n");
 }
@@ -120,7 +120,7 @@ END_TEST
 START_TEST(counts_characters_not_bytes) {
     expect_more("control: {übermaß: 1}\n",
                 "study.yaml:8:11: error: unknown key `übermaß`; known here: feedforward, "
-                "stiffness, damping\n"
+                "stiffness, damping, model\n"
                 "control: {übermaß: 1}\n"
                 "          ^\n");
     expect_messages("title: äöü\nunits: {ß: 1, \"ä\": [ö\n", NULL,

@@ -37,6 +37,39 @@ static inline void skew_machine(gough_machine *machine) {
                   error.message);
 }
 
+/* legs of different weight, each with another centre of mass, reflected mass and friction; the machine is initialised anew */
+enum { LEGS_HEAVY = 1, LEGS_VISCOUS = 2, LEGS_DRY = 4 };
+
+static inline void give_legs(gough_machine *machine, int what, dice *d) {
+    gough_platform p = machine->platform;
+    const gough_load load = machine->load;
+    const double M = load.mass, R = machine->base_radius, g = machine->gravity_magnitude;
+    const double speed = sqrt(g * R),
+                 gravity[3] = {machine->gravity[0], machine->gravity[1], machine->gravity[2]};
+    gough_error error = {0};
+
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        if (what & LEGS_HEAVY) {
+            p.cylinder.mass[v] = M * dice_between(d, 0.02, 0.1);
+            p.cylinder.center[v] = R * dice_between(d, -0.1, 0.5);
+            p.cylinder.inertia[v] = M * R * R * dice_between(d, 0.001, 0.01);
+            p.piston.mass[v] = M * dice_between(d, 0.01, 0.06);
+            p.piston.center[v] = R * dice_between(d, 0.1, 0.5);
+            p.piston.inertia[v] = M * R * R * dice_between(d, 0.001, 0.005);
+            p.reflected_mass[v] = M * dice_between(d, 0, 0.3);
+        }
+        if (what & LEGS_VISCOUS) p.friction.viscous[v] = M * g / speed * dice_between(d, 0.1, 0.5);
+        if (!(what & LEGS_DRY)) continue;
+        p.friction.coulomb[v] = M * g * dice_between(d, 0.01, 0.03);
+        p.friction.breakaway[v] = p.friction.coulomb[v] * dice_between(d, 1, 1.5);
+        p.friction.stribeck_speed[v] = speed * dice_between(d, 0.01, 0.03);
+        p.friction.smoothing_speed[v] = 0.01 * speed;
+        p.friction.efficiency[v] = dice_between(d, 0.7, 1);
+    }
+    ck_assert_msg(gough_machine_init(machine, &p, &load, gravity, &error) == GOUGH_OK, "%s",
+                  error.message);
+}
+
 static inline void set_formula(gough_formula *formula, const char *text) {
     gough_error error = {0};
 

@@ -173,7 +173,10 @@ function machineFacts(study) {
         ],
       speed && ["greatest speed", `${number(speed, 6)}${unitAfter(study.unit("dl1"))}`],
       force && ["greatest force", `${number(force, 6)}${unitAfter(study.unit("f1"))}`],
-      ["legs", "massless in this model: add the forces of their own weight and inertia"],
+      !machine.legs_have_mass && [
+        "legs",
+        "massless in this model: add the forces of their own weight and inertia",
+      ],
     ],
     "machine-facts",
   );

@@ -95,7 +95,8 @@ static void print_singularity(const check *c) {
 
 static void print_load(const check *c) {
     printf("\n"
-           "Load (the model has massless legs)\n");
+           "Load%s\n",
+           c->machine->platform.legs_have_mass ? "" : " (the model has massless legs)");
     print_part(c, "  mass                 ", "load.mass");
     print_part(c, ", centre of mass ", "load.center_of_mass");
     printf("\n");
@@ -112,6 +113,16 @@ static void print_load(const check *c) {
         printf(")\n");
     }
     print_value(c, "gravity", "gravity");
+}
+
+/* The machine's legs, and what forces of legs without mass would leave out. */
+static void print_leg_mass(const check *c) {
+    const machine_view *view = &c->view;
+    const char *mass = unit_word(c->unit, GOUGH_UNIT_MASS);
+    if (!c->machine->platform.legs_have_mass) return;
+    printf("  mass of the legs     %.6g%s, of which the top bears %.6g%s at home (%.4g %% of the "
+           "load)\n",
+           view->leg_mass, mass, view->hanging, mass, 100 * view->hanging / c->machine->load.mass);
 }
 
 static void gain_range(const double gain[GOUGH_LEGS], double range[2]) {
@@ -226,6 +237,7 @@ static void print_check(const check *c) {
     print_legs(c);
     print_singularity(c);
     print_load(c);
+    print_leg_mass(c);
     print_groups(c);
     print_program(c);
     print_control(c);
@@ -300,6 +312,8 @@ static int print_check_json(const check *c) {
     json_object_set_new(object, "weakest_motion", json_string(weakest_name(&c->view)));
     json_object_set_new(object, "principal_moments", json_numbers(c->view.moments, 3));
     json_object_set_new(object, "principal_axes", axes);
+    json_object_set_new(object, "leg_mass", json_number(c->view.leg_mass));
+    json_object_set_new(object, "leg_mass_on_top", json_number(c->view.hanging));
     json_object_set_new(object, "base_radius", json_number(m->base_radius));
     json_object_set_new(object, "time_unit", json_number(c->view.time_unit));
     json_object_set_new(object, "groups", groups_object(c));

@@ -28,6 +28,17 @@ static void view_jacobian(const gough_machine *machine, machine_view *view) {
     view->determinant *= view->arm * view->arm * view->arm;
 }
 
+/* S = [m₁c₁ + m₂(l − c₂)]/l of each leg, (mass-1) */
+static void view_legs(const gough_machine *machine, machine_view *view) {
+    const gough_leg_part *first = &machine->platform.cylinder, *second = &machine->platform.piston;
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        const double l = machine->home_length[v];
+        view->leg_mass += first->mass[v] + second->mass[v];
+        view->hanging +=
+            (first->mass[v] * first->center[v] + second->mass[v] * (l - second->center[v])) / l;
+    }
+}
+
 machine_view machine_view_of(const gough_machine *machine) {
     const gough_platform *platform = &machine->platform;
     machine_view view = {0};
@@ -39,6 +50,7 @@ machine_view machine_view_of(const gough_machine *machine) {
         view.top_radius += distance(platform->top[i], centroid) / GOUGH_LEGS;
     }
     view_jacobian(machine, &view);
+    view_legs(machine, &view);
 
     /* J_x = I_y + I_z and so on (body-2) */
     const double *I = machine->second_moments;

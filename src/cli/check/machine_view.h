@@ -15,6 +15,8 @@ typedef struct machine_view {
         [6]; /* the motion that moves the legs least: direction and arm times rotation, unit length */
     double moments[3]; /* principal moments of inertia */
     double time_unit;  /* sqrt(R_b/g); NaN without gravity */
+    double leg_mass;   /* of cylinders and pistons */
+    double hanging; /* what of it the top bears at home, (mass-1); the base joints bear the rest */
 } machine_view;
 
 machine_view machine_view_of(const gough_machine *machine);

@@ -91,6 +91,7 @@ static json_t *machine_object(const gough_study *study) {
     json_object_set_new(object, "limits", limits);
     json_object_set_new(object, "home_length", json_numbers(m->home_length, GOUGH_LEGS));
     json_object_set_new(object, "home_condition", json_number(m->home_condition));
+    json_object_set_new(object, "legs_have_mass", json_boolean(m->platform.legs_have_mass));
     return object;
 }
 

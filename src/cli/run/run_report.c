@@ -219,10 +219,11 @@ void run_report_print(FILE *stream, const run_report *report) {
                 "  drift       at most %.2g (violation of the constraints before projection)\n",
                 s->drift);
     }
-    fprintf(stream, "  legs        massless in this model: add %s\n",
-            report->study->model->machine.gravity_magnitude > 0
-                ? "the forces of their own weight and inertia"
-                : "the forces of their own inertia");
+    if (!report->study->model->machine.platform.legs_have_mass)
+        fprintf(stream, "  legs        massless in this model: add %s\n",
+                report->study->model->machine.gravity_magnitude > 0
+                    ? "the forces of their own weight and inertia"
+                    : "the forces of their own inertia");
     print_between(stream, s, unit);
     if (!report->simulated) print_left_out(stream, &report->study->model->disturbance);
     if (report->simulated)

@@ -223,6 +223,21 @@ static void print_thresholds(FILE *stream, const stability_report *report, const
     fprintf(stream, "    %-20s%s\n", "this study has", gain.text);
 }
 
+static bool legs_have_mass(const stability_report *report) {
+    return report->study->model->machine.platform.legs_have_mass;
+}
+
+/* (stab-5), (mass-16) */
+static const char *trace_words(const stability_report *report) {
+    return legs_have_mass(report) ? "-2(M+S)g/h" : "-2Mg/h";
+}
+
+static const char *trace_mass(const stability_report *report) {
+    return legs_have_mass(report)
+               ? ", with the load M and what of the legs' mass hangs on the top, S"
+               : "";
+}
+
 /* What constant leg forces do in this pose: as computed, and by (stab-5) where that holds. */
 static void print_trace(FILE *stream, const stability_report *report, const gough_rest *rest) {
     const char *unit = unit_word(&report->units, GOUGH_UNIT_STIFFNESS);
@@ -241,9 +256,9 @@ static void print_trace(FILE *stream, const stability_report *report, const goug
         print_paragraph(
             stream, "  ", 2,
             "Without feedback some mode always grows: the translational stiffness of constant leg "
-            "forces has the trace -2Mg/h = %.6g%s < 0, wherever the joints lie in two level "
-            "planes, the top ones at the height h above the base ones.",
-            rest->trace_theorem, unit);
+            "forces has the trace %s = %.6g%s < 0, wherever the joints lie in two level "
+            "planes, the top ones at the height h above the base ones%s.",
+            trace_words(report), rest->trace_theorem, unit, trace_mass(report));
     } else if (rest->trace < 0) {
         print_paragraph(stream, "  ", 2,
                         "Without feedback some mode grows in this pose: the translational "
@@ -358,7 +373,8 @@ static void print_rest(FILE *stream, const stability_report *report, const gough
     if (fabs(rest->trace_theorem) > 0)
         fprintf(stream,
                 ";\n"
-                "  its trace equals -2Mg/h to a relative %.1g",
+                "  its trace equals %s to a relative %.1g",
+                trace_words(report),
                 fabs(rest->trace - rest->trace_theorem) / fabs(rest->trace_theorem));
     fprintf(stream, ".\n");
     print_rest_verdict(stream, report, rest);
