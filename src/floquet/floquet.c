@@ -34,12 +34,6 @@ static gough_status check(const gough_period *period, double tolerance, gough_er
     return GOUGH_OK;
 }
 
-static bool is_damped(const gough_control *control) {
-    for (int v = 0; v < GOUGH_LEGS; v++)
-        if (fabs(control->damping[v]) > 0) return true;
-    return false;
-}
-
 /* the matrix in the study's units */
 static void fill_matrix(const monodromy *m, gough_floquet *floquet) {
     double product[MONODROMY_SIZE];
@@ -90,7 +84,7 @@ static gough_status find_drift(const monodromy *m, const spectrum *s, gough_floq
 
 /* (floquet-5): without damping the determinant is 1 and multipliers come in pairs; with it Liouville's formula is left */
 static void fill_defects(const monodromy *m, const spectrum *s, gough_floquet *floquet) {
-    const bool damped = is_damped(m->loop.control);
+    const bool damped = linear_is_damped(&m->loop);
 
     floquet->determinant = exp(s->log_determinant);
     floquet->determinant_defect = fabs(expm1(s->log_determinant - (damped ? m->trace : 0)));
@@ -121,8 +115,7 @@ gough_status gough_floquet_multipliers(const gough_model *model, const gough_per
     spectrum s;
 
     status = motion_check(&model->motion, error);
-    if (status == GOUGH_OK)
-        status = machine_is_plain(&model->machine, "stability along a program is", error);
+    if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
     if (status != GOUGH_OK) return status;
     if (period == NULL) {
         status = gough_motion_period(&model->motion, &found, error);

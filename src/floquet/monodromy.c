@@ -46,7 +46,7 @@ void monodromy_begin(monodromy *m, const gough_model *model, const gough_period 
     const double length = model->machine.base_radius, gravity = model->machine.gravity_magnitude;
     const double time = gravity > 0 ? sqrt(length / gravity) : period->period / (2 * REAL_PI);
 
-    m->loop = (linear_loop){&model->machine, &model->motion, &model->control};
+    m->loop = (linear_loop){&model->machine, &model->motion, &model->control, false};
     m->start = period->start;
     m->period = period->period;
     m->tolerance = tolerance;

@@ -95,7 +95,7 @@ static bool settle(const linear_loop *loop, gough_state *state) {
 /* (stab-14): gravity comes on from 0, when the pose asked for is the balance, to 1. Returns the share that the springs bear. */
 static double take_up_load(const linear_loop *loop, gough_state *state) {
     gough_machine lighter = *loop->machine;
-    const linear_loop part = {&lighter, loop->motion, loop->control};
+    const linear_loop part = {&lighter, loop->motion, loop->control, false};
     double borne = 0, more = first_share;
 
     while (borne < 1 && more >= least_share) {
@@ -193,7 +193,7 @@ static gough_status sag(const linear_loop *loop, const char *pose, double determ
 gough_status equilibrium_find(const gough_model *model, const double *component, gough_motion *rest,
                               gough_error *error) {
     static const double home[GOUGH_COMPONENTS];
-    const linear_loop loop = {&model->machine, rest, &model->control};
+    const linear_loop loop = {&model->machine, rest, &model->control, false};
     const double *from = component != NULL ? component : home;
     gough_acceleration none;
     gough_error words;

@@ -48,6 +48,14 @@ static gough_status check_matrix(double t, linear_matrix matrix, gough_error *er
     return GOUGH_OK;
 }
 
+bool linear_is_damped(const linear_loop *loop) {
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        if (fabs(loop->control->damping[v]) > 0) return true;
+        if (!loop->undamped && loop->machine->platform.friction.viscous[v] > 0) return true;
+    }
+    return false;
+}
+
 void linear_inertia(const gough_machine *machine, const gough_state *state, double inertia[3][3]) {
     memset(inertia, 0, sizeof(double[3][3]));
     for (int a = 0; a < 3; a++) {
@@ -92,7 +100,7 @@ size_t gough_linear_size(const gough_model *model) {
 
 gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
                              size_t size, double *matrix, gough_error *error) {
-    const linear_loop loop = {&model->machine, &model->motion, &model->control};
+    const linear_loop loop = {&model->machine, &model->motion, &model->control, false};
     gough_status status = motion_check(&model->motion, error);
     linear_matrix found;
     const char *wrong;

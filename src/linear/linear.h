@@ -10,7 +10,12 @@ typedef struct {
     const gough_machine *machine;
     const gough_motion *motion;
     const gough_control *control;
+    bool
+        undamped; /* without the viscous friction of the legs; the control's damping is as it says */
 } linear_loop;
+
+/* whether the control or the legs damp */
+bool linear_is_damped(const linear_loop *loop);
 
 typedef double linear_matrix[GOUGH_LINEAR][GOUGH_LINEAR];
 
@@ -26,6 +31,11 @@ struct linear_complex {
     /* accelerations of the centre of mass and of the angle, base axes, and leg forces, in a state at time t */
     const char *(*accelerations)(const linear_loop *loop, double t, const gough_state *state,
                                  double acceleration[6], double force[GOUGH_LEGS]);
+
+    /* How the momenta of load and legs, of force and about the centre of mass, base axes, change with (δr, δθ, δv, δω); and the
+     * second of them */
+    void (*momenta)(const gough_machine *machine, const gough_state *state,
+                    double change[6][GOUGH_LINEAR], double moment[3]);
 
     /* M̂ on (ρ̇, ω) in base axes of a machine whose legs have mass */
     void (*mass)(const gough_machine *machine, const gough_state *state, double mass[6][6]);

@@ -16,6 +16,7 @@ static void begin(struct system *r, const linear_loop *loop, const gough_simulat
 
     system_begin(r, loop->motion, options, &lane);
     system_take_dry_friction_off(r);
+    for (int v = 0; v < LEGS && loop->undamped; v++) r->h.dry[v].viscous = 0;
 }
 
 static gough_simulation unstabilised(void) {
@@ -188,6 +189,48 @@ static void complex_mass(const gough_machine *machine, const gough_state *state,
     }
 }
 
+/* (mass-2): the momentum of the legs' and the load's velocities, of force and about the centre of mass, base axes */
+static void momenta_of(const hexapod *h, const coordinates *x, const coordinates *rate, vector *P,
+                       vector *L) {
+    const vector omega = onto(&x->q, triad_angular_velocity(&x->q, &rate->q)), none = {0, 0, 0};
+    const body *b = &h->load;
+    legs g;
+
+    *P = scale(b->mass, rate->rho);
+    *L = out_of(&x->q, (vector){(b->Iy + b->Iz) * omega.x, (b->Iz + b->Ix) * omega.y,
+                                (b->Ix + b->Iy) * omega.z});
+    legs_at(h, x, &g);
+    legs_rates(h, rate, &g);
+    for (int v = 0; v < LEGS; v++) {
+        const vector velocity = joint_of(h, rate, v);
+        const leg_motion m =
+            leg_motion_of(&h->mass[v], none, g.length[v], g.n[v], velocity, g.rate[v]);
+        const vector p = along(scale(m.across, velocity), m.more * g.rate[v], g.n[v]);
+        *P = add(*P, p);
+        *L = add(*L, cross(out_of(&x->q, h->arm[v]), p));
+    }
+}
+
+static void complex_momenta(const gough_machine *machine, const gough_state *state,
+                            double change[6][GOUGH_LINEAR], double moment[3]) {
+    coordinates x, rate;
+    vector P, L;
+    hexapod h;
+
+    hexapod_of_machine(&h, machine);
+    state_of_top(&h, state, &x, &rate);
+    for (int direction = 0; direction < GOUGH_LINEAR; direction++) {
+        coordinates there = x, moving = rate;
+        number p[6];
+        displace(direction, &there, &moving);
+        momenta_of(&h, &there, &moving, &P, &L);
+        vector_store(imaginary(P), p);
+        vector_store(imaginary(L), p + 3);
+        for (int i = 0; i < 6; i++) change[i][direction] = creal(p[i]);
+    }
+    moment[0] = creal(L.x), moment[1] = creal(L.y), moment[2] = creal(L.z);
+}
+
 static const char *complex_flow(const linear_loop *loop, double t, const double y[MOTION],
                                 double rate[MOTION], linear_matrix matrix) {
     const gough_simulation options = unstabilised();
@@ -205,5 +248,5 @@ static const char *complex_flow(const linear_loop *loop, double t, const double 
     return r.fault.what;
 }
 
-const struct linear_complex linear_complex = {complex_matrix, complex_along, complex_accelerations,
-                                              complex_mass, complex_flow};
+const struct linear_complex linear_complex = {complex_matrix,  complex_along, complex_accelerations,
+                                              complex_momenta, complex_mass,  complex_flow};

@@ -98,8 +98,8 @@ static gough_status parts_of_stiffness(const at_rest *r, gough_rest *rest, gough
     const gough_control forces = {.feedforward = true},
                         springs = {.feedforward = true, .stiffness = {1, 1, 1, 1, 1, 1}};
     gough_machine weightless = *r->loop.machine;
-    const linear_loop constant = {r->loop.machine, r->loop.motion, &forces},
-                      elastic = {&weightless, r->loop.motion, &springs};
+    const linear_loop constant = {r->loop.machine, r->loop.motion, &forces, false},
+                      elastic = {&weightless, r->loop.motion, &springs, false};
     gough_status status = stiffness_of(r, &constant, NULL, rest->geometric, error);
 
     memset(weightless.gravity, 0, sizeof weightless.gravity);
@@ -196,13 +196,10 @@ static gough_status eigenvalues(const at_rest *r, double K[FREEDOMS][FREEDOMS], 
     const gough_machine *machine = r->loop.machine;
     double complex value[GOUGH_LINEAR], shape[GOUGH_LINEAR][6];
     double found_damping[FREEDOMS][FREEDOMS], C[FREEDOMS][FREEDOMS];
-    bool damping = false, found;
+    bool found;
 
-    for (int v = 0; v < GOUGH_LEGS; v++) {
-        damping |= fabs(r->loop.control->damping[v]) > 0;
-        damping |= machine->platform.friction.viscous[v] > 0;
-    }
-    found = damping ? damped(r, rest->matrix, value, shape) : undamped(r, K[0], value, shape);
+    found = linear_is_damped(&r->loop) ? damped(r, rest->matrix, value, shape)
+                                       : undamped(r, K[0], value, shape);
     if (!found) return gough_fail(error, GOUGH_ERROR_NUMERICAL, "%s", no_eigenvalues);
 
     list_eigenvalues(machine, value, shape, rest);
@@ -311,7 +308,7 @@ gough_status gough_stability_at_rest(const gough_model *model,
     gough_control control = model->control;
     gough_motion motion;
     gough_acceleration none;
-    at_rest r = {.loop = {&model->machine, &motion, &control}};
+    at_rest r = {.loop = {&model->machine, &motion, &control, false}};
     gough_status status;
 
     memset(rest, 0, sizeof *rest);

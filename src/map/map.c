@@ -238,8 +238,7 @@ static gough_status prepare(const gough_model *model, const gough_map_options *g
     gough_status status = check(given, o, error);
     map_worker probe;
 
-    if (status == GOUGH_OK)
-        status = machine_is_plain(&model->machine, "stability along a program is", error);
+    if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
 
     if (status != GOUGH_OK) return status;
     memset(job, 0, sizeof *job);

@@ -53,7 +53,7 @@ static void set_motion(gough_motion *motion, double amplitude, double frequency)
 }
 
 static linear_loop loop_of(const map_worker *w) {
-    return (linear_loop){&w->model.machine, &w->model.motion, &w->model.control};
+    return (linear_loop){&w->model.machine, &w->model.motion, &w->model.control, false};
 }
 
 gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
@@ -72,8 +72,8 @@ gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
     if (o->axis == GOUGH_MAP_FREQUENCY) set_motion(&w->model.motion, 1, value);
     for (int v = 0; v < GOUGH_LEGS && o->axis == GOUGH_MAP_DAMPING; v++)
         control->damping[v] = value;
-    w->damped = false;
-    for (int v = 0; v < GOUGH_LEGS; v++) w->damped |= control->damping[v] > 0;
+    loop = loop_of(w);
+    w->damped = linear_is_damped(&loop);
 
     status = gough_motion_period(&w->model.motion, &w->period, error);
     if (status != GOUGH_OK) return status;
@@ -85,7 +85,6 @@ gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
     }
     if (!control->feedforward) return GOUGH_OK;
 
-    loop = loop_of(w);
     status = transition_divide(&loop, &w->period, top, &w->d, error);
     if (status != GOUGH_OK) return status;
     gough_program(&w->model.machine, &w->model.motion, w->period.start, &state, &acceleration);
@@ -108,8 +107,9 @@ static gough_status find(map_worker *w, bool damped, double finer, transitions *
     assert_true(d.parts <= w->job->parts);
     if (!damped) memset(control.damping, 0, sizeof control.damping);
     d.steps = map_row_steps(w, finer) / d.parts;
-    return transition_find(w->job->width, &(linear_loop){loop.machine, loop.motion, &control},
-                           &w->period, w->job->options->stiffness.to, &d, t, w->scratch, error);
+    return transition_find(w->job->width,
+                           &(linear_loop){loop.machine, loop.motion, &control, !damped}, &w->period,
+                           w->job->options->stiffness.to, &d, t, w->scratch, error);
 }
 
 gough_status map_row_accuracy(map_worker *w, double finer, double *change, gough_error *error) {

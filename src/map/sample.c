@@ -42,6 +42,8 @@ void symplectic_at(const gough_machine *machine, const gough_state *state, sympl
         for (int c = 0; c < 3; c++)
             form->momentum[r] += form->inertia[r][c] * state->angular_velocity[c];
     }
+    form->heavy = machine->platform.legs_have_mass;
+    if (form->heavy) linear_complex.momenta(machine, state, form->change, form->momentum);
 }
 
 static void cross_complex(const double complex a[3], const double complex b[3],
@@ -50,10 +52,15 @@ static void cross_complex(const double complex a[3], const double complex b[3],
         out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
-/* δp = M δv, δL = J δω + δθ × L − J (δθ × ω) */
+/* δp = M δv, δL = J δω + δθ × L − J (δθ × ω), and with legs that have mass their derivatives */
 static void momenta(const symplectic *f, const double complex xi[N], double complex p[6]) {
     double complex omega[3], L[3], turned[3], moved[3];
 
+    for (int i = 0; i < 6 && f->heavy; i++) {
+        p[i] = 0;
+        for (int k = 0; k < N; k++) p[i] += f->change[i][k] * xi[k];
+    }
+    if (f->heavy) return;
     for (int i = 0; i < 3; i++) omega[i] = f->velocity[i], L[i] = f->momentum[i];
     cross_complex(xi + 3, L, turned);
     cross_complex(xi + 3, omega, moved);

@@ -32,6 +32,8 @@ typedef struct {
 /* The invariant form of the undamped loop about a state, (floquet-22). */
 typedef struct {
     double mass, inertia[3][3], velocity[3], momentum[3]; /* ω and L = J ω, base axes */
+    bool heavy;                     /* legs have mass: L is that of load and legs, and … */
+    double change[6][GOUGH_LINEAR]; /* … δp, δL follow from ξ so */
 } symplectic;
 
 void symplectic_at(const gough_machine *machine, const gough_state *state, symplectic *form);

@@ -82,7 +82,7 @@ gough_status transition_divide(const linear_loop *loop, const gough_period *peri
     for (int i = 0; i < LOOKS; i++) {
         const double t = period->start + T * i / LOOKS;
         for (int k = 0; k < KINDS; k++) {
-            const linear_loop one = {loop->machine, loop->motion, &control[k]};
+            const linear_loop one = {loop->machine, loop->motion, &control[k], k != DAMPED};
             linear_matrix A;
             const char *wrong = linear_complex.matrix(&one, t, NULL, A);
             const gough_status status = linear_check(&one, t, NULL, A, wrong, error);
@@ -123,15 +123,14 @@ static void begin_stages(stages *s, const linear_loop *loop, const gough_period 
     s->without = control_of(loop, 0, 1);
     s->with = control_of(loop, 1, 0);
     s->bare = control_of(loop, 0, 0);
-    s->damped = 0;
-    for (int v = 0; v < GOUGH_LEGS; v++) s->damped |= loop->control->damping[v] > 0;
+    s->damped = linear_is_damped(loop);
     s->start = period->start, s->period = period->period;
     s->count = count;
 }
 
 static gough_status matrices(const stages *s, const gough_control *control, const double *t,
                              size_t count, linear_matrix *A, gough_error *error) {
-    const linear_loop loop = {s->loop->machine, s->loop->motion, control};
+    const linear_loop loop = {s->loop->machine, s->loop->motion, control, control != &s->without};
     const char *wrong = linear_complex.along(&loop, t, count, A);
 
     return linear_check(&loop, t[0], NULL, A[0], wrong, error);

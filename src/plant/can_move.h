@@ -24,21 +24,12 @@ static inline gough_status machine_can_move(const gough_machine *machine, gough_
                           machine->platform.friction.efficiency[leg - 1], leg);
 }
 
-/* For what is not worked out for legs with mass and friction; `what` begins the sentence. */
-static inline gough_status machine_is_plain(const gough_machine *machine, const char *what,
-                                            gough_error *error) {
-    const gough_platform *p = &machine->platform;
-    int rough = 0;
-
+/* whether friction of the legs is left out of derivatives: at rest it is a damper so strong that any loop seems to hold */
+static inline int machine_has_dry_friction(const gough_machine *machine) {
     for (int v = 0; v < GOUGH_LEGS; v++) {
-        rough |= machine->breakaway[v] > 0 || p->friction.viscous[v] > 0 ||
-                 p->friction.efficiency[v] < 1;
+        if (machine->breakaway[v] > 0 || machine->platform.friction.efficiency[v] < 1) return 1;
     }
-    if (!p->legs_have_mass && !rough) return GOUGH_OK;
-    return gough_fail_key(error, GOUGH_ERROR_INPUT, "platform.legs",
-                          "%s not computed for legs with mass or friction in this version; remove "
-                          "them from platform.legs",
-                          what);
+    return 0;
 }
 
 #endif

@@ -218,7 +218,7 @@ static double mean_radius(const double point[GOUGH_LEGS][3]) {
  * radius 1 have a mean distance of 0.9999999999999999 before this, and would make that the unit of length. */
 static double decimal_again(double x) {
     const double decade = floor(log10(x));
-    if (!(decade >= -8)) return x; /* below, powers of ten are not exact */
+    if (!(decade >= -8 && decade <= 14)) return x; /* beyond, powers of ten are not exact */
     double scale = 1;
     for (int i = 0; i < 14 - (int)decade; i++) scale *= 10;
     return round(x * scale) / scale;

@@ -152,11 +152,9 @@ static gough_status check_samples(const gough_motion *motion, const gough_simula
 static gough_status check_rattle(const gough_machine *machine, const gough_simulation *s,
                                  gough_error *error) {
     const gough_platform *p = &machine->platform;
-    const char *what = p->legs_have_mass ? "mass" : NULL;
+    const char *what = machine_has_dry_friction(machine) ? "dry friction" : NULL;
 
-    for (int v = 0; v < GOUGH_LEGS && what == NULL; v++) {
-        if (machine->breakaway[v] > 0 || p->friction.efficiency[v] < 1) what = "dry friction";
-    }
+    if (p->legs_have_mass) what = "mass";
     if (s->method < GOUGH_RATTLE2 || what == NULL) return GOUGH_OK;
     return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.method",
                           "simulation.method: the method %s needs legs without %s; use dop853 or "

@@ -161,7 +161,7 @@ static gough_status look_at_home(tune *t, gough_error *error) {
 static double damped_steps(const tune *t) {
     double damping = 0;
 
-    for (int v = 0; v < GOUGH_LEGS; v++) damping = fmax(damping, t->model->control.damping[v]);
+    for (int v = 0; v < GOUGH_LEGS; v++) damping = fmax(damping, tune_damping_of(t, v));
     return t->simulation.duration * damping * t->frequency * t->frequency / 6;
 }
 
@@ -271,7 +271,13 @@ gough_status gough_tune_size(const gough_model *model, const gough_tuning_option
     gough_status status = check_options(options, error);
 
     *bytes = 0;
-    if (status == GOUGH_OK) status = machine_is_plain(&model->machine, "the gain is", error);
+    if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
+    if (status == GOUGH_OK && machine_has_dry_friction(&model->machine)) {
+        status = gough_fail_key(error, GOUGH_ERROR_INPUT, "platform.legs.friction",
+                                "the gain is not computed for legs with dry friction or losses of "
+                                "a screw: leave viscous friction alone, tune, and simulate with "
+                                "the others");
+    }
     if (status == GOUGH_OK) status = bytes_for_map(model, options, &for_map, error);
     if (status != GOUGH_OK) return status;
     *bytes = rounded(sizeof(tune)) + 2 * rounded(sizeof(gough_model)) +

@@ -77,6 +77,11 @@ gough_status tune_evaluate(tune *t, const double *stiffness, size_t count,
  * are then taken from the beginning, since they run in lanes. */
 bool tune_is_stiff(const tune *t);
 
+/* what damps leg v of the model: D, and viscous friction */
+static inline double tune_damping_of(const tune *t, int v) {
+    return t->model->control.damping[v] + t->model->machine.platform.friction.viscous[v];
+}
+
 /* whether a run reached its end within what is asked */
 bool tune_meets(const tune *t, const gough_tuning_point *point);
 

@@ -77,7 +77,7 @@ static bool root(const affine *A, double guess, double ratio, double *damping) {
 static gough_status parts(const gough_model *model, double unit, affine *A, gough_error *error) {
     gough_control control = model->control;
     gough_motion motion;
-    const linear_loop loop = {&model->machine, &motion, &control};
+    const linear_loop loop = {&model->machine, &motion, &control, false};
     gough_status status = equilibrium_find(model, NULL, &motion, error);
 
     control.feedforward = true;
@@ -107,8 +107,7 @@ gough_status gough_damping_for_ratio(const gough_model *model, double ratio, dou
                           "the damping ratio must be at least 0 and less than 1, not %.9g", ratio);
     }
     status = motion_check(&model->motion, error);
-    if (status == GOUGH_OK)
-        status = machine_is_plain(&model->machine, "the damping for a ratio is", error);
+    if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
     if (status != GOUGH_OK) return status;
     for (int v = 0; v < GOUGH_LEGS; v++) stiffness = fmax(stiffness, model->control.stiffness[v]);
     unit = stiffness > 0

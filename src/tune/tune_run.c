@@ -47,7 +47,7 @@ static gough_simulation with_own_step(const tune *t, gough_simulation s, double 
 static double damped_step(const tune *t) {
     double damping = 0;
 
-    for (int v = 0; v < GOUGH_LEGS; v++) damping = fmax(damping, t->model->control.damping[v]);
+    for (int v = 0; v < GOUGH_LEGS; v++) damping = fmax(damping, tune_damping_of(t, v));
     if (t->ratio || !(damping > 0)) return INFINITY;
     return stable_step / (damping * t->frequency * t->frequency);
 }
@@ -136,7 +136,7 @@ gough_status tune_evaluate(tune *t, const double *stiffness, size_t count,
 
     for (size_t i = 0; i < count && status == GOUGH_OK; i++) {
         gough_control *control = &t->control[runs];
-        *control = (gough_control){.feedforward = t->loop->control.feedforward};
+        *control = t->loop->control;
         status = damping_for(t, stiffness[i], control->damping, error);
         point[i] = (gough_tuning_point){.stiffness = stiffness[i],
                                         .damping = control->damping[0],

@@ -338,12 +338,15 @@ static void check_pairs(const gough_model *model) {
 
 START_TEST(undamped_multipliers_come_in_pairs) {
     const double stiffness[] = {0, 0.05, 0.2, 1, 5, 40};
+    dice d = {43};
 
     for (size_t i = 0; i < sizeof stiffness / sizeof stiffness[0]; i++) {
         gough_model *paper = paper_model(stiffness[i], 0), *skew = skew_model(stiffness[i], 0);
         check_pairs(paper);
         check_pairs(skew);
         skew->control.stiffness[2] *= 1.7; /* legs need not be alike */
+        check_pairs(skew);
+        give_legs(&skew->machine, LEGS_HEAVY, &d);
         check_pairs(skew);
         free(paper);
         free(skew);

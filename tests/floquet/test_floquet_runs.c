@@ -246,6 +246,19 @@ START_TEST(growth_is_that_of_a_run_on_six_axes) {
 }
 END_TEST
 
+START_TEST(growth_is_that_of_a_run_with_heavy_legs) {
+    gough_model *model = model_of(true, all, 0.1, 0);
+    dice d = {37};
+
+    give_legs(&model->machine, LEGS_HEAVY, &d);
+    check_run(model, false, 5);
+    set_gains(model, 0.3, 0.02);
+    give_legs(&model->machine, LEGS_VISCOUS, &d);
+    check_run(model, false, 0);
+    free(model);
+}
+END_TEST
+
 START_TEST(growth_is_that_of_a_run_with_damping) {
     gough_model *model = model_of(true, all, 0.1, 0.05);
 
@@ -312,6 +325,7 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("floquet_runs", 120, growth_is_that_of_a_run_in_heave,
-                     growth_is_that_of_a_run_on_six_axes, growth_is_that_of_a_run_with_damping,
-                     motion_without_feedforward_comes_back, weak_legs_without_feedforward_are_told);
+                     growth_is_that_of_a_run_on_six_axes, growth_is_that_of_a_run_with_heavy_legs,
+                     growth_is_that_of_a_run_with_damping, motion_without_feedforward_comes_back,
+                     weak_legs_without_feedforward_are_told);
 }

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli/common/json.h"
+#include "cli/stability/left_out.h"
 #include "cli/stability/stability_report.h"
 
 static json_t *complex_pair(const double value[2]) { return json_numbers(value, 2); }
@@ -102,6 +103,8 @@ json_t *stability_json(const stability_report *report, const stability_matrix *m
     json_t *object = json_object();
     json_object_set_new(object, "verb", json_string(report->verb));
     json_object_set_new(object, "title", json_words(report->study->title));
+    json_object_set_new(object, "friction_left_out",
+                        json_boolean(leaves_out_friction(report->study->model)));
     set_rest(object, &report->rest, report->pose);
     json_object_set_new(object, "last", last_object(report));
     set_program(object, report);

@@ -6,6 +6,7 @@
 #include "cli/common/scale.h"
 #include "cli/common/talk.h"
 #include "cli/run/run_report.h"
+#include "cli/stability/left_out.h"
 #include "cli/stability/stability_map.h"
 
 /* ---- for reading ------------------------------------------------------------------------------------------------- */
@@ -31,6 +32,7 @@ static void print_axes(FILE *stream, const map_report *report) {
         print_range(stream, &report->options.second, second_unit(report));
     }
     fprintf(stream, "\n%s\n", units_sentence(report->study, &report->units));
+    print_left_out_friction(stream, report->study->model);
 }
 
 static void print_thresholds(FILE *stream, const map_report *report) {
@@ -243,6 +245,8 @@ int map_print_json(const map_report *report) {
 
     json_object_set_new(object, "verb", json_string(report->verb));
     json_object_set_new(object, "title", json_words(report->study->title));
+    json_object_set_new(object, "friction_left_out",
+                        json_boolean(leaves_out_friction(report->study->model)));
     json_object_set_new(object, "thresholds", threshold_list(report->rest));
     json_object_set_new(object, "map", map);
     json_object_set_new(object, "tongues", tongues);

@@ -6,6 +6,7 @@
 #include "cli/common/scale.h"
 #include "cli/common/talk.h"
 #include "cli/run/run_report.h"
+#include "cli/stability/left_out.h"
 #include "cli/stability/stability_report.h"
 
 static const double DEGREES = 57.295779513082320877;
@@ -347,14 +348,23 @@ static void print_pose(FILE *stream, const double pose[GOUGH_COMPONENTS], const 
     if (!*joint) fprintf(stream, "home");
 }
 
+/* Whether the springs carry some of the load: what is fed forward does not. */
+static bool sags(const stability_report *report) {
+    const gough_control *control = &report->study->model->control;
+    return !control->feedforward || (control->ignores_legs && legs_have_mass(report));
+}
+
 /* Where the springs carry the load. */
 static void print_sag(FILE *stream, const stability_report *report, const double position[3]) {
     double shown[3];
     for (int k = 0; k < 3; k++)
         shown[k] = fabs(position[k]) < 1e-12 * report->arm ? 0.0 : position[k];
     fprintf(stream,
-            "  Without feed-forward the loop rests where springs and load balance, with the top at"
-            "\n  %.6g, %.6g, %.6g%s\n",
+            "  %s the loop rests where springs and load balance, with the top at\n"
+            "  %.6g, %.6g, %.6g%s\n",
+            report->study->model->control.feedforward
+                ? "Without the legs' weight in the feed-forward"
+                : "Without feed-forward",
             shown[0], shown[1], shown[2], unit_word(&report->units, GOUGH_UNIT_LENGTH));
 }
 
@@ -364,7 +374,7 @@ static void print_rest(FILE *stream, const stability_report *report, const gough
     fprintf(stream, "\nAt rest%s: ", where);
     print_pose(stream, pose, unit);
     fprintf(stream, "\n");
-    if (!report->study->model->control.feedforward) print_sag(stream, report, rest->state.position);
+    if (sags(report)) print_sag(stream, report, rest->state.position);
     print_eigenvalues(stream, report, rest);
     print_thresholds(stream, report, rest);
     print_trace(stream, report, rest);
@@ -503,6 +513,7 @@ void stability_print(FILE *stream, const stability_report *report) {
                     control->feedforward ? "the program's forces fed forward" : "no feed-forward",
                     stiffness.text, damping.text);
     fprintf(stream, "%s\n", units_sentence(report->study, u));
+    print_left_out_friction(stream, report->study->model);
     print_rest(stream, report, &report->rest, report->pose, "");
     if (report->ends)
         print_rest(stream, report, &report->last, report->last_pose, " where the program ends");

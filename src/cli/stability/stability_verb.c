@@ -138,9 +138,11 @@ bool stability_holds(const stability_report *report) {
 
 /* ---- finding ----------------------------------------------------------------------------------------------------- */
 
-static bool is_damped(const gough_control *control) {
+static bool is_damped(const gough_model *model) {
     bool damped = false;
-    for (int i = 0; i < GOUGH_LEGS; i++) damped = damped || control->damping[i] > 0;
+    for (int i = 0; i < GOUGH_LEGS; i++)
+        damped = damped || model->control.damping[i] > 0 ||
+                 model->machine.platform.friction.viscous[i] > 0;
     return damped;
 }
 
@@ -196,7 +198,7 @@ static gough_status find_about_program(stability_report *report, gough_error *er
 gough_status stability_find(stability_report *report, gough_error *error) {
     double component[GOUGH_COMPONENTS];
     report->arm = report->study->model->machine.base_radius;
-    report->damped = is_damped(&report->study->model->control);
+    report->damped = is_damped(report->study->model);
     gough_status status = report->posed ? GOUGH_OK : find_about_program(report, error);
     const bool fed = report->study->model->control.feedforward;
     if (status == GOUGH_ERROR_INPUT || (status == GOUGH_ERROR_NUMERICAL && fed)) {
