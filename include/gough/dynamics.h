@@ -2,7 +2,8 @@
  *  One pose at a time: leg lengths and rates, Jacobian, inverse and forward dynamics, reactions, control law. The functions
  *  suit a real-time control loop: they allocate nothing and keep no state.
  *
- *  Units are any consistent set, such as SI; angles are in radians. Leg forces push when positive. The machine must have been
+ *  Units are any consistent set, such as SI; angles are in radians. Forces of legs are those of their drives, which differ from the
+ *  forces in the legs by friction, (mass-13); they push when positive. The machine must have been
  *  filled by gough_machine_init().
  *
  *  A function that takes a state or a rotation checks first that the matrix is a rotation: each element of RᵀR within 1e-6
@@ -119,7 +120,9 @@ GOUGH_API gough_status gough_conditioning(const gough_machine *machine, const go
  *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if the condition exceeds GOUGH_GREATEST_CONDITION or a force is not finite;
  *          GOUGH_ERROR_INPUT if the matrix of the state is not a rotation. Use @p force only if the status is GOUGH_OK.
  *
- *  Limits of the legs are not checked. The forces have a relative error below 3e-14 times the condition number. */
+ *  Mass and friction of the legs are counted, (mass-4), (mass-13), with the rates of the state; those of a screw that locks itself
+ *  too. Limits of the legs are not checked. The forces have a relative error below 3e-14 times the condition number, of the
+ *  largest force that weight and inertia of load and legs ask for. */
 GOUGH_API gough_status gough_inverse_dynamics(const gough_machine *machine,
                                               const gough_state *state,
                                               const gough_acceleration *acceleration,
@@ -132,10 +135,11 @@ GOUGH_API gough_status gough_inverse_dynamics(const gough_machine *machine,
  *  @param external           force and moment on the load besides legs and gravity; NULL for none
  *  @param[out] acceleration  of the top frame's origin, and angular acceleration
  *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if the acceleration is not finite, as when a leg has no length; GOUGH_ERROR_INPUT
- *          if the matrix of the state is not a rotation.
+ *          if the matrix of the state is not a rotation, or if a leg's efficiency is 0.5 or less: its screw locks itself, and no
+ *          drive force determines a motion.
  *
- *  Defined in singular poses too: there the legs cannot carry every load, but any leg forces give an acceleration. The inverse
- *  of gough_inverse_dynamics() elsewhere. Accurate to roundings: 1e-14 of what the legs, weight and rotation give by
+ *  With legs that have mass: (mass-9), (mass-10). Defined in singular poses too: there the legs cannot carry every load, but any
+ *  leg forces give an acceleration. The inverse of gough_inverse_dynamics() elsewhere. Accurate to roundings: 1e-14 of what the legs, weight and rotation give by
  *  themselves. */
 GOUGH_API gough_status gough_forward_dynamics(const gough_machine *machine,
                                               const gough_state *state,
@@ -147,11 +151,12 @@ GOUGH_API gough_status gough_forward_dynamics(const gough_machine *machine,
  *  Λ_ki in the central frame (body-6), under given leg forces, in units of a moment.
  *  @param force           six leg forces along the legs; a push is positive
  *  @param external        NULL for none; its moment m enters as the generalised forces Q_e = ½ m × e of the axes e, its force has
- *                         no effect
+ *                         no effect but on the accelerations of legs with mass
  *  @param[out] reactions  six numbers in the order above
- *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if the matrix of the state is not a rotation.
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT as from gough_forward_dynamics().
  *
- *  Defined in singular poses too; NaN if a leg has no length. They are internal to the load and do no work. Accurate to roundings:
+ *  With legs that have mass, the forces of the legs on the top are those of the motion that the drives give, (mass-5). Defined in
+ *  singular poses too; NaN if a leg has no length. They are internal to the load and do no work. Accurate to roundings:
  *  1e-14 of the moments of the legs about the centre of mass. */
 GOUGH_API gough_status gough_reactions(const gough_machine *machine, const gough_state *state,
                                        const double force[GOUGH_LEGS], const gough_wrench *external,
