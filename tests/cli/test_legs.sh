@@ -63,6 +63,10 @@ run tune heavy.yaml --deviation 1e-3 --set platform.legs.friction.coulomb=100
 expect_code 2 tune with dry friction
 grep -q 'the gain is not computed for legs with dry friction' err || fail "$what: $(cat err)"
 
+run check heavy.yaml --set platform.legs.friction='{coulomb: 100, breakaway: 150, stribeck_speed: 0.02}'
+says "dry friction         breakaway 150 N, of which the smooth law reaches about 95.9 %;"
+says "a leg that should rest under half of it creeps at about 0.00057735 m/s"
+
 # viscous friction damps: nothing is said to go on for ever
 what="viscous friction"
 run stability heavy.yaml --set platform.legs.friction.viscous=1e4

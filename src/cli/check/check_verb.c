@@ -141,6 +141,30 @@ static void print_range(const double range[2], double factor, const char *unit) 
         printf("%.6g%s", factor * range[0], unit);
 }
 
+/* What the smooth law of friction makes of breakaway, (mass-12): how much of it is reached, and how fast a leg under a load that is
+ * half of it creeps. */
+static void print_friction(const check *c) {
+    const gough_machine *m = c->machine;
+    const gough_friction *f = &m->platform.friction;
+    double breakaway[2], creep[2], reached = 1;
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        const double excess = m->breakaway[v] > 0 ? 1 - f->coulomb[v] / m->breakaway[v] : 0;
+        if (excess > 0)
+            reached =
+                fmin(reached, 1 - m->smoothing_speed[v] / f->stribeck_speed[v] * sqrt(2 * excess));
+    }
+    gain_range(m->breakaway, breakaway);
+    gain_range(m->smoothing_speed, creep);
+    if (!(breakaway[1] > 0)) return;
+    printf("  dry friction         breakaway ");
+    print_range(breakaway, 1, unit_word(c->unit, GOUGH_UNIT_FORCE));
+    printf(", of which the smooth law reaches about %.3g %%;\n"
+           "                       a leg that should rest under half of it creeps at about ",
+           100 * reached);
+    print_range(creep, 1 / sqrt(3), unit_word(c->unit, GOUGH_UNIT_SPEED));
+    printf("\n");
+}
+
 static void print_groups(const check *c) {
     const gough_machine *m = c->machine;
     const double R = m->base_radius, M = m->load.mass, g = m->gravity_magnitude;
@@ -238,6 +262,7 @@ static void print_check(const check *c) {
     print_singularity(c);
     print_load(c);
     print_leg_mass(c);
+    print_friction(c);
     print_groups(c);
     print_program(c);
     print_control(c);

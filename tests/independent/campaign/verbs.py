@@ -104,6 +104,7 @@ class Check:
             "weakest_motion": self.weakest_allowed(),
             "principal_moments": [Q(x, "inertia", eps * top) for x in self.moments],
             "principal_axes": Skip("compared as axes of the tensor of inertia"),
+            "leg_mass": Q(0, "mass", 0), "leg_mass_on_top": Q(0, "mass", 0),
             "base_radius": bound(machine.base_radius, "length"),
             "time_unit": None if math.isnan(T) else bound(T, "time"),
             "groups": {"height": Q(groups["h"], None, eps), "top_radius": Q(groups["r"], None, eps),
