@@ -139,8 +139,8 @@ GOUGH_API gough_status gough_inverse_dynamics(const gough_machine *machine,
  *          drive force determines a motion.
  *
  *  With legs that have mass: (mass-9), (mass-10). Defined in singular poses too: there the legs cannot carry every load, but any
- *  leg forces give an acceleration. The inverse of gough_inverse_dynamics() elsewhere. Accurate to roundings: 1e-14 of what the legs, weight and rotation give by
- *  themselves. */
+ *  leg forces give an acceleration. The inverse of gough_inverse_dynamics() elsewhere. Accurate to roundings: 1e-14 of what the
+ *  legs, weight and rotation give by themselves. */
 GOUGH_API gough_status gough_forward_dynamics(const gough_machine *machine,
                                               const gough_state *state,
                                               const double force[GOUGH_LEGS],
