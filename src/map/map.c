@@ -239,6 +239,7 @@ static gough_status prepare(const gough_model *model, const gough_map_options *g
     map_worker probe;
 
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
+    if (status == GOUGH_OK) status = control_keeps_program(&model->machine, &model->control, error);
 
     if (status != GOUGH_OK) return status;
     memset(job, 0, sizeof *job);

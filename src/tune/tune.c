@@ -272,6 +272,7 @@ gough_status gough_tune_size(const gough_model *model, const gough_tuning_option
 
     *bytes = 0;
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
+    if (status == GOUGH_OK) status = control_keeps_program(&model->machine, &model->control, error);
     if (status == GOUGH_OK && machine_has_dry_friction(&model->machine)) {
         status = gough_fail_key(error, GOUGH_ERROR_INPUT, "platform.legs.friction",
                                 "the gain is not computed for legs with dry friction or losses of "

@@ -181,7 +181,7 @@ START_TEST(memory_may_end_in_settings) {
     enum { COUNT = sizeof settings / sizeof settings[0] };
     both_ways("right settings", good_study, settings, 9);
     both_ways("a missing element", good_study, settings + 9, 1);
-    both_ways("a list that is none", good_study, settings + 10, 1);
+    both_ways("a word instead of a list", good_study, settings + 10, 1);
     const gough_setting swept = {"sweep.keys.load.mess", "[1, 2]"};
     both_ways("an unknown key that varies", good_study, &swept, 1);
     both_ways("unknown", good_study, settings + 11, COUNT - 11);
@@ -207,7 +207,7 @@ START_TEST(memory_may_end_in_recorded_motion) {
 }
 END_TEST
 
-/* Reads a study whose record is larger than what is read at once, with one call failing; the messages, "" if there are none. */
+/* Reads a study with a record that takes several reads, while one call fails. Returns the messages, "" without any. */
 static char *read_with(const char *path, const char *name, long n, int number) {
     gough_study *study = NULL;
     char *messages = NULL;
