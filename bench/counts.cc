@@ -134,7 +134,7 @@ extern "C" int kernels_count(const reference *ref, kernel_counts *counts) {
     coordinates_project(&x, &v);
     counts->rk4_step = flops(since(before));
 
-    const rattle rule = {&r.h.load, system_wrench, &r, 0};
+    const rattle rule = {&r.h.load, NULL, system_wrench, &r, 0};
     s.x = x;
     s.velocity = v.rho;
     s.omega = none;

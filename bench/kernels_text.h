@@ -134,7 +134,7 @@ static void kernel_dop853_step(void *memory) {
 
 static void kernel_rattle2_step(void *memory) {
     kernel *k = memory;
-    const rattle rule = {&k->r.h.load, system_wrench, &k->r, 0};
+    const rattle rule = {&k->r.h.load, NULL, system_wrench, &k->r, 0};
     const coordinates rate = coordinates_load(k->y[1] + COORDINATES);
     rattle_state s;
 

@@ -1,4 +1,5 @@
-/* RATTLE for a rigid body in (ρ, i, j, k), and its symmetric compositions (step-4), (step-5), (step-6).
+/* RATTLE for a rigid body in (ρ, i, j, k), and its symmetric compositions (step-4), (step-5), (step-6); with legs that have mass,
+ * its steps are those of (mass-11), rattle_legs.h.
  *
  * The multipliers of the position constraints are eliminated: with J = diag(J_x, J_y, J_z) and the turn of a step the unit
  * quaternion (w, q), the constraints ask 2wJq + 2q×Jq = h m, m the angular momentum in the middle of the kick. No second moment
@@ -8,46 +9,7 @@
 #define GOUGH_INTEGRATE_RATTLE_H
 
 #include "integrate/composition.h"
-#include "kernel/body.h"
-#include "kernel/solve.h"
-
-/* What acts on the body at rest in a pose: force in base axes, moment in central axes; damping: how both fall with (ρ̇, Ω), not
- * touched where the caller of the stepper said that there is none. */
-typedef void (*wrench_function)(void *context, real t, const coordinates *x, number wrench[6],
-                                number damping[6][6]);
-
-typedef struct {
-    const body *load;
-    wrench_function act;
-    void *context;
-    int damped;
-} rattle;
-
-/* Where the body is; the wrench is that of this moment, damping included. */
-typedef struct {
-    coordinates x;
-    vector velocity; /* ρ̇, base axes */
-    vector omega;    /* Ω, central axes */
-    number wrench[6];
-} rattle_state;
-
-static inline vector rattle_inertia(const body *b) {
-    return (vector){b->Iy + b->Iz, b->Iz + b->Ix, b->Ix + b->Iy};
-}
-
-static inline vector rattle_times(vector a, vector b) {
-    return (vector){a.x * b.x, a.y * b.y, a.z * b.z};
-}
-
-/* wrench at velocity = wrench at rest − damping (ρ̇, Ω) */
-static inline void rattle_slow(number damping[6][6], vector velocity, vector omega,
-                               number wrench[6]) {
-    const number v[6] = {velocity.x, velocity.y, velocity.z, omega.x, omega.y, omega.z};
-
-    for (int r = 0; r < 6; r++) {
-        for (int c = 0; c < 6; c++) wrench[r] = wrench[r] - damping[r][c] * v[c];
-    }
-}
+#include "integrate/rattle_legs.h"
 
 /* Fills the wrench of a state whose pose and velocity are set. */
 static inline void rattle_begin(const rattle *r, real t, rattle_state *s) {
@@ -55,6 +17,7 @@ static inline void rattle_begin(const rattle *r, real t, rattle_state *s) {
 
     r->act(r->context, t, &s->x, s->wrench, damping);
     if (r->damped) rattle_slow(damping, s->velocity, s->omega, s->wrench);
+    if (r->legs) rattle_legs_begin(r, s);
 }
 
 /* (step-4): q of the unit quaternion (w, q) with w J q + q×(J q) = half, by Newton's method; returns what is left of the
@@ -87,21 +50,6 @@ static inline number rattle_turn(vector J, vector half, vector *turn, number *co
     *turn = q;
     *cosine = w;
     return norm(residual) / (norm(half) + tiny);
-}
-
-/* E ← E B for the turn (w, q) on the axes of E: B a = a + 2w q×a + 2q×(q×a) */
-static inline void rattle_rotate(number w, vector q, triad *e) {
-    const number zero = number_of(0), one = number_of(1), two = number_of(2);
-    const vector axis[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
-    vector column[3];
-
-    for (int c = 0; c < 3; c++) {
-        const vector t = scale(two, cross(q, axis[c]));
-        column[c] = add(axis[c], add(scale(w, t), cross(q, t)));
-    }
-    const triad turn = {column[0], column[1], column[2]};
-    *e = compose(e, &turn);
-    triad_sweep(e); /* round-off of the product only */
 }
 
 /* (step-6): M ρ̇ + h/2 C = momentum with the damping matrix C, six linear equations */
@@ -162,9 +110,11 @@ static inline number rattle_compose(const rattle *r, int level, real t, real h, 
 
     for (int i = 0; i < composition_stages[level]; i++) {
         const real part = composition_weights[level][i];
-        residual = residual + rattle_step(r, t + at * h, part * h, s);
+        residual = residual + (r->legs ? rattle_legs_step(r, t + at * h, part * h, s)
+                                       : rattle_step(r, t + at * h, part * h, s));
         at = at + part;
     }
+    if (r->legs) rattle_legs_read(r, s);
     return residual;
 }
 

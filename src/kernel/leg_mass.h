@@ -24,6 +24,25 @@ static inline leg_mass leg_mass_of(const double cylinder[3], const double piston
     return (leg_mass){swing, m2, c2, m1 * c1 - m2 * c2, number_of(reflected)};
 }
 
+/* Q = τ 1 + (μ − τ) n nᵀ of a leg as long as l, and what of its mass hangs on the top besides the piston */
+typedef struct {
+    number across, more; /* τ; μ − τ */
+    number turning;      /* I_t */
+    number tilt;         /* S − m₂ = β/l */
+} leg_resistance;
+
+/* (mass-1), (mass-2); inverse: 1/l */
+KERNEL_INLINE leg_resistance leg_resistance_of(const leg_mass *m, number l, number inverse) {
+    const number reach = l - m->center;
+    leg_resistance k;
+
+    k.turning = m->swing + m->piston * reach * reach;
+    k.tilt = m->offset * inverse;
+    k.across = k.turning * inverse * inverse;
+    k.more = m->piston + m->reflected - k.across;
+    return k;
+}
+
 /* How a leg moves, and what follows for its inertia: the force that the top must give it is f = Q a + q, with
  * Q a = τ a + (μ − τ)(n·a) n and the acceleration a of its top joint */
 typedef struct {
@@ -37,19 +56,18 @@ KERNEL_INLINE leg_motion leg_motion_of(const leg_mass *m, vector gravity, number
                                        vector v, number rate) {
     const number one = number_of(1), two = number_of(2);
     const number inverse = one / l, reach = l - m->center;
-    const number turning = m->swing + m->piston * reach * reach; /* I_t */
-    const number tilt = m->offset * inverse;                     /* S − m₂ = β/l */
+    const leg_resistance k = leg_resistance_of(m, l, inverse);
     leg_motion g;
 
-    g.across = turning * inverse * inverse;
-    g.more = m->piston + m->reflected - g.across;
+    g.across = k.across;
+    g.more = k.more;
     g.turn = scale(inverse, along(v, -rate, n));
 
     const number outward =
-        (m->piston * m->center + m->reflected * l) * dot(g.turn, g.turn) + tilt * dot(n, gravity);
-    const number sideways = two * rate * inverse * (m->piston * reach - turning * inverse);
+        (m->piston * m->center + m->reflected * l) * dot(g.turn, g.turn) + k.tilt * dot(n, gravity);
+    const number sideways = two * rate * inverse * (m->piston * reach - k.turning * inverse);
     g.rest = along(scale(outward, n), sideways, g.turn);
-    g.rest = along(g.rest, -(m->piston + tilt), gravity);
+    g.rest = along(g.rest, -(m->piston + k.tilt), gravity);
     return g;
 }
 

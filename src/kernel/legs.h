@@ -117,6 +117,10 @@ static inline void push_add(push *p, const hexapod *h, int v, vector f) {
     p->Q.k = along(p->Q.k, h->arm[v].z, f);
 }
 
+static inline push push_sum(const push *a, const push *b) {
+    return (push){add(a->F, b->F), {add(a->Q.i, b->Q.i), add(a->Q.j, b->Q.j), add(a->Q.k, b->Q.k)}};
+}
+
 /* (2.6) in central axes: L_x = Σ (y F_z − z F_y) = Q_j·k − Q_k·j … */
 static inline vector push_moment(const push *p, const triad *q) {
     return (vector){

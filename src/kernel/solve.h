@@ -87,11 +87,9 @@ KERNEL_APART elimination solve_six(number a[6][6], number b[][6], int count) {
     }
 }
 
-/* a x = b by L D Lᵀ without pivots, for a symmetric positive definite matrix, of which the lower triangle is read; b becomes the
- * solution and a is destroyed. No branch, and no pivot below the least eigenvalue. */
-KERNEL_INLINE void solve_definite(number a[6][6], number b[6]) {
-    number inverse[6];
-
+/* A symmetric positive definite matrix, of which the lower triangle is read, as L D Lᵀ without pivots: no branch, and no pivot
+ * below the least eigenvalue. L goes above the diagonal, transposed; inverse: 1/D. */
+KERNEL_INLINE void factor_definite(number a[6][6], number inverse[6]) {
     KERNEL_UNROLL
     for (int c = 0; c < 6; c++) {
         inverse[c] = number_of(1) / a[c][c];
@@ -100,9 +98,17 @@ KERNEL_INLINE void solve_definite(number a[6][6], number b[6]) {
             const number factor = a[r][c] * inverse[c];
             KERNEL_UNROLL
             for (int k = r; k < 6; k++) a[k][r] = a[k][r] - a[k][c] * factor;
-            b[r] = b[r] - factor * b[c];
             a[c][r] = factor;
         }
+    }
+}
+
+/* b becomes the solution of the equations so factored */
+KERNEL_INLINE void solve_factored(number a[6][6], const number inverse[6], number b[6]) {
+    KERNEL_UNROLL
+    for (int c = 0; c < 6; c++) {
+        KERNEL_UNROLL
+        for (int r = c + 1; r < 6; r++) b[r] = b[r] - a[c][r] * b[c];
     }
     KERNEL_UNROLL
     for (int r = 5; r >= 0; r--) {
@@ -110,6 +116,14 @@ KERNEL_INLINE void solve_definite(number a[6][6], number b[6]) {
         KERNEL_UNROLL
         for (int c = r + 1; c < 6; c++) b[r] = b[r] - a[r][c] * b[c];
     }
+}
+
+/* a x = b for a symmetric positive definite matrix; b becomes the solution and a is destroyed */
+KERNEL_INLINE void solve_definite(number a[6][6], number b[6]) {
+    number inverse[6];
+
+    factor_definite(a, inverse);
+    solve_factored(a, inverse, b);
 }
 
 /* Makes columns p and q of a matrix orthogonal by a rotation, in the lanes that want it. Returns 1 in lanes where they were not

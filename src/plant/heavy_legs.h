@@ -23,6 +23,18 @@ static inline push heavy_legs(const hexapod *h, const legs *g, const coordinates
     return p;
 }
 
+/* what their weight does to the load while they do not move */
+static inline push heavy_weight(const hexapod *h, const legs *g) {
+    const vector none = {number_of(0), number_of(0), number_of(0)};
+    const coordinates still = {none, {none, none, none}};
+    push p = push_none();
+
+    for (int v = 0; v < LEGS; v++) {
+        push_add(&p, h, v, scale(number_of(-1), heavy_leg(h, g, v, &still, &still)));
+    }
+    return p;
+}
+
 /* (mass-5): what the legs do to the load with the leg forces F, less what it gives them */
 static inline push heavy_push(const hexapod *h, const legs *g, const coordinates *rate,
                               const coordinates *acceleration, const number F[LEGS]) {
@@ -40,10 +52,17 @@ typedef struct {
     number A[6][6], h[6];
 } heavy_equations;
 
-/* adds τ [1, −x̂; x̂, −x̂²] of all legs, from Στ, Στx and the products Στxx, Στxy … */
-static inline void heavy_across(heavy_equations *e, number sum, vector first, vector square,
-                                vector product) {
-    for (int i = 0; i < 3; i++) e->A[i][i] = e->A[i][i] + sum;
+/* what τ [1, −x̂; x̂, −x̂²] of all legs is made of: Στ, Στx and the products Στxx …, Στxy … */
+typedef struct {
+    number sum;
+    vector first, square, product;
+} heavy_sums;
+
+/* adds τ [1, −x̂; x̂, −x̂²] of all legs */
+static inline void heavy_across(heavy_equations *e, const heavy_sums *s) {
+    const vector first = s->first, square = s->square, product = s->product;
+
+    for (int i = 0; i < 3; i++) e->A[i][i] = e->A[i][i] + s->sum;
 
     e->A[3][1] = e->A[3][1] - first.z;
     e->A[3][2] = e->A[3][2] + first.y;
@@ -70,6 +89,18 @@ static inline void heavy_along(heavy_equations *e, number more, vector n, vector
     }
 }
 
+/* adds a leg, all of it but what heavy_across() adds for all */
+static inline void heavy_add(heavy_equations *e, heavy_sums *s, vector arm, vector n, number across,
+                             number more) {
+    const vector weighed = scale(across, arm);
+
+    s->sum = s->sum + across;
+    s->first = add(s->first, weighed);
+    s->square = add(s->square, (vector){weighed.x * arm.x, weighed.y * arm.y, weighed.z * arm.z});
+    s->product = add(s->product, (vector){weighed.x * arm.y, weighed.y * arm.z, weighed.z * arm.x});
+    heavy_along(e, more, n, cross(arm, n));
+}
+
 /* the load alone */
 static inline heavy_equations heavy_load(const body *b) {
     const number zero = number_of(0);
@@ -81,6 +112,22 @@ static inline heavy_equations heavy_load(const body *b) {
         e.A[r][r] = own[r];
         e.h[r] = zero;
     }
+    return e;
+}
+
+/* A of (mass-9) alone, central axes; n: directions of the legs along them */
+static inline heavy_equations heavy_inertia(const hexapod *h, const legs *g, const vector n[LEGS]) {
+    const number zero = number_of(0);
+    const vector none = {zero, zero, zero};
+    heavy_sums sums = {zero, none, none, none};
+    heavy_equations e = heavy_load(&h->load);
+
+    for (int v = 0; v < LEGS; v++) {
+        const leg_resistance k =
+            leg_resistance_of(&h->mass[v], g->length[v], number_of(1) / g->length[v]);
+        heavy_add(&e, &sums, h->arm[v], n[v], k.across, k.more);
+    }
+    heavy_across(&e, &sums);
     return e;
 }
 
@@ -115,9 +162,9 @@ static inline heavy_equations heavy_equations_of(const hexapod *h, const coordin
                                                  const heavy_central *c, const legs *g,
                                                  const number F[LEGS]) {
     const number zero = number_of(0);
-    number across = zero;
-    vector first = {zero, zero, zero}, square = first, product = first, force = first,
-           moment = first;
+    const vector none = {zero, zero, zero};
+    vector force = none, moment = none;
+    heavy_sums sums = {zero, none, none, none};
     heavy_equations e = heavy_load(&h->load);
 
     for (int v = 0; v < LEGS; v++) {
@@ -127,17 +174,12 @@ static inline heavy_equations heavy_equations_of(const hexapod *h, const coordin
             leg_motion_of(&h->mass[v], c->gravity, g->length[v], n, speed, g->rate[v]);
         const vector inward = scale(number_of(-1), symmetric_times(c->same, c->mixed, arm));
         const vector f = along(leg_inertia(&m, n, inward), -F[v], n);
-        const vector weighed = scale(m.across, arm);
 
         force = add(force, f);
         moment = add(moment, cross(arm, f));
-        across = across + m.across;
-        first = add(first, weighed);
-        square = add(square, (vector){weighed.x * arm.x, weighed.y * arm.y, weighed.z * arm.z});
-        product = add(product, (vector){weighed.x * arm.y, weighed.y * arm.z, weighed.z * arm.x});
-        heavy_along(&e, m.more, n, cross(arm, n));
+        heavy_add(&e, &sums, arm, n, m.across, m.more);
     }
-    heavy_across(&e, across, first, square, product);
+    heavy_across(&e, &sums);
 
     const vector pull = subtract(scale(h->load.mass, c->gravity), force);
     const vector gyration = {(h->load.Iz - h->load.Iy) * c->mixed.y,

@@ -148,18 +148,14 @@ static gough_status check_samples(const gough_motion *motion, const gough_simula
     return GOUGH_OK;
 }
 
-/* RATTLE's steps are those of a constant mass matrix, and of forces linear in the rates */
+/* RATTLE's steps are those of forces linear in the rates */
 static gough_status check_rattle(const gough_machine *machine, const gough_simulation *s,
                                  gough_error *error) {
-    const gough_platform *p = &machine->platform;
-    const char *what = machine_has_dry_friction(machine) ? "dry friction" : NULL;
-
-    if (p->legs_have_mass) what = "mass";
-    if (s->method < GOUGH_RATTLE2 || what == NULL) return GOUGH_OK;
+    if (s->method < GOUGH_RATTLE2 || !machine_has_dry_friction(machine)) return GOUGH_OK;
     return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.method",
-                          "simulation.method: the method %s needs legs without %s; use dop853 or "
-                          "rk4 with them",
-                          gough_method_name((int)s->method), what);
+                          "simulation.method: the method %s needs legs without dry friction; use "
+                          "dop853 or rk4 with them",
+                          gough_method_name((int)s->method));
 }
 
 gough_status simulate_check_legs(const gough_machine *machine, const gough_simulation *simulation,

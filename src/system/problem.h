@@ -9,8 +9,10 @@
 
 /* what the steppers see of a system */
 static inline march_problem system_problem(struct system *r) {
-    return (march_problem){
-        r->states, system_rates, {&r->h.load, system_wrench, r, r->traits & LINEAR_IN_RATES}, r};
+    const hexapod *heavy = r->traits & MOVING_MASS ? &r->h : NULL;
+    const rattle rule = {&r->h.load, heavy, system_wrench, r, r->traits & LINEAR_IN_RATES};
+
+    return (march_problem){r->states, system_rates, rule, r};
 }
 
 static inline double system_part(void *clock, double t, double end, double length) {

@@ -40,6 +40,10 @@ static inline void system_wrench(void *context, real t, const coordinates *x, nu
     for (int v = 0; v < LEGS; v++) g.rate[v] = number_of(0);
     signals_forces(r, s, &g, u);
     p = legs_push(&r->h, &g, u);
+    if (r->traits & MOVING_MASS) {
+        const push weight = heavy_weight(&r->h, &g);
+        p = push_sum(&p, &weight);
+    }
     F = along(add(p.F, s->push), r->h.load.mass, r->h.gravity);
     L = add(push_moment(&p, &x->q), onto(&x->q, s->turn));
     vector_store(F, wrench);

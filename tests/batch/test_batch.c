@@ -168,6 +168,7 @@ END_TEST
 
 START_TEST(legs_with_mass_and_friction_keep_the_bits) {
     check_everything_alike(HEAVY, GOUGH_RK4, 0.01, 2);
+    check_everything_alike(HEAVY, GOUGH_RATTLE4, 0.02, 1);
     check_everything_alike(FRICTION, GOUGH_RK4, 0.01, 0);
     check_everything_alike(HEAVY | FRICTION | LOADS | VERTICAL, GOUGH_DOP853, 0.05, 2);
 }

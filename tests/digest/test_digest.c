@@ -299,6 +299,7 @@ typedef struct {
     "simulation={duration: 2, output_step: 0.05, method: " method ", step: 0.0125}"
 #define SHORT(method) "simulation={duration: 0.3, output_step: 0.1, method: " method ", step: 0.05}"
 #define BAUMGARTE "simulation.constraints={baumgarte: [20, 30]}"
+#define UNDRY "platform.legs.friction={viscous: 0.05}"
 #define QUAD "quad"           /* not keys of a study: */
 #define REACTIONS "reactions" /* split_settings() sees to them */
 #define LANES(n, method)                                                                           \
@@ -312,6 +313,16 @@ typedef struct {
     {                                                                                              \
         "heavy/lanes", "heavy.yaml", LIBM, n, run_sweep, {                                         \
             "simulation={duration: 2, output_step: 0.05, method: rk4, step: 0.025}"                \
+        }                                                                                          \
+    }
+#define RATTLE_KEYS                                                                                \
+    "sweep.keys={platform.legs.piston.mass: {uniform: [0, 0.06]}, "                                \
+    "platform.legs.friction.viscous: {uniform: [0, 0.1]}, initial.surge: {normal: [0, 0.01]}}"
+#define HEAVY_RATTLE_LANES(n)                                                                      \
+    {                                                                                              \
+        "heavy/lanes/rattle4", "heavy.yaml", LIBM, n, run_sweep, {                                 \
+            "simulation={duration: 2, output_step: 0.05, method: rattle4, step: 0.025}", UNDRY,    \
+                RATTLE_KEYS                                                                        \
         }                                                                                          \
     }
 #define EVERY_LANE(method) LANES(1, method), LANES(2, method), LANES(4, method), LANES(8, method)
@@ -370,12 +381,24 @@ static const digest_case cases[] = {
     {"heavy/forces", "heavy.yaml", LIBM, 0, run_forces, {REACTIONS}},
     {"heavy/dop853", "heavy.yaml", LIBM, 0, run_simulate, {REACTIONS}},
     {"heavy/rk4", "heavy.yaml", LIBM, 0, run_simulate, {FIXED("rk4")}},
+    {"heavy/rattle6", "heavy.yaml", LIBM, 0, run_simulate, {FIXED("rattle6"), UNDRY}},
+    {"heavy/rattle2/undamped",
+     "heavy.yaml",
+     LIBM,
+     0,
+     run_simulate,
+     {FIXED("rattle2"), UNDRY, "platform.legs.friction.viscous=0", "control.damping=0"}},
+    {"heavy/quad/rattle8", "heavy.yaml", 0, 0, run_simulate, {SHORT("rattle8"), UNDRY, QUAD}},
     {"heavy/quad", "heavy.yaml", 0, 0, run_simulate, {SHORT("rk4"), QUAD}},
     {"heavy/linearise", "heavy.yaml", LIBM, 0, run_linearise, {NULL}},
     HEAVY_LANES(1),
     HEAVY_LANES(2),
     HEAVY_LANES(4),
     HEAVY_LANES(8),
+    HEAVY_RATTLE_LANES(1),
+    HEAVY_RATTLE_LANES(2),
+    HEAVY_RATTLE_LANES(4),
+    HEAVY_RATTLE_LANES(8),
 
     EVERY_LANE("rk4"),
     EVERY_LANE("dop853"),

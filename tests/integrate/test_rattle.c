@@ -41,7 +41,7 @@ typedef struct {
 } kept;
 
 static kept tumble(const body *b, int level, double duration, double h) {
-    const rattle method = {b, nothing_acts, NULL, 0};
+    const rattle method = {b, NULL, nothing_acts, NULL, 0};
     const long steps = lround(duration / h);
     rattle_state s = tumbling();
     kept worst = {0, 0, 0};
@@ -92,7 +92,7 @@ END_TEST
 /* an axisymmetric body: Ω_z constant, (Ω_x, Ω_y) turns at (J_x − J_z)/J_x Ω_z; the order-8 composition against it */
 START_TEST(precesses_as_euler_says) {
     const body b = body_of(1, 0.04, 0.04, 0.02); /* J = 0.06, 0.06, 0.08 */
-    const rattle method = {&b, nothing_acts, NULL, 0};
+    const rattle method = {&b, NULL, nothing_acts, NULL, 0};
     rattle_state s = tumbling();
     const vector start = s.omega;
 
@@ -127,7 +127,7 @@ static void spring_and_damper(void *context, real t, const coordinates *x, numbe
 START_TEST(runs_back_to_where_it_began) {
     const body b = body_of(1.5, 0.095, 0.055, 0.025);
     double strength = 1;
-    const rattle method = {&b, spring_and_damper, &strength, 1};
+    const rattle method = {&b, NULL, spring_and_damper, &strength, 1};
     rattle_state s = tumbling();
     const rattle_state start = s;
 
@@ -145,7 +145,7 @@ END_TEST
 /* a step of more than half a turn has no solution, and says so */
 START_TEST(reports_a_step_too_long) {
     const body b = body_of(1.5, 0.095, 0.055, 0.025);
-    const rattle method = {&b, nothing_acts, NULL, 0};
+    const rattle method = {&b, NULL, nothing_acts, NULL, 0};
     rattle_state s = tumbling();
 
     s.omega = (vector){30, 20, 25};
