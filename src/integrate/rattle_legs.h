@@ -49,12 +49,13 @@ static inline void rattle_legs_velocity(number a[6][6], const number inverse[6],
 /* Velocities of a state for its readers. */
 static inline void rattle_legs_read(const rattle *r, rattle_state *s) {
     rattle_legs_pose p;
-    number inverse[6];
+    number momentum[6], inverse[6];
 
     if (r->damped) return; /* the closing kick has them */
+    for (int i = 0; i < 6; i++) momentum[i] = s->momentum[i];
     rattle_legs_at(r, &s->x, &p);
     factor_definite(p.A, inverse);
-    rattle_legs_velocity(p.A, inverse, s->momentum, s);
+    rattle_legs_velocity(p.A, inverse, momentum, s);
 }
 
 /* The momenta of a state whose pose and velocities are set. */

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Each call site of an allocation fails once, for each verb: the command does as if nothing had been, or says so and exits with 3;
 # no crash, no shortened answer, no half file. With `all` as argument every single allocation fails (scripts/fail-every-allocation.sh).
+# Label: campaign: table/read_faults, study/memory and others let calls fail in `make test`.
 source "$(dirname "$0")/../cli/support.sh"
 mode=${1:-sites}
 preload=$BUILD/tests/libfail_malloc.so

@@ -1,6 +1,6 @@
 /* Runs of a machine whose legs have mass and friction against the same motion of thirteen rigid
  * bodies: along the program, and in a closed loop with disturbances.
- * */
+ * Sanitized: campaign: independent/thirteen_bodies runs the same equations under sanitizers. */
 #include <check.h>
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 /* HDF5: numbers and attributes come back, the same run gives the same bytes, damaged files end in a message.
- * Label: standard. */
+ * Label: standard.
+ * Sanitized: campaign: the corpus of fuzz_hdf5 and table/read_faults read damaged files under sanitizers. */
 #define _XOPEN_SOURCE 700
 #include "support/random.h"
 #include "support/suite.h"
