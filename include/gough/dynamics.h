@@ -162,6 +162,42 @@ GOUGH_API gough_status gough_reactions(const gough_machine *machine, const gough
                                        const double force[GOUGH_LEGS], const gough_wrench *external,
                                        double reactions[6]);
 
+/** Forces at the joints of the legs of a top in motion, which size bearings and guides: (mass-5), (mass-6), (mass-8).
+ *  @param acceleration  of the top frame's origin, and angular acceleration
+ *  @param external      force and moment on the load besides legs and gravity; NULL for none
+ *  @param[out] leg      six forces in the legs, between cylinder and piston: those of the drives less friction; a push is positive.
+ *                       With the inertia of rotor, screw and oil in them
+ *  @param[out] top      force of each leg on the top, base axes: along the leg only if the leg has no mass
+ *  @param[out] base     force of the base on each leg, base axes
+ *  @param[out] side     six side loads, at least 0: the force across the leg between cylinder and piston at the piston's centre
+ *                       of mass. The couple about that point is left out; 0 if the legs have no mass. Any output may be NULL
+ *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if the condition exceeds GOUGH_GREATEST_CONDITION or a force is not finite;
+ *          GOUGH_ERROR_INPUT if the matrix of the state is not a rotation. Use the outputs only if the status is GOUGH_OK.
+ *
+ *  The leg forces are those that the acceleration needs, (mass-4), as in gough_inverse_dynamics(), and as accurate; also those
+ *  of screws that lock themselves. Without mass, top and base bear the leg force along the leg. The forces on the top balance
+ *  weight and inertia of the load; those of the base balance load and legs together. */
+GOUGH_API gough_status gough_joint_forces(const gough_machine *machine, const gough_state *state,
+                                          const gough_acceleration *acceleration,
+                                          const gough_wrench *external, double leg[GOUGH_LEGS],
+                                          double top[GOUGH_LEGS][3], double base[GOUGH_LEGS][3],
+                                          double side[GOUGH_LEGS]);
+
+/** Drive forces between which friction alone holds the legs at rest: from F − F_S − e|F| to F + F_S + e|F|, by (mass-13) with the
+ *  largest friction either way; F is the force in the leg, F_S breakaway friction and e = 1/efficiency − 1.
+ *  @param external   force and moment on the load besides legs and gravity; NULL for none
+ *  @param[out] force the six leg forces F that carry the load at rest: what the drives give without friction
+ *  @param[out] low   below this drive force the leg gets shorter, however slowly before; may be NULL
+ *  @param[out] high  above this drive force the leg gets longer; may be NULL
+ *  @return as gough_inverse_dynamics()
+ *
+ *  The velocities of the state are not used. If 0 lies between low and high, the leg holds without its drive: with a pushing load
+ *  and no other friction for an efficiency of 0.5 or less. The smooth law of friction creeps inside the band, (mass-12), and
+ *  reaches F_S only nearly. As accurate as gough_inverse_dynamics(). */
+GOUGH_API gough_status gough_holding_forces(const gough_machine *machine, const gough_state *state,
+                                            const gough_wrench *external, double force[GOUGH_LEGS],
+                                            double low[GOUGH_LEGS], double high[GOUGH_LEGS]);
+
 /** Control law of one instant, F = F^p + G (l^p − l) + D (l̇^p − l̇) (law-1): for a real-time loop that measures l and l̇ and has
  *  its own F^p, l^p and l̇^p.
  *  @param control         stiffness G and damping D of each leg; without feed-forward, F^p is taken as 0

@@ -26,19 +26,22 @@ __extension__ typedef __float128 gough_quad;
 typedef long double gough_quad;
 #endif
 
-/** Columns of a row, in the order of every table: GOUGH_T, GOUGH_X … GOUGH_RZX, one for each line of gough/columns.def, six for
- *  each line of legs. Names and dimensions are those of gough_column(). Angles are in radians here. */
+/** Columns of a row, in the order of every table: GOUGH_T, GOUGH_X … GOUGH_S_LAST, one for each line of gough/columns.def, six for
+ *  each line of legs, eighteen for each line of their vectors. Names and dimensions are those of gough_column(). Angles are in
+ *  radians here. */
 enum gough_column {
 #define GOUGH_COLUMN(id, name, what, length, mass, time, angle, when) GOUGH_##id,
 #define GOUGH_LEG_COLUMNS(id, name, what, after, length, mass, time, angle, when)                  \
     GOUGH_##id, GOUGH_##id##_LAST = GOUGH_##id + GOUGH_LEGS - 1,
+#define GOUGH_LEG_VECTORS(id, name, what, after, length, mass, time, angle, when)                  \
+    GOUGH_##id, GOUGH_##id##_LAST = GOUGH_##id + 3 * GOUGH_LEGS - 1,
 #include "gough/columns.def"
     GOUGH_COLUMNS
 };
 
 /** Name and dimension of a column: its unit is length^l · mass^m · time^t · angle^a. */
 typedef struct gough_column_info {
-    const char *name;      /**< "t", "x", … "rzx" */
+    const char *name;      /**< "t", "x", … "s6" */
     const char *long_name; /**< "time", "x of the top frame's origin", … */
     int length;            /**< exponent of the unit of length */
     int mass;              /**< of mass */
@@ -48,7 +51,7 @@ typedef struct gough_column_info {
 
 /** Name and dimension of a column; NULL outside the enumeration. The information lives as long as the program. Safe to call
  *  concurrently.
- *  @param column  GOUGH_T … GOUGH_RZX */
+ *  @param column  GOUGH_T … GOUGH_S_LAST */
 GOUGH_API const gough_column_info *gough_column(int column);
 
 /** One row. Columns that the verb does not fill are NaN (see gough_column_filled()). */
@@ -110,6 +113,7 @@ typedef struct gough_simulation {
     double baumgarte[2];           /**< α, β */
     gough_precision precision;     /**< of the whole run */
     bool reactions;                /**< fill the columns of Λ */
+    bool joints; /**< fill the columns of leg forces, joint forces and side loads */
     struct gough_summary *summary; /**< filled by the run with peaks and time integrals of the
                                         motion itself, between rows too; NULL: not wanted */
     gough_statistics *statistics;  /**< filled by gough_simulate(), however the run ends; NULL: not
@@ -137,9 +141,12 @@ GOUGH_API gough_status gough_simulation_check(const gough_model *model,
                                               const gough_simulation *simulation,
                                               gough_error *error);
 
-/** First column and one past the last that a run fills: forces GOUGH_T … GOUGH_CONDITION, simulate up to GOUGH_DRIFT; both also
- *  the six reactions if requested. @return whether @p column is filled. */
-GOUGH_API bool gough_column_filled(int column, bool simulated, bool reactions);
+/** Columns that a run fills: forces GOUGH_T … GOUGH_CONDITION, simulate up to GOUGH_DRIFT; both also the six reactions and the
+ *  forces of the joints if the options ask for them.
+ *  @param simulated   true for gough_simulate(), false for gough_forces()
+ *  @param simulation  its options
+ *  @return whether @p column is filled. */
+GOUGH_API bool gough_column_filled(int column, bool simulated, const gough_simulation *simulation);
 
 /** One interval of the program in which a leg exceeds a limit. */
 typedef struct gough_crossing {
@@ -236,6 +243,13 @@ typedef struct gough_leg_summary {
     double
         swing_base; /**< largest angle between its direction and that at home, relative to the base */
     double swing_top; /**< the same, relative to the top */
+    double top_load;  /**< peak force between the leg and the top, its magnitude */
+    double base_load; /**< peak force between the leg and the base, its magnitude */
+    double side_load; /**< peak side load between cylinder and piston */
+    double
+        friction_loss; /**< work that friction takes, ∫ (u − F) l̇ dt, of drive force u and leg force F */
+    double
+        returned_energy; /**< energy that the leg returns to its drive while it brakes, −∫ min(power, 0) dt, at least 0 */
 } gough_leg_summary;
 
 /** Summary of the rows so far; fill it by gough_summary_begin(), gough_summary_add(), gough_summary_end(). For the motion
@@ -257,20 +271,22 @@ typedef struct gough_summary {
     double drawing_step; /**< rows this close draw the motion: chords miss lengths by a hundredth of
                               the longest stroke at most; 0 where between_leg is 0 */
     double window_
-        [4][1 + 2 * GOUGH_LEGS]; /**< private: the last rows for the fourth-order time integrals */
+        [4][1 + 3 * GOUGH_LEGS]; /**< private: the last rows for the fourth-order time integrals */
     double square_[GOUGH_LEGS];  /**< private */
-    double look_[4][4 + 6 * GOUGH_LEGS]; /**< private: the last looks */
-    size_t looks_;                       /**< private: looks since a corner */
-    double origin_;                      /**< private: time of the first look */
-    double span_;                        /**< private: time since then */
-    double between_[GOUGH_LEGS][3];      /**< private: lengths since the last row */
-    double acceleration_;                /**< private: largest of a leg */
-    bool brief_;                         /**< private: what an outcome has, no more */
+    double look_[4][4 + 10 * GOUGH_LEGS]; /**< private: the last looks */
+    size_t looks_;                        /**< private: looks since a corner */
+    double origin_;                       /**< private: time of the first look */
+    double span_;                         /**< private: time since then */
+    double between_[GOUGH_LEGS][3];       /**< private: lengths since the last row */
+    double acceleration_;                 /**< private: largest of a leg */
+    bool brief_;                          /**< private: what an outcome has, no more */
+    bool joints_;                         /**< private: looks have forces of the joints */
 } gough_summary;
 
 /** An empty summary. Summaries are exact where rows or looks are, and of fourth order in their distance between them. */
 GOUGH_API void gough_summary_begin(gough_summary *summary);
-/** Adds one row, in the units and order of the run. Least and greatest values are exactly those of the rows. */
+/** Adds one row, in the units and order of the run. Least and greatest values are exactly those of the rows. If the row lacks the
+ *  forces of the joints (gough_simulation.joints), they are taken to be those of legs without mass and friction. */
 GOUGH_API void gough_summary_add(gough_summary *summary, const gough_machine *machine,
                                  const gough_row *row);
 /** Adds one instant of the motion, a row or a point between rows (a look), in order of time; do not mix with
@@ -278,7 +294,7 @@ GOUGH_API void gough_summary_add(gough_summary *summary, const gough_machine *ma
  *
  *  Peaks are then those of the cubics through four neighbouring looks, whose distances may vary: peaks and time integrals are
  *  of fourth order in them, with an accuracy of about 1e-6 in runs that fill the summary. Columns that are NaN (position,
- *  condition, deviation) are left out of their peaks.
+ *  condition, deviation) are left out of their peaks; forces of the joints that are NaN are taken as in gough_summary_add().
  *  @param is_row  true if this instant is a row of the table */
 GOUGH_API void gough_summary_look(gough_summary *summary, const gough_machine *machine,
                                   const gough_row *row, bool is_row);

@@ -47,4 +47,9 @@ static inline number friction_leg(const friction *f, number u, number v) {
     return left / (number_of(1) + driven);
 }
 
+/* the most that friction holds at rest behind the leg force F, either way: (mass-13) with s = ±1 */
+static inline number friction_most(const friction *f, number F) {
+    return f->coulomb + f->excess + f->loss * number_magnitude(F);
+}
+
 #endif

@@ -9,6 +9,7 @@
 /* constants of a leg; all 0: without mass */
 typedef struct {
     number swing;     /* Î = I₁ + m₁c₁² + I₂ */
+    number cylinder;  /* m₁ */
     number piston;    /* m₂ */
     number center;    /* c₂, from the top joint towards the base */
     number offset;    /* β = m₁c₁ − m₂c₂ */
@@ -21,7 +22,7 @@ static inline leg_mass leg_mass_of(const double cylinder[3], const double piston
     const number m2 = number_of(piston[0]), c2 = number_of(piston[1]);
     const number swing = number_of(cylinder[2]) + m1 * c1 * c1 + number_of(piston[2]);
 
-    return (leg_mass){swing, m2, c2, m1 * c1 - m2 * c2, number_of(reflected)};
+    return (leg_mass){swing, m1, m2, c2, m1 * c1 - m2 * c2, number_of(reflected)};
 }
 
 /* Q = τ 1 + (μ − τ) n nᵀ of a leg as long as l, and what of its mass hangs on the top besides the piston */

@@ -9,6 +9,7 @@
 #include "plant/forward.h"
 #include "plant/hexapod.h"
 #include "plant/inverse.h"
+#include "plant/joints.h"
 #include "plant/program_motion.h"
 #include "plant/roll_pitch_yaw.h"
 #include "plant/rotation_valid.h"
@@ -131,29 +132,85 @@ gough_status gough_conditioning(const gough_machine *machine, const gough_state 
     return GOUGH_OK;
 }
 
+/* leg forces that an acceleration needs, (mass-4); false: singular, or not finite */
+static bool needed(const pose *p, const coordinates *a, const gough_wrench *external,
+                   double F[GOUGH_LEGS], double *condition) {
+    double wrench[1][6];
+    bool sound;
+
+    required_wrench(&p->h, &p->x, &p->rate, a, external_force(external), external_moment(external),
+                    wrench[0]);
+    if (p->heavy) required_by_legs(&p->h, &p->x, &p->rate, a, &p->g, wrench[0]);
+    (void)leg_forces_of(&p->h, &p->x, &p->g, wrench, 1);
+    *condition = legs_condition(&p->h, &p->x, &p->g);
+    sound = *condition <= greatest_condition;
+    for (int v = 0; v < LEGS; v++) {
+        F[v] = wrench[0][v];
+        sound &= fabs(F[v]) < INFINITY;
+    }
+    return sound;
+}
+
 gough_status gough_inverse_dynamics(const gough_machine *machine, const gough_state *state,
                                     const gough_acceleration *acceleration,
                                     const gough_wrench *external, double force[GOUGH_LEGS],
                                     double *condition) {
-    double wrench[1][6], worst;
+    double F[GOUGH_LEGS], worst;
     bool sound;
     coordinates a;
     pose p;
 
     if (!pose_of_state(&p, machine, state)) return GOUGH_ERROR_INPUT;
     a = acceleration_of(&p, acceleration);
-    required_wrench(&p.h, &p.x, &p.rate, &a, external_force(external), external_moment(external),
-                    wrench[0]);
-    if (p.heavy) required_by_legs(&p.h, &p.x, &p.rate, &a, &p.g, wrench[0]);
-    (void)leg_forces_of(&p.h, &p.x, &p.g, wrench, 1);
-    worst = legs_condition(&p.h, &p.x, &p.g);
+    sound = needed(&p, &a, external, F, &worst);
     if (condition) *condition = worst;
-    sound = worst <= greatest_condition;
     for (int v = 0; v < LEGS; v++) {
-        force[v] = p.rough ? friction_drive(&p.h.dry[v], wrench[0][v], p.g.rate[v]) : wrench[0][v];
+        force[v] = p.rough ? friction_drive(&p.h.dry[v], F[v], p.g.rate[v]) : F[v];
         sound &= fabs(force[v]) < INFINITY;
     }
     return sound ? GOUGH_OK : GOUGH_ERROR_NUMERICAL;
+}
+
+gough_status gough_joint_forces(const gough_machine *machine, const gough_state *state,
+                                const gough_acceleration *acceleration,
+                                const gough_wrench *external, double leg[GOUGH_LEGS],
+                                double top[GOUGH_LEGS][3], double base[GOUGH_LEGS][3],
+                                double side[GOUGH_LEGS]) {
+    double F[GOUGH_LEGS], condition;
+    coordinates a;
+    pose p;
+
+    if (!pose_of_state(&p, machine, state)) return GOUGH_ERROR_INPUT;
+    a = acceleration_of(&p, acceleration);
+    if (!needed(&p, &a, external, F, &condition)) return GOUGH_ERROR_NUMERICAL;
+    for (int v = 0; v < LEGS; v++) {
+        const leg_joints j = joints_of_leg(&p.h, &p.g, v, &p.rate, &a, p.heavy, F[v]);
+        if (leg) leg[v] = F[v];
+        if (top) vector_out(j.top, top[v]);
+        if (base) vector_out(j.base, base[v]);
+        if (side) side[v] = j.side;
+    }
+    return GOUGH_OK;
+}
+
+gough_status gough_holding_forces(const gough_machine *machine, const gough_state *state,
+                                  const gough_wrench *external, double force[GOUGH_LEGS],
+                                  double low[GOUGH_LEGS], double high[GOUGH_LEGS]) {
+    const gough_acceleration none = {{0, 0, 0}, {0, 0, 0}};
+    gough_state still = *state;
+    gough_status status;
+    hexapod h;
+
+    for (int c = 0; c < 3; c++) still.velocity[c] = still.angular_velocity[c] = 0;
+    status = gough_inverse_dynamics(machine, &still, &none, external, force, NULL);
+    if (status == GOUGH_ERROR_INPUT) return status;
+    hexapod_of_machine(&h, machine);
+    for (int v = 0; v < LEGS; v++) {
+        const double most = friction_most(&h.dry[v], force[v]);
+        if (low) low[v] = force[v] - most;
+        if (high) high[v] = force[v] + most;
+    }
+    return status;
 }
 
 /* (mass-13): leg forces from drive forces */

@@ -1,7 +1,7 @@
 /* The columns of every table, from gough/columns.def. */
 #include "gough/simulate.h"
 
-enum { ALWAYS, SIMULATED, REACTIONS };
+enum { ALWAYS, SIMULATED, REACTIONS, JOINTS };
 
 typedef struct column_line {
     gough_column_info info;
@@ -17,6 +17,15 @@ typedef struct column_line {
 #define GOUGH_LEG_COLUMNS(id, ...)                                                                 \
     LEG(id, 1, __VA_ARGS__), LEG(id, 2, __VA_ARGS__), LEG(id, 3, __VA_ARGS__),                     \
         LEG(id, 4, __VA_ARGS__), LEG(id, 5, __VA_ARGS__), LEG(id, 6, __VA_ARGS__),
+#define AXIS(id, place, axis, leg, name, what, after, ...)                                         \
+    [GOUGH_##id + 3 * ((leg)-1) + (place)] =                                                       \
+        LEG_LINE(name #axis #leg, what #leg after " along base " #axis, __VA_ARGS__)
+#define VECTOR(id, leg, ...)                                                                       \
+    AXIS(id, 0, x, leg, __VA_ARGS__), AXIS(id, 1, y, leg, __VA_ARGS__),                            \
+        AXIS(id, 2, z, leg, __VA_ARGS__)
+#define GOUGH_LEG_VECTORS(id, ...)                                                                 \
+    VECTOR(id, 1, __VA_ARGS__), VECTOR(id, 2, __VA_ARGS__), VECTOR(id, 3, __VA_ARGS__),            \
+        VECTOR(id, 4, __VA_ARGS__), VECTOR(id, 5, __VA_ARGS__), VECTOR(id, 6, __VA_ARGS__),
 
 static const column_line columns[GOUGH_COLUMNS] = {
 #include "gough/columns.def"
@@ -26,8 +35,9 @@ const gough_column_info *gough_column(int column) {
     return column >= 0 && column < GOUGH_COLUMNS ? &columns[column].info : NULL;
 }
 
-bool gough_column_filled(int column, bool simulated, bool reactions) {
+bool gough_column_filled(int column, bool simulated, const gough_simulation *simulation) {
     if (column < 0 || column >= GOUGH_COLUMNS) return false;
-    if (columns[column].when == REACTIONS) return reactions;
+    if (columns[column].when == REACTIONS) return simulation->reactions;
+    if (columns[column].when == JOINTS) return simulation->joints;
     return simulated || columns[column].when == ALWAYS;
 }

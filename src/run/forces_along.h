@@ -210,7 +210,7 @@ static inline gough_status walk_hard(walk *a, real before, const look *l) {
 /* ---- looks taken in, in order of time ---- */
 
 static inline gough_status walk_row(walk *a, const look *l) {
-    if (row_send(l->value, a->sink, a->context)) {
+    if (row_send(&a->r, l->value, a->sink, a->context)) {
         limits_no_leg(a->end, GOUGH_END_STOPPED, (double)l->t);
         end_say(a->end, "the run was stopped at t = %.9g", (double)l->t);
         return GOUGH_ERROR_NUMERICAL;

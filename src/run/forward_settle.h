@@ -148,7 +148,7 @@ static inline gough_status forward_row(forward *d, const number *y) {
     if (summary) row_sum(value, summary, d->r.lane[0].machine, 1);
     d->row++;
     d->drift = 0;
-    if (row_send(value, d->sink, d->context)) {
+    if (row_send(&d->r, value, d->sink, d->context)) {
         return forward_stop(d, GOUGH_END_STOPPED, t, "the run was stopped");
     }
     return GOUGH_OK;

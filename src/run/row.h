@@ -2,6 +2,7 @@
 #ifndef GOUGH_RUN_ROW_H
 #define GOUGH_RUN_ROW_H
 
+#include "plant/joints.h"
 #include "plant/roll_pitch_yaw.h"
 #include "system/system.h"
 
@@ -59,6 +60,23 @@ static inline void row_reactions(const struct system *r, const wanted *s, const 
     body_reactions(&r->h.load, &m->x.q, &m->rate.q, &Q, value + GOUGH_RXX);
 }
 
+static inline void row_joints(const struct system *r, const signals *m, real *value) {
+    for (int v = 0; v < LEGS; v++) {
+        const leg_joints j = joints_of_leg(&r->h, &m->g, v, &m->rate, &m->acceleration,
+                                           r->traits & MOVING_MASS, m->leg[v]);
+        value[GOUGH_H + v] = m->leg[v];
+        row_vector(j.top, value, GOUGH_ON_TOP + 3 * v);
+        row_vector(j.base, value, GOUGH_BY_BASE + 3 * v);
+        value[GOUGH_S + v] = j.side;
+    }
+}
+
+/* Whether a summary looks at the joints of a run: of legs without mass and friction it knows them from the drive forces. */
+static inline int row_joints_summed(const struct system *r) {
+    return r->options->summary && !r->options->summary->brief_ &&
+           r->traits & (MOVING_MASS | FRICTION);
+}
+
 /* how much of a row is wanted: velocities and accelerations, and the condition number, are else 0 */
 enum { ROW_BRIEF, ROW_RATES, ROW_WHOLE };
 
@@ -85,6 +103,7 @@ static inline void row_fill(const struct system *r, const wanted *s, real t, con
         value[GOUGH_DRIFT] = drift;
     }
     if (r->options->reactions) row_reactions(r, s, m, simulated, value);
+    if (r->options->joints || row_joints_summed(r)) row_joints(r, m, value);
 }
 
 /* whether every number that the row should have is finite */
@@ -92,7 +111,7 @@ static inline int row_finite(const struct system *r, int simulated,
                              const real value[GOUGH_COLUMNS]) {
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
         if (real_finite(value[c])) continue;
-        if (gough_column_filled(c, simulated, r->options->reactions)) return 0;
+        if (gough_column_filled(c, simulated, r->options)) return 0;
     }
     return 1;
 }
@@ -106,14 +125,18 @@ static inline void row_sum(const real value[GOUGH_COLUMNS], gough_summary *summa
     gough_summary_look(summary, machine, &row, is_row);
 }
 
-/* hands the row on; nonzero: the sink asks to stop */
-static inline int row_send(const real value[GOUGH_COLUMNS], gough_sink sink, void *context) {
+/* hands the row on, without what only the summary asked for; nonzero: the sink asks to stop */
+static inline int row_send(const struct system *r, const real value[GOUGH_COLUMNS], gough_sink sink,
+                           void *context) {
     gough_row row = {.quad = NULL};
+    real sent[GOUGH_COLUMNS];
 
     if (sink == NULL) return 0;
-    for (int c = 0; c < GOUGH_COLUMNS; c++) row.value[c] = (double)value[c];
+    for (int c = 0; c < GOUGH_COLUMNS; c++) sent[c] = value[c];
+    for (int c = GOUGH_H; c <= GOUGH_S_LAST && !r->options->joints; c++) sent[c] = (real)NAN;
+    for (int c = 0; c < GOUGH_COLUMNS; c++) row.value[c] = (double)sent[c];
 #if defined(NUMBER_QUAD)
-    row.quad = value;
+    row.quad = sent;
 #endif
     return sink(context, &row);
 }

@@ -6,13 +6,23 @@
 
 #include "gough/dynamics.h"
 #include "gough/simulate.h"
+#include "plant/hexapod.h"
 #include "run/peak.h"
 #include "run/quadrature.h"
+#include "run/returned.h"
 
-/* columns of the window: time, then per leg the square of the force and the power */
-enum { WINDOW = QUADRATURE_ROWS, SQUARE = 1, POWER = 1 + GOUGH_LEGS };
+/* columns of the window: time, then per leg the square of the force, the power, and what of it friction takes */
+enum {
+    WINDOW = QUADRATURE_ROWS,
+    SQUARE = 1,
+    POWER = SQUARE + GOUGH_LEGS,
+    LOSS = POWER + GOUGH_LEGS,
+    WINDOW_COLUMNS = LOSS + GOUGH_LEGS
+};
+_Static_assert(WINDOW_COLUMNS == sizeof((gough_summary *)0)->window_[0] / sizeof(double), "rows");
 
-/* columns of the window of looks: time, six quantities of each leg, three of the whole machine */
+/* columns of the window of looks: time, six quantities of each leg, three of the whole machine, and four of each leg that those
+ * of a machine without mass and friction in its legs lack */
 enum {
     LOOK_LENGTH = 1,
     LOOK_RATE = LOOK_LENGTH + GOUGH_LEGS,
@@ -23,7 +33,12 @@ enum {
     LOOK_CONDITION = LOOK_TOP + GOUGH_LEGS,
     LOOK_POSITION,
     LOOK_HALF, /* sine of half the angle, which lanes follow too */
-    LOOK_COLUMNS
+    LOOK_PLAIN,
+    LOOK_TOP_LOAD = LOOK_PLAIN,
+    LOOK_BASE_LOAD = LOOK_TOP_LOAD + GOUGH_LEGS,
+    LOOK_SIDE = LOOK_BASE_LOAD + GOUGH_LEGS,
+    LOOK_LOSS = LOOK_SIDE + GOUGH_LEGS,
+    LOOK_COLUMNS = LOOK_LOSS + GOUGH_LEGS
 };
 _Static_assert(LOOK_COLUMNS == sizeof((gough_summary *)0)->look_[0] / sizeof(double), "window");
 
@@ -129,6 +144,37 @@ static void take_peaks(gough_summary *summary, const double *value,
     summary->drift = larger(summary->drift, value[GOUGH_DRIFT]);
 }
 
+/* ---- forces of the joints ---- */
+
+/* Whether a row or look has them, and they are others than the drive forces. */
+static bool has_joints(const gough_machine *machine, const double *value) {
+    return !isnan(value[GOUGH_H]) &&
+           (machine->platform.legs_have_mass || machine_has_friction(machine));
+}
+
+/* what friction takes of the power of leg v, (mass-7) */
+static double power_lost(const double *value, int v) {
+    return (value[GOUGH_F + v] - value[GOUGH_H + v]) * value[GOUGH_DL + v];
+}
+
+static double size_of(const double *v) {
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* Peaks up to a row or look that has them, whose loads and loss go to load[0 … 3] of each leg as in the window of looks. */
+static void take_joints(gough_summary *summary, const double *value, double load[4 * GOUGH_LEGS]) {
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        load[v] = size_of(value + GOUGH_ON_TOP + 3 * v);
+        load[GOUGH_LEGS + v] = size_of(value + GOUGH_BY_BASE + 3 * v);
+        load[2 * GOUGH_LEGS + v] = value[GOUGH_S + v];
+        load[3 * GOUGH_LEGS + v] = power_lost(value, v);
+        leg->top_load = fmax(leg->top_load, load[v]);
+        leg->base_load = fmax(leg->base_load, load[GOUGH_LEGS + v]);
+        leg->side_load = fmax(leg->side_load, load[2 * GOUGH_LEGS + v]);
+    }
+}
+
 static void count_row(gough_summary *summary, double t) {
     if (summary->rows == 0) summary->first_time = t;
     summary->last_time = t;
@@ -137,17 +183,33 @@ static void count_row(gough_summary *summary, double t) {
 
 /* ---- rows alone ---- */
 
-/* adds ∫ over one interval of the window, h · Σ weight · value, to the legs' squares and energies */
-static void add_interval(gough_summary *summary, double h, const double weight[WINDOW]) {
+/* adds ∫ over one interval of the window, h · Σ weight · value, to the legs' squares and energies; fit: its polynomial */
+static void add_interval(gough_summary *summary, double h, const double weight[WINDOW],
+                         const double fit[WINDOW][WINDOW]) {
+    double curve[WINDOW];
+
     for (int v = 0; v < GOUGH_LEGS; v++) {
-        double square = 0, power = 0;
+        double square = 0, power = 0, loss = 0;
         for (int i = 0; i < WINDOW; i++) {
             square += weight[i] * summary->window_[i][SQUARE + v];
             power += weight[i] * summary->window_[i][POWER + v];
+            loss += weight[i] * summary->window_[i][LOSS + v];
+            curve[i] = summary->window_[i][POWER + v];
         }
         summary->square_[v] += h * square;
         summary->leg[v].energy += h * power;
+        summary->leg[v].friction_loss += h * loss;
+        summary->leg[v].returned_energy += returned_energy(fit, h, curve);
     }
+}
+
+/* the same with the cubic through all rows of the window, from row a */
+static void add_cubic(gough_summary *summary, double h, const double weight[WINDOW], int a) {
+    double fit[WINDOW][WINDOW], time[WINDOW];
+
+    for (int i = 0; i < WINDOW; i++) time[i] = summary->window_[i][0];
+    quadrature_fit(time, WINDOW, a, fit);
+    add_interval(summary, h, weight, (const double(*)[WINDOW])fit);
 }
 
 static void add_to_window(gough_summary *summary, const double *value) {
@@ -158,18 +220,21 @@ static void add_to_window(gough_summary *summary, const double *value) {
     for (int v = 0; v < GOUGH_LEGS; v++) {
         newest[SQUARE + v] = value[GOUGH_F + v] * value[GOUGH_F + v];
         newest[POWER + v] = value[GOUGH_P + v];
+        newest[LOSS + v] = summary->joints_ ? power_lost(value, v) : 0;
     }
     if (summary->rows < WINDOW) return;
     const double h = (newest[0] - summary->window_[0][0]) / (WINDOW - 1);
-    if (summary->rows == WINDOW) add_interval(summary, h, quadrature_first);
-    add_interval(summary, h, quadrature_middle);
+    if (summary->rows == WINDOW) add_cubic(summary, h, quadrature_first, 0);
+    add_cubic(summary, h, quadrature_middle, 1);
 }
 
 void gough_summary_add(gough_summary *summary, const gough_machine *machine, const gough_row *row) {
     const double *value = row->value;
-    double at_base[GOUGH_LEGS], at_top[GOUGH_LEGS], position, angle;
+    double at_base[GOUGH_LEGS], at_top[GOUGH_LEGS], position, angle, load[4 * GOUGH_LEGS];
 
     count_row(summary, value[GOUGH_T]);
+    summary->joints_ = has_joints(machine, value);
+    if (summary->joints_) take_joints(summary, value, load);
     find_swing(machine, value, at_base, at_top);
     find_deviation(value, &position, &angle);
     take_peaks(summary, value, at_base, at_top, position, angle);
@@ -178,38 +243,23 @@ void gough_summary_add(gough_summary *summary, const gough_machine *machine, con
 
 static void end_rows(gough_summary *summary) {
     if (summary->rows >= WINDOW) {
-        add_interval(summary,
-                     (summary->window_[WINDOW - 1][0] - summary->window_[0][0]) / (WINDOW - 1),
-                     quadrature_last);
+        add_cubic(summary,
+                  (summary->window_[WINDOW - 1][0] - summary->window_[0][0]) / (WINDOW - 1),
+                  quadrature_last, WINDOW - 2);
     } else if (summary->rows >= 2) {
         /* too few rows for a cubic: the trapezium between the two or three there are */
         for (size_t i = WINDOW - summary->rows; i + 1 < WINDOW; i++) {
-            double weight[WINDOW] = {0, 0, 0, 0};
+            double weight[WINDOW] = {0, 0, 0, 0}, chord[WINDOW][WINDOW] = {{0}};
             weight[i] = weight[i + 1] = 0.5;
-            add_interval(summary, summary->window_[i + 1][0] - summary->window_[i][0], weight);
+            chord[i][0] = chord[i + 1][1] = 1;
+            chord[i][1] = -1;
+            add_interval(summary, summary->window_[i + 1][0] - summary->window_[i][0], weight,
+                         (const double(*)[WINDOW])chord);
         }
     }
 }
 
 /* ---- looks at the motion, rows among them ---- */
-
-/* adds ∫ from look a to the next of the polynomial through the last `count` looks */
-static void integrate(gough_summary *summary, const double time[WINDOW], int count, int a) {
-    double weight[WINDOW];
-
-    if (count == WINDOW && a == 1) {
-        quadrature_weigh_middle(time, weight);
-    } else {
-        quadrature_weigh(time, count, a, weight);
-    }
-    for (int v = 0; v < GOUGH_LEGS; v++) {
-        for (int i = WINDOW - count; i < WINDOW; i++) {
-            const double force = summary->look_[i][LOOK_FORCE + v];
-            if (!summary->brief_) summary->square_[v] += weight[i] * force * force;
-            summary->leg[v].energy += weight[i] * summary->look_[i][LOOK_POWER + v];
-        }
-    }
-}
 
 /* an interval between two looks: its polynomial as quadrature_fit() makes it, once it is wanted */
 typedef struct {
@@ -220,14 +270,58 @@ typedef struct {
         bends[LOOK_COLUMNS]; /* of each column: below 0 where it may turn between the two looks */
 } interval;
 
+static void fit(interval *f) {
+    if (!f->made) f->h = quadrature_fit(f->time, f->count, f->a, f->c);
+    f->made = true;
+}
+
 /* Where looks in the middle of four do not turn, peak_between() finds nothing. All columns at once, without a branch for each. */
 static void find_bends(const gough_summary *summary, interval *f) {
     const double(*look)[LOOK_COLUMNS] = summary->look_;
     const bool middle = f->count == WINDOW && f->a == 1;
+    const int columns = summary->joints_ ? LOOK_COLUMNS : LOOK_PLAIN;
 
-    for (int c = 0; c < LOOK_COLUMNS && !middle; c++) f->bends[c] = -1;
-    for (int c = 0; c < LOOK_COLUMNS && middle; c++)
+    for (int c = 0; c < columns && !middle; c++) f->bends[c] = -1;
+    for (int c = 0; c < columns && middle; c++)
         f->bends[c] = (look[1][c] - look[0][c]) * (look[3][c] - look[2][c]);
+}
+
+/* the energy that leg v returns from look a to the next, whose net energy is `net` */
+static double returned_between(const gough_summary *summary, interval *f, int v, double net) {
+    const int column = LOOK_POWER + v;
+    const double one = summary->look_[f->a][column], two = summary->look_[f->a + 1][column];
+    double y[WINDOW];
+
+    /* a power that keeps its sign at the looks and does not turn between them keeps it there too */
+    if (!(f->bends[column] < 0) && one >= 0 && two >= 0) return 0;
+    if (!(f->bends[column] < 0) && one <= 0 && two <= 0) return -net;
+    fit(f);
+    for (int i = 0; i < WINDOW; i++) y[i] = summary->look_[i][column];
+    return returned_energy((const double(*)[WINDOW])f->c, f->h, y);
+}
+
+/* adds ∫ from look a to the next of the polynomial through the last `count` looks */
+static void integrate(gough_summary *summary, interval *f) {
+    const bool whole = !summary->brief_;
+    double weight[WINDOW];
+
+    if (f->count == WINDOW && f->a == 1) {
+        quadrature_weigh_middle(f->time, weight);
+    } else {
+        quadrature_weigh(f->time, f->count, f->a, weight);
+    }
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        double net = 0;
+        for (int i = WINDOW - f->count; i < WINDOW; i++) {
+            const double *look = summary->look_[i], force = look[LOOK_FORCE + v];
+            if (whole) summary->square_[v] += weight[i] * force * force;
+            if (summary->joints_) leg->friction_loss += weight[i] * look[LOOK_LOSS + v];
+            leg->energy += weight[i] * look[LOOK_POWER + v];
+            net += weight[i] * look[LOOK_POWER + v];
+        }
+        if (whole) leg->returned_energy += returned_between(summary, f, v, net);
+    }
 }
 
 /* The extreme of a column between the two looks, with its place in *s. A column that does not turn there has the value at look a
@@ -237,8 +331,7 @@ static double extreme_of(const gough_summary *summary, interval *f, int column, 
 
     *s = 0;
     if (!(f->bends[column] < 0)) return summary->look_[f->a][column];
-    if (!f->made) f->h = quadrature_fit(f->time, f->count, f->a, f->c);
-    f->made = true;
+    fit(f);
     for (int i = 0; i < WINDOW; i++) y[i] = summary->look_[i][column];
     const double value = peak_between(y, (const double(*)[WINDOW])f->c, f->count, f->a, s);
     if (!(*s > 0 && isfinite(value))) *s = 0;
@@ -247,6 +340,21 @@ static double extreme_of(const gough_summary *summary, interval *f, int column, 
 
 /* 2 arcsin x is at most π x */
 static const double most_angle = 3.15;
+
+/* the same of the loads of the joints */
+static void take_load_extremes(gough_summary *summary, interval *f) {
+    double s, x;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        x = extreme_of(summary, f, LOOK_TOP_LOAD + v, &s);
+        if (s > 0) leg->top_load = fmax(leg->top_load, x);
+        x = extreme_of(summary, f, LOOK_BASE_LOAD + v, &s);
+        if (s > 0) leg->base_load = fmax(leg->base_load, x);
+        x = extreme_of(summary, f, LOOK_SIDE + v, &s);
+        if (s > 0) leg->side_load = fmax(leg->side_load, x);
+    }
+}
 
 /* Extremes between the two looks; the looks themselves are among the peaks already. */
 static void take_extremes(gough_summary *summary, interval *f) {
@@ -289,10 +397,11 @@ static void sum_up(gough_summary *summary, int count, int a) {
     interval f = {.count = count, .a = a, .h = 0, .made = false};
 
     for (int i = 0; i < WINDOW; i++) f.time[i] = summary->look_[i][0];
-    integrate(summary, f.time, count, a);
-    if (count < 3) return;
     find_bends(summary, &f);
+    integrate(summary, &f);
+    if (count < 3) return;
     take_extremes(summary, &f);
+    if (summary->joints_) take_load_extremes(summary, &f);
 }
 
 /* where the last interval has no look after it */
@@ -359,6 +468,8 @@ void gough_summary_look(gough_summary *summary, const gough_machine *machine, co
     find_deviation(value, &newest[LOOK_POSITION], &angle);
     newest[LOOK_HALF] = sin(angle / 2);
     take_peaks(summary, value, at_base, at_top, newest[LOOK_POSITION], angle);
+    summary->joints_ = has_joints(machine, value);
+    if (summary->joints_) take_joints(summary, value, newest + LOOK_TOP_LOAD);
     summary->looks_++;
     if (!summary->brief_) watch_rows(summary, is_row);
     if (summary->looks_ == WINDOW) sum_up(summary, WINDOW, 0);
@@ -384,6 +495,7 @@ void gough_summary_end(gough_summary *summary) {
         gough_leg_summary *leg = &summary->leg[v];
         const double newest = fmax(fabs(leg->force_min), fabs(leg->force_max));
         leg->rms_force = span > 0 ? sqrt(fmax(0, summary->square_[v] / span)) : newest;
+        if (!summary->joints_) leg->top_load = leg->base_load = newest;
     }
     if (summary->between_leg == 0 || !(summary->acceleration_ > 0)) return;
     /* chords of a curve with this curvature miss it by at most a hundredth of the stroke */

@@ -31,7 +31,7 @@ gough_result *gough_result_new(const gough_study *study, const char *verb,
         result_scale_of(units, machine->base_radius, machine->gravity_magnitude);
     result->time = scale.time;
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
-        if (!gough_column_filled(c, simulated, study->simulation.reactions)) continue;
+        if (!gough_column_filled(c, simulated, &study->simulation)) continue;
         result->quad_factor[result->columns] = result_factor(&scale, gough_unit_of_column(c));
         result->factor[result->columns] = (double)result->quad_factor[result->columns];
         result->column[result->columns++] = c;

@@ -9,7 +9,7 @@
 #include "support/machines.h"
 #include "support/suite.h"
 
-static const int outside[] = {-1, 97, INT_MAX, INT_MIN};
+static const int outside[] = {-1, 997, INT_MAX, INT_MIN};
 enum { OUTSIDE = sizeof outside / sizeof *outside };
 
 static gough_model model;
@@ -266,6 +266,7 @@ START_TEST(functions_without_a_status_give_what_is_not_finite) {
 END_TEST
 
 START_TEST(names_of_what_is_outside_are_harmless) {
+    const gough_simulation everything = {.reactions = true, .joints = true};
     for (int i = 0; i < OUTSIDE; i++) {
         const int value = outside[i];
         gough_end end = {.cause = (gough_cause)value, .message = "as it was"};
@@ -279,7 +280,7 @@ START_TEST(names_of_what_is_outside_are_harmless) {
         ck_assert_str_eq(gough_component_name(value), "");
         ck_assert_ptr_null(gough_method_name(value));
         ck_assert_ptr_null(gough_column(value));
-        ck_assert(!gough_column_filled(value, true, true));
+        ck_assert(!gough_column_filled(value, true, &everything));
         gough_end_say(&end, " m", " m/s", " N", " s");
         ck_assert_str_eq(end.message, "as it was");
         gough_place_reset(&place, &number);

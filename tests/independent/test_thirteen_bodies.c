@@ -240,6 +240,38 @@ static double reactions_differ(const random_case *c) {
     return relative(6, expected, reaction);
 }
 
+/* the piston's equation across the leg: what its guides give it is m₂(a − g) less what the top does to it */
+static double guided(const random_case *c, const bodies_instant *now, int n) {
+    const rigid_body *piston = &now->body[PISTON + n];
+    double axis[3], force[3], along = 0, across = 0;
+    for (int i = 0; i < 3; i++) {
+        axis[i] = c->state.position[i] - c->second.platform.base[n][i];
+        for (int j = 0; j < 3; j++)
+            axis[i] += c->state.rotation[i][j] * c->second.platform.top[n][j];
+        axis[i] /= now->length[n];
+        force[i] = piston->mass * (piston->a[i] - c->second.gravity[i]) + now->on_top[n][i];
+        along += axis[i] * force[i];
+    }
+    for (int i = 0; i < 3; i++)
+        across += (force[i] - along * axis[i]) * (force[i] - along * axis[i]);
+    return sqrt(across);
+}
+
+static double joints_differ(const random_case *c) {
+    bodies_instant now;
+    double leg[6], top[6][3], base[6][3], side[6], second_side[6], worst;
+    bodies_inverse(&c->second, &c->state, &c->acceleration, &c->external, &now);
+    ck_assert_int_eq(gough_joint_forces(&c->machine, &c->state, &c->acceleration, &c->external, leg,
+                                        top, base, side),
+                     GOUGH_OK);
+    for (int n = 0; n < 6; n++) second_side[n] = guided(c, &now, n);
+    worst = relative(6, leg, now.force);
+    worst = worse(worst, relative(18, top[0], now.on_top[0]));
+    worst = worse(worst, relative(18, base[0], now.on_leg[0]));
+    for (int n = 0; n < 6; n++) side[n] -= second_side[n];
+    return worse(worst, largest(6, side) / largest(18, now.on_top[0]));
+}
+
 static const struct {
     const char *name;
     int legs;
@@ -253,16 +285,19 @@ enum { KINDS = sizeof LEGS / sizeof LEGS[0] };
 START_TEST(random_machines_agree) {
     dice d = {SEED};
     random_case c;
-    double forward = 0, inverse = 0, reactions = 0;
+    double forward = 0, inverse = 0, reactions = 0, joints = 0;
     for (int n = 0; n < MACHINES; n++) {
         random_machine(&d, LEGS[_i].legs, &c);
         forward = worse(forward, forward_differs(&c));
         inverse = worse(inverse, inverse_differs(&c));
         reactions = worse(reactions, reactions_differ(&c));
+        joints = worse(joints, joints_differ(&c));
     }
-    ck_assert_msg(forward <= AGREEMENT && inverse <= AGREEMENT && reactions <= AGREEMENT,
-                  "%s, seed %d: accelerations differ by %g, drive forces by %g, reactions by %g",
-                  LEGS[_i].name, (int)SEED, forward, inverse, reactions);
+    ck_assert_msg(forward <= AGREEMENT && inverse <= AGREEMENT && reactions <= AGREEMENT &&
+                      joints <= AGREEMENT,
+                  "%s, seed %d: accelerations differ by %g, drive forces by %g, reactions by %g, "
+                  "forces of the joints by %g",
+                  LEGS[_i].name, (int)SEED, forward, inverse, reactions, joints);
 }
 END_TEST
 

@@ -151,7 +151,7 @@ START_TEST(defaults_are_those_of_the_structs) {
     ck_assert(run.duration == 20 && run.output_step == 0.05 && run.tolerance == 1e-10);
     ck_assert(run.method == GOUGH_DOP853 && run.constraints == GOUGH_PROJECTION);
     ck_assert(run.step == 0 && run.max_step == 0 && run.precision == GOUGH_DOUBLE);
-    ck_assert(!run.reactions && run.summary == NULL && run.statistics == NULL);
+    ck_assert(!run.reactions && !run.joints && run.summary == NULL && run.statistics == NULL);
 }
 END_TEST
 

@@ -61,6 +61,7 @@ static gough_simulation options(void) {
     s.baumgarte[0] = 3;
     s.baumgarte[1] = 4;
     s.reactions = true;
+    s.joints = true;
     return s;
 }
 

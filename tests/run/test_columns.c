@@ -27,19 +27,23 @@ START_TEST(a_run_fills_the_columns_that_it_is_said_to_fill) {
     set_all_axes(model);
     set_gains(model, 50, 5);
     model->control.feedforward = true;
-    for (int kind = 0; kind < 4; kind++) {
-        const bool simulated = kind & 1, reactions = kind & 2;
+    for (int kind = 0; kind < 16; kind++) {
+        const bool simulated = kind & 1, reactions = kind & 2, joints = kind & 4, rough = kind & 8;
         gough_simulation s = gough_simulation_default();
         seen found = {.rows = 0};
+        gough_summary summary;
         gough_end end;
+        for (int v = 0; v < GOUGH_LEGS; v++) model->machine.platform.friction.viscous[v] = rough;
+        s.summary = &summary; /* which looks at the joints where there is friction */
         s.duration = 0.2;
         s.reactions = reactions;
+        s.joints = joints;
         ck_assert_int_eq(simulated ? gough_simulate(model, &s, look, &found, &end, NULL)
                                    : gough_forces(model, &s, look, &found, NULL, NULL, &end, NULL),
                          GOUGH_OK);
         ck_assert_int_eq(found.rows, 5);
         for (int c = 0; c < GOUGH_COLUMNS; c++) {
-            const bool filled = gough_column_filled(c, simulated, reactions);
+            const bool filled = gough_column_filled(c, simulated, &s);
             ck_assert_msg(found.filled[c] == filled && found.empty[c] == !filled, "kind %d: %s",
                           kind, gough_column(c)->name);
         }
@@ -50,9 +54,11 @@ END_TEST
 
 START_TEST(columns_outside_the_enumeration_are_not_there) {
     static const int outside[] = {-1, GOUGH_COLUMNS, 1000, -2147483647 - 1, 2147483647};
+    gough_simulation s = gough_simulation_default();
+    s.reactions = s.joints = true;
     for (size_t i = 0; i < sizeof outside / sizeof *outside; i++) {
         ck_assert_ptr_null(gough_column(outside[i]));
-        ck_assert(!gough_column_filled(outside[i], true, true));
+        ck_assert(!gough_column_filled(outside[i], true, &s));
     }
 }
 END_TEST

@@ -13,7 +13,7 @@
 #include "gough/result.h"
 
 /* A study with nothing in it but what a table asks for: title, text, R_b = 4, M = 10, g = 9, so that √(R_b/g) = 2/3. */
-static inline gough_study *study_by_hand(const char *title, bool reactions) {
+static inline gough_study *study_by_hand(const char *title, bool everything) {
     gough_study *study = calloc(1, sizeof *study);
     study->model = calloc(1, sizeof *study->model);
     study->title = strdup(title);
@@ -22,7 +22,7 @@ static inline gough_study *study_by_hand(const char *title, bool reactions) {
     study->model->machine.base_radius = 4.0;
     study->model->machine.load.mass = 10.0;
     study->model->machine.gravity_magnitude = 9.0;
-    study->simulation.reactions = reactions;
+    study->simulation.reactions = study->simulation.joints = everything;
     return study;
 }
 

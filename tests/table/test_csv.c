@@ -6,14 +6,14 @@
 static bool same_bits(double a, double b) { return memcmp(&a, &b, sizeof a) == 0; }
 
 /* Splits a CSV text with the C library alone and compares every number with what went in. */
-static void expect_numbers(char *text, size_t rows, bool reactions) {
+static void expect_numbers(char *text, size_t rows, bool everything) {
     char *line_rest = NULL;
     char *line = strtok_r(text, "\n", &line_rest);
     ck_assert(line != NULL);
     for (size_t r = 0; r < rows; r++) {
         line = strtok_r(NULL, "\n", &line_rest);
         ck_assert(line != NULL);
-        for (int c = 0; c < (reactions ? GOUGH_COLUMNS : GOUGH_RXX); c++) {
+        for (int c = 0; c < (everything ? GOUGH_COLUMNS : GOUGH_RXX); c++) {
             double expected = c == GOUGH_T ? (double)r / 8.0 : awkward(r, c);
             if (gough_column(c)->angle != 0) expected *= 57.295779513082320877;
             char *end = NULL;

@@ -26,6 +26,19 @@ static double force_peak(const run_report *report, const gough_leg_summary *leg)
     return fmax(fabs(leg->force_min), fabs(leg->force_max));
 }
 
+static double braking_power(const run_report *report, const gough_leg_summary *leg) {
+    (void)report;
+    return leg->power_min < 0 ? -leg->power_min : 0 * leg->power_min;
+}
+
+static double holds_from(const run_report *report, const gough_leg_summary *leg) {
+    return report->holds_from[leg - report->summary.leg];
+}
+
+static double holds_to(const run_report *report, const gough_leg_summary *leg) {
+    return report->holds_to[leg - report->summary.leg];
+}
+
 /* Of all legs together. */
 typedef enum leg_total { LEAST, GREATEST, SUM } leg_total;
 
@@ -58,13 +71,26 @@ static const leg_quantity quantities[] = {
     {"power", GOUGH_UNIT_POWER, AT(power_min), NULL, LEG_LOADS, 4, "power", "least", 5, LEAST},
     {"power", GOUGH_UNIT_POWER, AT(power_max), NULL, LEG_LOADS, 5, "power", "greatest", 5,
      GREATEST},
-    {"energy", GOUGH_UNIT_ENERGY, AT(energy), NULL, LEG_LOADS, 6, "energy", NULL, 5, SUM},
+    {"energy", GOUGH_UNIT_ENERGY, AT(energy), NULL, LEG_LOADS, 6, "energy", "net", 5, SUM},
     {"swing.base", GOUGH_UNIT_ANGLE, AT(swing_base), NULL, LEG_MOTION, 5, "swing [deg] at", "base",
      4, GREATEST},
     {"swing.top", GOUGH_UNIT_ANGLE, AT(swing_top), NULL, LEG_MOTION, 6, "swing [deg] at", "top", 4,
      GREATEST},
     {"stroke_used", GOUGH_UNIT_NONE, 0, leg_stroke_share, LEG_MOTION, 3, "stroke", "used %", 3,
-     GREATEST}};
+     GREATEST},
+    {"joint_load.top", GOUGH_UNIT_FORCE, AT(top_load), NULL, LEG_JOINTS, 0, "peak load of joint",
+     "top", 5, GREATEST},
+    {"joint_load.base", GOUGH_UNIT_FORCE, AT(base_load), NULL, LEG_JOINTS, 1, "peak load of joint",
+     "base", 5, GREATEST},
+    {"side_load", GOUGH_UNIT_FORCE, AT(side_load), NULL, LEG_JOINTS, 2, "side load", NULL, 4,
+     GREATEST},
+    {"friction_loss", GOUGH_UNIT_ENERGY, AT(friction_loss), NULL, LEG_JOINTS, 3, "lost by friction",
+     NULL, 5, SUM},
+    {"returned_energy", GOUGH_UNIT_ENERGY, AT(returned_energy), NULL, LEG_LOADS, 7, "energy",
+     "returned", 5, SUM},
+    {"braking_power", GOUGH_UNIT_POWER, 0, braking_power, LEG_NONE, 0, "", NULL, 5, GREATEST},
+    {"holding", GOUGH_UNIT_FORCE, 0, holds_from, LEG_JOINTS, 4, "holds at home", "from", 5, LEAST},
+    {"holding", GOUGH_UNIT_FORCE, 0, holds_to, LEG_JOINTS, 5, "holds at home", "to", 5, GREATEST}};
 enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
 
 static double *member(gough_leg_summary *leg, const leg_quantity *q) {

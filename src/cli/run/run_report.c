@@ -22,9 +22,10 @@ static const scaled_member crossing_members[] = {SCALED(gough_crossing, enter, T
                                                  SCALED(gough_crossing, leave, TIME),
                                                  SCALED(gough_crossing, worst_time, TIME)};
 
-static const scaled_member report_members[] = {SCALED(run_report, statistics.stiff_time, TIME),
-                                               SCALED(run_report, statistics.stiff_rate, RATE),
-                                               SCALED(run_report, stroke, LENGTH)};
+static const scaled_member report_members[] = {
+    SCALED(run_report, statistics.stiff_time, TIME),
+    SCALED(run_report, statistics.stiff_rate, RATE), SCALED(run_report, stroke, LENGTH),
+    SCALED(run_report, holds_from, FORCE), SCALED(run_report, holds_to, FORCE)};
 
 static void scale_crossing(gough_crossing *crossing, const gough_units *u) {
     SCALE(crossing, crossing_members, u);
@@ -78,10 +79,22 @@ gough_end run_report_end(const run_report *report) {
 
 /* Without a row there is no number, not a 0. */
 static void leave_blank(gough_summary *s) {
-    const gough_leg_summary blank = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    for (int i = 0; i < GOUGH_LEGS; i++) s->leg[i] = blank;
+    double *value = (double *)(void *)s->leg;
+    const size_t count = GOUGH_LEGS * (sizeof s->leg[0] / sizeof(double));
+    for (size_t i = 0; i < count; i++) value[i] = NAN;
     s->condition = s->condition_time = s->drift = NAN;
     s->position_deviation = s->angle_deviation = NAN;
+}
+
+/* What holds the legs at rest at home. */
+static void find_holding(run_report *report) {
+    const gough_machine *machine = &report->study->model->machine;
+    const gough_state home = gough_state_home(machine);
+    double force[GOUGH_LEGS];
+    if (gough_holding_forces(machine, &home, NULL, force, report->holds_from, report->holds_to) ==
+        GOUGH_OK)
+        return;
+    for (int i = 0; i < GOUGH_LEGS; i++) report->holds_from[i] = report->holds_to[i] = NAN;
 }
 
 void run_report_scale(run_report *report) {
@@ -95,6 +108,7 @@ void run_report_scale(run_report *report) {
         scale_crossing(&report->crossings.list[i], u);
     report->stroke[0] = report->study->model->machine.platform.length_min;
     report->stroke[1] = report->study->model->machine.platform.length_max;
+    find_holding(report);
     SCALE(report, report_members, u);
 }
 
@@ -189,6 +203,16 @@ static void print_end(FILE *stream, const run_report *report, const gough_units 
         fprintf(stream, "%s\n", end->message);
 }
 
+/* Whether the loads of the legs' joints are others than the drive forces. */
+static bool legs_are_heavy_or_rough(const run_report *report) {
+    const gough_platform *p = &report->study->model->machine.platform;
+    bool rough = false;
+    for (int i = 0; i < GOUGH_LEGS; i++)
+        rough = rough || p->friction.viscous[i] > 0 || p->friction.coulomb[i] > 0 ||
+                report->study->model->machine.breakaway[i] > 0 || p->friction.efficiency[i] < 1;
+    return rough || p->legs_have_mass;
+}
+
 void run_report_print(FILE *stream, const run_report *report) {
     const gough_summary *s = &report->summary;
     const gough_units *unit = &report->units;
@@ -208,6 +232,10 @@ void run_report_print(FILE *stream, const run_report *report) {
         fputc('\n', stream);
         leg_table_print(stream, report, LEG_LOADS);
         fputc('\n', stream);
+        if (legs_are_heavy_or_rough(report)) {
+            leg_table_print(stream, report, LEG_JOINTS);
+            fputc('\n', stream);
+        }
         fprintf(stream,
                 "  condition   at most %.4g, at t = %.6g%s (1 is best, 1e8 counts as singular)\n",
                 s->condition, s->condition_time, unit_word(unit, GOUGH_UNIT_TIME));

@@ -24,6 +24,9 @@ typedef struct run_report {
     gough_statistics statistics; /* its rate and time in the output's units */
     crossing_list crossings;     /* scaled; forces only */
     double stroke[2];            /* least and greatest leg length, scaled; 0 and INFINITY: none */
+    double
+        holds_from[GOUGH_LEGS];  /* drive forces that hold the legs at rest at home, scaled; NaN: */
+    double holds_to[GOUGH_LEGS]; /* none can */
     const char *const *output;   /* where the tables went; "-" among them */
     size_t outputs;
     bool all; /* each excess of a limit is listed */

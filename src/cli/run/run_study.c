@@ -35,6 +35,11 @@ static const option run_option[] = {{.name = "precision",
                                      .read = read_flag,
                                      .at = offsetof(run_options, reactions),
                                      .text = "add the constraint reactions to the table"},
+                                    {.name = "joints",
+                                     .read = read_flag,
+                                     .at = offsetof(run_options, joints),
+                                     .text = "add leg forces, forces at the joints and side loads "
+                                             "to the table"},
                                     {0}};
 
 const option_group run_group = {run_option, NULL, NULL};
@@ -178,7 +183,8 @@ gough_status run_study(const run_line *run, bool simulated) {
     gough_status status = check_output(line, NULL);
     if (!status) status = read_study(line, line->file.word[0], &study);
     if (!status) {
-        study->simulation.reactions |= run->run.reactions; /* tables have columns by this too */
+        study->simulation.reactions |= run->run.reactions; /* tables have columns by these too */
+        study->simulation.joints |= run->run.joints;
         if (run->run.precision == GOUGH_QUADRUPLE) study->simulation.precision = GOUGH_QUADRUPLE;
         report.study = study;
         status = run_and_report(line, &report);

@@ -6,7 +6,7 @@
 
 typedef struct run_options {
     gough_precision precision; /* GOUGH_DOUBLE unless the option or the study has more digits */
-    bool reactions;
+    bool reactions, joints;
 } run_options;
 
 typedef struct run_line {

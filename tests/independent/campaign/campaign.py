@@ -162,7 +162,7 @@ class Case:
         name = os.path.basename(self.path)
         options = ["--dimensionless"] if scaled else []
         status = (0,) if run.end["status"] == "done" else (1,)
-        table = ["-o", "table.csv"] + (["--reactions"] if reactions else [])
+        table = ["-o", "table.csv"] + (["--reactions", "--joints"] if reactions else [])
         data = self.data(run.verb, name, "--json", *options, allowed=status)
         self.tree_of(run.verb, data, run.json(), units)
         done = self.run(run.verb, name, *options, *table, allowed=status)
@@ -213,7 +213,7 @@ class Case:
         if len(lines) != len(wanted) + 1:
             self.fail(f"{verb} table: {len(lines) - 1} rows, expected {len(wanted)}")
             return
-        heads = [name for name in wanted[0] if reactions or name not in facts.REACTIONS] + (["drift"] if run.simulated else [])
+        heads = [name for name in wanted[0] if reactions or name not in facts.REACTIONS + facts.JOINTS] + (["drift"] if run.simulated else [])
         if set(lines[0]) != set(heads):
             self.fail(f"{verb} table: columns {lines[0]}, expected {heads}")
             return

@@ -6,6 +6,8 @@ import mechanics as m
 
 ANGLE = 180 / math.pi
 REACTIONS = ("rxx", "ryy", "rzz", "rxy", "ryz", "rzx")
+JOINTS = tuple([f"h{k}" for k in range(1, 7)] + [f"{end}{axis}{k}" for end in "tb" for k in range(1, 7) for axis in "xyz"]
+               + [f"s{k}" for k in range(1, 7)])
 
 
 class Q:
@@ -83,6 +85,9 @@ def row_of(meaning, t, pose, u, wanted=None, axes=None, turn=(0, 0, 0)):
         put("eroll epitch eyaw", [math.remainder(x, 2 * math.pi) for x in gaps], "angle")
     if axes:
         put(" ".join(REACTIONS), reactions(meaning, pose, u, axes, turn), "energy")
+    # legs without mass and friction: what their drives give goes along them to both ends
+    ends = [f * x for f, n in zip(u, pose.direction) for x in n]
+    put(" ".join(JOINTS), [*u, *ends, *ends, *([0.0] * 6)], "force")
     return row
 
 
@@ -202,6 +207,26 @@ class Curves:
                     total += (times[i + self.CELL] - times[i]) * sum(w * s[name] for w, s in zip(self.WEIGHTS, cell))
         return total
 
+    def returned(self, name):
+        """−∫ min(x, 0) of a quantity: by the polynomial through the samples of a cell, in small steps where it changes its sign."""
+        total, places, steps = 0.0, (0.0, *self.INNER, 1.0), 400
+        for times, samples, _ in self.pieces:
+            for i in range(0, len(times) - 1, self.CELL):
+                values, length = [s[name] for s in samples[i:i + self.CELL + 1]], times[i + self.CELL] - times[i]
+                if max(values) <= 0 or min(values) >= 0:
+                    total -= length * min(0.0, sum(w * v for w, v in zip(self.WEIGHTS, values)))
+                    continue
+                coefficient = list(values)  # Newton's divided differences
+                for order in range(1, len(places)):
+                    for k in range(len(places) - 1, order - 1, -1):
+                        coefficient[k] = (coefficient[k] - coefficient[k - 1]) / (places[k] - places[k - order])
+                for k in range(steps):
+                    x, value = (k + 0.5) / steps, 0.0
+                    for c, place in zip(coefficient[::-1], places[::-1]):
+                        value = value * (x - place) + c
+                    total -= length / steps * min(0.0, value)
+        return total
+
     def worst(self, name, enter, leave, share):
         """The value of the largest share between two times, and when."""
         found = []
@@ -319,6 +344,9 @@ class Instant:
     def integral(self, name):
         return 0.0
 
+    def returned(self, name):
+        return 0.0
+
 
 # ---- summaries ------------------------------------------------------------------------------------------------------
 
@@ -343,6 +371,7 @@ def leg_facts(curves, span, scales, slack):
         leg["rms"] = Q(math.sqrt(max(0.0, square / span)) if span > 0 else leg["force_peak"].value, "force", 3 * top["force"])
         energy = top["energy"] + top["power"] * span
         leg["energy"] = Q(curves.integral(("power", k)), "energy", energy)
+        leg["returned"] = Q(curves.returned(("power", k)), "energy", 4 * energy)
         for name in ("base", "top"):
             leg[name] = Q(curves.extremes((name, k))[1][0], "angle", 30 * top["angle"])
         legs.append(leg)
@@ -355,7 +384,7 @@ def over_all(legs):
     out = {}
     for name, first in legs[0].items():
         values, slack = [leg[name].value for leg in legs], max(leg[name].slack for leg in legs)
-        if name == "energy":
+        if name in ("energy", "returned"):
             out[name] = Q(sum(values), "energy", 6 * slack)
         else:
             out[name] = Q(min(values) if name in least else max(values), first.dimension, slack)

@@ -243,7 +243,7 @@ def summary_lines(meaning, units, simulated, title):
     strokes += [("", "peak speed|", "speed", "speed"), ("swing [deg] at", "base", "angle", "base"), ("swing [deg] at", "top", "angle", "top")]
     loads = [(force, "least", "force", "force_least"), (force, "greatest", "force", "force_greatest"), (force, "peak", "force", "force_peak"),
              (force, "RMS", "force", "rms"), (power, "least", "power", "power_least"), (power, "greatest", "power", "power_greatest"),
-             ("", "energy|", "energy", "energy")]
+             ("energy []", "net", "energy", "energy"), ("energy []", "returned", "energy", "returned")]
     known = [Table(strokes, u, True), Table(loads, u, True)]
     text = [title] if title else []
     text += [units_sentence(meaning, units),
@@ -312,19 +312,28 @@ class Run:
             out |= {"stroke": Q(self.stroke, "length", 1e-12 * high), "stroke_low": Q(low, "length", 0), "stroke_high": Q(high, "length", 0)}
         return out
 
-    def leg_json(self, leg):
+    def holding(self):
+        """Drive forces that hold the legs at rest at home; without friction those that carry the weight."""
+        home = self.meaning.machine.home
+        forces = home.balance(*home.required())
+        return [Q(x, "force", 1e-12 * self.scales.size["force"] * home.condition()) for x in forces]
+
+    def leg_json(self, leg, hold):
         pair = lambda name: [leg[name + "_least"], leg[name + "_greatest"]]
         share = self.share(leg["used"]) if self.stroke else None
         return {"length": pair("length"), "speed": leg["speed"], "force": pair("force"), "rms_force": leg["rms"],
                 "power": pair("power"), "energy": leg["energy"], "swing": {"base": leg["base"], "top": leg["top"]},
-                "stroke_used": Q(share.value / 100, None, share.slack / 100) if share else None}
+                "stroke_used": Q(share.value / 100, None, share.slack / 100) if share else None,
+                "joint_load": {"top": leg["force_peak"], "base": leg["force_peak"]}, "side_load": Q(0, "force", 0),
+                "friction_loss": Q(0, "energy", 0), "returned_energy": leg["returned"],
+                "braking_power": Q(max(0.0, -leg["power_least"].value), "power", leg["power_least"].slack), "holding": [hold, hold]}
 
     def json(self):
         return {"verb": self.verb, "title": self.meaning.tree.get("title", ""),
                 "end": {"status": self.end["status"], "time": Q(self.end["time"], "time", self.end["slack"]),
                         "leg": self.end["leg"], "message": SENTENCE, "legs": self.end["legs"],
                         "limit": limits.sentence_facts(self.end).get("end_limit")},
-                "legs": [self.leg_json(leg) for leg in self.legs],
+                "legs": [self.leg_json(leg, hold) for leg, hold in zip(self.legs, self.holding())],
                 "condition": Q(self.condition, None, self.condition_slack),
                 "deviation": {"position": None, "angle": None}, "drift": None, "statistics": None, "limits": limits.json(self)}
 
