@@ -54,9 +54,9 @@ static timing no_timing(void) { return (timing){NAN, NAN}; }
 
 static void clear_figures(figures *f) {
     f->threads = f->map = NAN;
-    f->mujoco_step = f->mujoco_inverse = no_timing();
+    f->mujoco_step = f->mujoco_legs = f->mujoco_inverse = no_timing();
     for (int w = 0; w < WIDTHS; w++) {
-        f->rk4[w] = f->inverse[w] = no_timing();
+        f->rk4[w] = f->inverse[w] = f->heavy_rk4[w] = f->heavy_rates[w] = no_timing();
         f->peak_share[w] = NAN;
     }
     for (int t = 0; t < TARGETS; t++) {
@@ -122,7 +122,8 @@ int main(int count, char **text) {
     if (!measure_pin()) fputs("bench: not pinned to a processor\n", stderr);
     b->time = measure_begin(b->quick);
     clear_figures(&b->figures);
-    reference_begin(&b->ref, b->quick ? 1 : 20);
+    reference_begin(&b->ref, b->quick ? 1 : 20, false);
+    reference_begin(&b->heavy, b->quick ? 1 : 20, true);
     for (int i = 0; i < number; i++) {
         if (!wanted(b, sections[i])) continue;
         own[i] = bench_memory(sections[i]->size);

@@ -13,21 +13,23 @@ enum { WIDTHS = 4, TARGETS = 4 };
 typedef struct {
     timing rk4[WIDTHS];     /* a step of a run, by gough_batch() on one thread */
     timing inverse[WIDTHS]; /* inverse dynamics, a run */
+    timing heavy_rk4[WIDTHS],
+        heavy_rates[WIDTHS]; /* a step, and a right-hand side, where legs have mass */
     double peak_share[WIDTHS];
     timing alone[TARGETS];                     /* a run of adaptive dop853 to the targets */
     timing lanes[TARGETS];                     /* a run of fixed dop853 in the widest lanes */
     timing gsl[2][TARGETS], cvode[2][TARGETS]; /* on our right-hand side, and on one by hand */
     timing mujoco[TARGETS];
-    timing mujoco_step, mujoco_inverse;
-    double threads; /* two against one */
-    double map;     /* points of a stability map in a second, on two threads */
+    timing mujoco_step, mujoco_legs, mujoco_inverse; /* legs: with mass */
+    double threads;                                  /* two against one */
+    double map; /* points of a stability map in a second, on two threads */
 } figures;
 
 typedef struct {
     bool quick, json;
-    const char *only;    /* the one section that is wanted, or NULL */
-    const char *command; /* the command gough, or NULL */
-    reference ref;
+    const char *only;     /* the one section that is wanted, or NULL */
+    const char *command;  /* the command gough, or NULL */
+    reference ref, heavy; /* legs without and with mass */
     measure time;
     table out;
     figures figures;

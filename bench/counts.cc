@@ -134,13 +134,13 @@ extern "C" int kernels_count(const reference *ref, kernel_counts *counts) {
     coordinates_project(&x, &v);
     counts->rk4_step = flops(since(before));
 
-    const rattle rule = {&r.h.load, NULL, system_wrench, &r, 0};
+    const rattle rule = {&r.h.load, r.traits & MOVING_MASS ? &r.h : nullptr, system_wrench, &r, 0};
     s.x = x;
     s.velocity = v.rho;
     s.omega = none;
     rattle_begin(&rule, 5, &s);
     before = counted;
-    rattle_step(&rule, 5, 0.001, &s);
+    rattle_compose(&rule, 0, 5, 0.001, &s);
     counts->rattle2_step = flops(since(before));
     return 1;
 }

@@ -19,7 +19,28 @@ hand hand_of(const reference *r) {
     const double x = h.base[0][0] - h.top[0][0], y = h.base[0][1] - h.top[0][1];
     h.distance2 = x * x + y * y;
     for (int c = 0; c < 3; c++) h.J[c] = m->load.inertia[c][c];
+    const gough_leg_part *part[2] = {&m->platform.cylinder, &m->platform.piston};
+    for (int i = 0; i < 2; i++) {
+        double *to = i == 0 ? h.cylinder : h.piston;
+        to[0] = part[i]->mass[0], to[1] = part[i]->center[0], to[2] = part[i]->inertia[0];
+    }
+    h.reflected = m->platform.reflected_mass[0];
+    h.heavy = m->platform.legs_have_mass;
     return h;
+}
+
+/* The mass that moves with the heave, half its change with the height, and what of the legs' mass hangs on the top: kinetic energy
+ * of the legs ½ Σ (μ l̇² + I φ̇²) with l̇ = z ż/l and the leg's turn φ̇ = d ż/l² */
+static void moving_mass(const hand *h, double z, double l, double *mass, double *slope,
+                        double *hanging) {
+    const double *one = h->cylinder, *two = h->piston, d2 = h->distance2;
+    const double along = two[0] + h->reflected, reach = l - two[1], l2 = l * l;
+    const double turn = one[2] + one[0] * one[1] * one[1] + two[2] + two[0] * reach * reach;
+
+    *mass = 6 * (along * z * z / l2 + turn * d2 / (l2 * l2));
+    *slope = 3 * (2 * along * z * d2 / (l2 * l2) +
+                  d2 * z * (2 * two[0] * reach / (l2 * l2 * l) - 4 * turn / (l2 * l2 * l2)));
+    *hanging = 6 * (two[0] + (one[0] * one[1] - two[0] * two[1]) * d2 / (l2 * l));
 }
 
 void hand_program(const hand *h, double t, double *length, double *force) {
@@ -30,7 +51,14 @@ void hand_program(const hand *h, double t, double *length, double *force) {
     const double l = sqrt(z * z + h->distance2);
 
     *length = l;
-    *force = h->mass * (second + h->gravity) * l / (6 * z);
+    double weight = h->mass * (second + h->gravity);
+    if (h->heavy) {
+        const double first = 0.2 * (c * p * p + s * p * e);
+        double mass, slope, hanging;
+        moving_mass(h, z, l, &mass, &slope, &hanging);
+        weight += mass * second + slope * first * first + hanging * h->gravity;
+    }
+    *force = weight * l / (6 * z);
 }
 
 void hand_quaternion(const double angles[3], double q[4]) {

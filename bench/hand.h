@@ -3,12 +3,16 @@
 #ifndef BENCH_HAND_H
 #define BENCH_HAND_H
 
+#include <stdbool.h>
+
 #include "bench/reference.h"
 
 enum { HAND_STATE = 13 };
 
 typedef struct {
     double base[6][3], top[6][3], height, distance2, mass, J[3], gravity, stiffness;
+    bool heavy;
+    double cylinder[3], piston[3], reflected; /* mass, centre, inertia */
 } hand;
 
 hand hand_of(const reference *r);

@@ -1,8 +1,6 @@
 /* Kernels of one width for timing. Text over the number type. */
 #include "bench/kernels.h"
-#include "integrate/dop853.h"
-#include "integrate/rk4.h"
-#include "system/system.h"
+#include "system/problem.h"
 
 /* states that the kernels are called on in turn */
 enum { STATES = 4 };
@@ -134,7 +132,7 @@ static void kernel_dop853_step(void *memory) {
 
 static void kernel_rattle2_step(void *memory) {
     kernel *k = memory;
-    const rattle rule = {&k->r.h.load, NULL, system_wrench, &k->r, 0};
+    const rattle rule = system_problem(&k->r).rule;
     const coordinates rate = coordinates_load(k->y[1] + COORDINATES);
     rattle_state s;
 
@@ -143,7 +141,7 @@ static void kernel_rattle2_step(void *memory) {
     s.omega = onto(&s.x.q, triad_angular_velocity(&s.x.q, &rate.q));
     rattle_begin(&rule, 5, &s);
     for (int c = 0; c < KERNEL_CALLS; c++) {
-        k->out[0] = rattle_step(&rule, 5 + c * kernel_step_length, kernel_step_length, &s);
+        k->out[0] = rattle_compose(&rule, 0, 5 + c * kernel_step_length, kernel_step_length, &s);
     }
     coordinates_store(&s.x, k->rate[1]);
 }

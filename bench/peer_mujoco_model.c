@@ -103,7 +103,10 @@ double mujoco_leg_frame(const hand *h, int leg, double axes[3][3]) {
 
 mjModel *mujoco_legs(const hand *h) {
     static writing w;
-    const double mass = h->mass / 1000, inertia = mass * 0.01;
+    /* a part spins about the leg's axis with its universal joint, which legs of ours do not: next to no inertia there */
+    const double thin = 1e-6, light = h->mass / 1000;
+    const double *one = h->heavy ? h->cylinder : (double[3]){light, 0.2, 0.01 * light};
+    const double *two = h->heavy ? h->piston : one;
 
     w.length = 0;
     put_head(&w, "<flag contact='disable' passive='disable'/>");
@@ -114,13 +117,16 @@ mjModel *mujoco_legs(const hand *h) {
         put(&w,
             "<body pos='%.17g %.17g %.17g' xyaxes='%.17g %.17g %.17g %.17g %.17g %.17g'>"
             "<joint type='hinge' axis='1 0 0'/><joint type='hinge' axis='0 1 0'/>"
-            "<inertial pos='0 0 0.2' mass='%.17g' diaginertia='%.17g %.17g %.17g'/>",
+            "<inertial pos='0 0 %.17g' mass='%.17g' diaginertia='%.17g %.17g %.17g'/>",
             h->base[v][0], h->base[v][1], h->base[v][2], a[0][0], a[1][0], a[2][0], a[0][1],
-            a[1][1], a[2][1], mass, inertia, inertia, inertia);
+            a[1][1], a[2][1], one[1], one[0], one[2], one[2], h->heavy ? thin * one[2] : one[2]);
         put(&w,
-            "<body name='r%d' pos='0 0 %.17g'><joint name='s%d' type='slide' axis='0 0 1'/>"
-            "<inertial pos='0 0 -0.2' mass='%.17g' diaginertia='%.17g %.17g %.17g'/></body></body>",
-            v, length, v, mass, inertia, inertia, inertia);
+            "<body name='r%d' pos='0 0 %.17g'><joint name='s%d' type='slide' axis='0 0 1' "
+            "armature='%.17g'/>"
+            "<inertial pos='0 0 %.17g' mass='%.17g' diaginertia='%.17g %.17g "
+            "%.17g'/></body></body>",
+            v, length, v, h->reflected, -two[1], two[0], two[2], two[2],
+            h->heavy ? thin * two[2] : two[2]);
     }
     put(&w, "</worldbody><equality>");
     for (int v = 0; v < 6; v++) {

@@ -9,8 +9,8 @@
 /* massless legs: a free body on six spatial tendons, each with a motor */
 mjModel *mujoco_tendons(const hand *h);
 
-/* legs of two bodies: universal joint in the base, slide with a motor, the far end tied to the top by `connect`; each of the
- * bodies has a thousandth of the load's mass */
+/* legs of two bodies: universal joint in the base, slide with a motor, the far end tied to the top by `connect`; the
+ * bodies have the masses of the machine's legs, or a thousandth of the load's */
 mjModel *mujoco_legs(const hand *h);
 
 /* sets a pose of the top at rest, and joints of the legs with it */

@@ -16,15 +16,28 @@ static void must(gough_status status, const gough_error *error) {
     exit(70);
 }
 
-static void make_model(gough_model *model) {
+static void give_mass(gough_platform *p) {
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        p->cylinder.mass[v] = 0.05;
+        p->cylinder.center[v] = 0.35;
+        p->cylinder.inertia[v] = 0.002;
+        p->piston.mass[v] = 0.03;
+        p->piston.center[v] = 0.35;
+        p->piston.inertia[v] = 0.0012;
+        p->reflected_mass[v] = 0.1;
+    }
+}
+
+static void make_model(gough_model *model, bool heavy) {
     static const char heave[] = "0.2*sin(t)*(1 - exp(-t/2))^2";
     static const double off[GOUGH_COMPONENTS] = {0.02, -0.015, 0.01, 0.03, -0.02, 0.04};
     const double gravity[3] = {0, 0, -1};
-    const gough_platform platform = gough_platform_symmetric(1, 15 * degree, 0.6, 15 * degree, 1.2);
+    gough_platform platform = gough_platform_symmetric(1, 15 * degree, 0.6, 15 * degree, 1.2);
     const gough_load load = {.mass = 1, .inertia = {{0.08, 0, 0}, {0, 0.08, 0}, {0, 0, 0.15}}};
     gough_error error = {0};
 
     memset(model, 0, sizeof *model);
+    if (heavy) give_mass(&platform);
     must(gough_machine_init(&model->machine, &platform, &load, gravity, &error), &error);
     must(gough_formula_compile(&model->motion.formula[GOUGH_HEAVE], heave, sizeof heave - 1, NULL,
                                &error),
@@ -49,11 +62,11 @@ static void simulate(const reference *r, const gough_simulation *s, double row[G
     must(gough_simulate(&r->model, s, keep_last, row, &end, &error), &error);
 }
 
-void reference_begin(reference *r, double duration) {
+void reference_begin(reference *r, double duration, bool heavy) {
     gough_simulation s;
     double row[GOUGH_COLUMNS];
 
-    make_model(&r->model);
+    make_model(&r->model, heavy);
     r->duration = duration;
     for (int i = 0; i < REFERENCE_RUNS; i++) {
         r->initial[i] = r->model.initial;

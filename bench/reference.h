@@ -2,11 +2,14 @@
 #ifndef BENCH_REFERENCE_H
 #define BENCH_REFERENCE_H
 
+#include <stdbool.h>
+
 #include "gough/batch.h"
 
 enum { REFERENCE_RUNS = 512 };
 
-/* base radius 1, top 0.6, half angles 15°, height 1.2, mass 1, J = 0.08, 0.08, 0.15, G = 50; the paper's heave; g = 1 */
+/* base radius 1, top 0.6, half angles 15°, height 1.2, mass 1, J = 0.08, 0.08, 0.15, G = 50; the paper's heave; g = 1. Legs without
+ * mass, or: cylinders of mass 0.05, centre 0.35, inertia 0.002; pistons of 0.03, 0.35, 0.0012; reflected mass 0.1 */
 typedef struct {
     gough_model model; /* with the first run's beginning */
     gough_initial
@@ -18,8 +21,8 @@ typedef struct {
     double rotation[3][3];
 } reference;
 
-/* fills it, final pose of the first run included (in quadruple precision) */
-void reference_begin(reference *r, double duration);
+/* fills it, final pose of the first run included (in quadruple precision); heavy: legs have mass */
+void reference_begin(reference *r, double duration, bool heavy);
 
 /* largest difference of a final pose from that of the first run: positions over R_b = 1, angles in radians */
 double reference_error(const reference *r, const double position[3], const double angles[3]);

@@ -54,6 +54,12 @@ static void report(bench *b, void *memory) {
           f->alone[2], 8);
     ratio(b, "a run to 1e-9 against CVODE Adams, by hand, times", f->cvode[1][2], f->alone[2], 8);
     ratio(b, "a run to 1e-9 against MuJoCo's tendons, times", f->mujoco[2], f->alone[2], 1000);
+    rate(b, "right-hand side with heavy legs, one lane, million/s", f->heavy_rates[0], 1e3 / 350);
+    rate(b, "right-hand side with heavy legs, 8 lanes, million/s", f->heavy_rates[3], 1e3 / 60);
+    rate(b, "RK4 with heavy legs, one lane, million steps/s", f->heavy_rk4[0], 0.7);
+    rate(b, "RK4 with heavy legs, the widest lanes, million steps/s", f->heavy_rk4[widest], 3.5);
+    ratio(b, "RK4 steps with heavy legs in lanes against MuJoCo's legs, times", f->mujoco_legs,
+          f->heavy_rk4[widest], 120);
     claim(b, "runs to 1e-9 in lanes, a ms", 1e-3 / f->lanes[2].median, 1e-3 / f->lanes[2].quietest,
           2);
     claim(b, "two threads against one, times", f->threads, f->threads, 1.9);

@@ -3,18 +3,20 @@
 
 #include "bench/bench.h"
 
-enum { KERNELS = 6 };
+enum { KERNELS = 6, HEAVY_KERNELS = 3 };
 
 typedef struct {
     const kernel_width *kernel;
     void *memory;
+    void *heavy; /* memory, for legs with mass */
+    int heavy_item[HEAVY_KERNELS];
     int item[KERNELS], divide, root, apart, fused;
     double peak_flops;
 } width;
 
 typedef struct {
     width width[WIDTHS];
-    kernel_counts counts;
+    kernel_counts counts, heavy_counts;
     int counted;
     double scratch;
 } own;
@@ -22,7 +24,7 @@ typedef struct {
 static void prepare(bench *b, void *memory) {
     own *o = memory;
 
-    o->counted = kernels_count(&b->ref, &o->counts);
+    o->counted = kernels_count(&b->ref, &o->counts) && kernels_count(&b->heavy, &o->heavy_counts);
     for (int i = 0; i < WIDTHS; i++) {
         width *w = &o->width[i];
         w->kernel = kernel_of(bench_lanes(i));
@@ -38,6 +40,13 @@ static void prepare(bench *b, void *memory) {
         for (int k = 0; k < KERNELS; k++) {
             const bool alone = go[k] == w->kernel->program; /* the same for every run of a batch */
             w->item[k] = measure_add(&b->time, go[k], w->memory, alone ? KERNEL_CALLS : calls);
+        }
+        void (*const heavy[HEAVY_KERNELS])(void *) = {w->kernel->right_hand_side,
+                                                      w->kernel->rk4_step, w->kernel->rattle2_step};
+        w->heavy = bench_memory(w->kernel->size);
+        w->kernel->begin(w->heavy, &b->heavy);
+        for (int k = 0; k < HEAVY_KERNELS; k++) {
+            w->heavy_item[k] = measure_add(&b->time, heavy[k], w->heavy, calls);
         }
         w->divide = measure_add(&b->time, w->kernel->divide, w->memory, 8 * calls);
         w->root = measure_add(&b->time, w->kernel->root, w->memory, 8 * calls);
@@ -92,6 +101,23 @@ static void report_row(bench *b, const own *o, int i, const char *name, int item
     table_value(&b->out, ((double)f->divide * divide + (double)f->root * root) / t.median);
 }
 
+/* legs with mass */
+static void report_heavy(bench *b, const own *o) {
+    static const char *const name[HEAVY_KERNELS] = {
+        "right-hand side, heavy legs", "rk4 step, heavy legs", "rattle2 step, heavy legs"};
+    const kernel_flops *const flops[HEAVY_KERNELS] = {
+        &o->heavy_counts.right_hand_side, &o->heavy_counts.rk4_step, &o->heavy_counts.rattle2_step};
+
+    for (int k = 0; k < HEAVY_KERNELS; k++) {
+        for (int i = 0; i < WIDTHS; i++) {
+            const width *w = &o->width[i];
+            if (w->kernel == NULL) continue;
+            report_row(b, o, i, name[k], w->heavy_item[k], o->counted ? flops[k] : NULL);
+            if (k == 0) b->figures.heavy_rates[i] = measure_of(&b->time, w->heavy_item[k]);
+        }
+    }
+}
+
 static void report(bench *b, void *memory) {
     static const table_column columns[] = {
         {"lanes", AS_PLAIN},     {"ns a run", AS_PLAIN},     {"quietest", AS_PLAIN},
@@ -121,6 +147,7 @@ static void report(bench *b, void *memory) {
             }
         }
     }
+    report_heavy(b, o);
     for (int i = 0; i < WIDTHS; i++) {
         const width *w = &o->width[i];
         if (w->kernel == NULL) continue;
