@@ -32,6 +32,8 @@ typedef enum gough_shape {
     GOUGH_SHAPE_VECTOR,         /**< three numbers */
     GOUGH_SHAPE_GRAVITY,        /**< a number within the bound, or any three numbers */
     GOUGH_SHAPE_NUMBER_OR_SIX,  /**< a number for all legs, or one for each */
+    GOUGH_SHAPE_PAIR_OR_SIX,    /**< two numbers for all legs, or two for each */
+    GOUGH_SHAPE_RANGE,          /**< two numbers, or one that stands for −x and x */
     GOUGH_SHAPE_POINTS,         /**< six points of three numbers */
     GOUGH_SHAPE_INERTIA,        /**< three numbers, or a matrix of three rows */
     GOUGH_SHAPE_FORMULA,        /**< a formula in t */

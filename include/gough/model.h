@@ -49,6 +49,49 @@ typedef struct gough_friction {
                                         itself, and no drive force gives a motion */
 } gough_friction;
 
+/** The six components of a motion: displacement of a point of the top from home, base axes, and the angles of
+ *  R = Rz(yaw) Ry(pitch) Rx(roll). */
+enum gough_component {
+    GOUGH_SURGE,
+    GOUGH_SWAY,
+    GOUGH_HEAVE,
+    GOUGH_ROLL,
+    GOUGH_PITCH,
+    GOUGH_YAW,
+    GOUGH_COMPONENTS
+};
+
+/** Name of a component (enum gough_component), "surge" … "yaw"; a static string. */
+GOUGH_API const char *gough_component_name(int component);
+
+/** Limits of each leg, from 1 to 6. Zero-filled: none of these. Of pairs the first number is the least, the second the greatest. */
+typedef struct gough_leg_limits {
+    double length[GOUGH_LEGS]
+                 [2]; /**< between the joints, >= 0; {0, 0}: length_min and length_max of
+                                       the platform */
+    double stroke[GOUGH_LEGS][2]; /**< the same from the length at home, in place of length; {0, 0}:
+                                       none */
+    double speed[GOUGH_LEGS];     /**< greatest |leg rate|; 0: speed_max of the platform */
+    double force[GOUGH_LEGS][2]; /**< drive force; a leg that only pulls has {−1500, 0}; {0, 0}: as
+                                       max_force has it */
+    double max_force[GOUGH_LEGS];    /**< greatest |drive force|; 0: force_max of the platform */
+    double acceleration[GOUGH_LEGS]; /**< greatest |second derivative of the length|; 0: no limit */
+    double base_swing[GOUGH_LEGS];   /**< greatest angle of the leg from its direction at home, in
+                                          base axes, at most π; 0: no limit */
+    double top_swing[GOUGH_LEGS];    /**< the same in the axes of the top */
+} gough_leg_limits;
+
+/** Limits of the platform: of a point of the top, and of its rotation. A pair for each gough_component; {0, 0}: no limit. */
+typedef struct gough_platform_limits {
+    double pose[GOUGH_COMPONENTS][2];  /**< displacement of the point from home, base axes, and the
+                                            angles, as in a motion */
+    double speed[GOUGH_COMPONENTS][2]; /**< velocity of the point and angular velocity, base axes */
+    double acceleration[GOUGH_COMPONENTS]
+                       [2]; /**< acceleration of the point and angular acceleration, base axes */
+    double about[3];        /**< the point, top frame */
+    bool about_given;       /**< false: the point `about` of the motion */
+} gough_platform_limits;
+
 /** Joints, limits, and mass and friction of the legs. gough_platform_default() has no joints, no limits, and legs without mass and
  *  friction. */
 typedef struct gough_platform {
@@ -58,17 +101,19 @@ typedef struct gough_platform {
     double
         base_radius; /**< R_b, the unit of length of the dimensionless form; 0: mean distance of the base joints
                                      from their centroid */
-    double length_min; /**< least leg length; 0: no limit */
-    double length_max; /**< greatest leg length; INFINITY: no limit */
-    double speed_max;  /**< greatest |leg rate|; INFINITY: no limit */
-    double force_max;  /**< greatest |drive force|; INFINITY: no limit */
+    double length_min; /**< least length of all legs; 0: no limit */
+    double length_max; /**< greatest length of all legs; INFINITY: no limit */
+    double speed_max;  /**< greatest |leg rate| of all legs; INFINITY: no limit */
+    double force_max;  /**< greatest |drive force| of all legs; INFINITY: no limit */
 
     gough_leg_part cylinder;           /**< hangs on the base joint */
     gough_leg_part piston;             /**< hangs on the top joint */
     double reflected_mass[GOUGH_LEGS]; /**< what rotor, screw and oil weigh along the leg, >= 0 */
     bool legs_have_mass; /**< use the equations of legs with mass, even if all of it is 0; set by
                                 gough_machine_init() where some is not */
-    gough_friction friction; /**< of the legs */
+    gough_friction friction;      /**< of the legs */
+    gough_leg_limits legs;        /**< limits of single legs */
+    gough_platform_limits limits; /**< of the platform */
 } gough_platform;
 
 /** Fills in a platform without joints and without limits.
@@ -133,7 +178,9 @@ typedef struct gough_machine {
  *  machine is singular in every pose (similar hexagons). A machine singular only at home is accepted (see home_condition).
  *  A flat body (J_x + J_y = J_z within 1e-12) is accepted, and its vanishing second moment is set to 0. Refused too: mass, inertia
  *  or friction of a leg that is negative, an efficiency outside 0 … 1, breakaway below coulomb, breakaway above it
- *  without a stribeck_speed, dry friction without smoothing_speed where neither v_S nor gravity gives one.
+ *  without a stribeck_speed, dry friction without smoothing_speed where neither v_S nor gravity gives one; limits that are not
+ *  finite, whose least value is not below the greatest, a stroke that leaves a leg no length, both length and stroke, or both
+ *  force and max_force of a leg.
  *  @param gravity       acceleration of free fall, base axes; {0, 0, −9.80665} for a machine that stands on the earth, in SI units;
  *                       may be zero
  *  @param[out] machine  copies of the arguments and the derived quantities; unchanged after an error
@@ -188,21 +235,6 @@ GOUGH_API bool gough_formula_is_zero(const gough_formula *formula);
 GOUGH_API void gough_formula_evaluate(const gough_formula *formula, double t, double jet[3]);
 
 /* ---- the program --------------------------------------------------------------------------------------------- */
-
-/** The six components of a motion: displacement of a point of the top from home, base axes, and the angles of
- *  R = Rz(yaw) Ry(pitch) Rx(roll). */
-enum gough_component {
-    GOUGH_SURGE,
-    GOUGH_SWAY,
-    GOUGH_HEAVE,
-    GOUGH_ROLL,
-    GOUGH_PITCH,
-    GOUGH_YAW,
-    GOUGH_COMPONENTS
-};
-
-/** Name of a component (enum gough_component), "surge" … "yaw"; a static string. */
-GOUGH_API const char *gough_component_name(int component);
 
 /** A point-to-point move with minimum jerk, from the program's current pose (home before the first move) to the target. */
 typedef struct gough_move {
@@ -360,6 +392,38 @@ GOUGH_API void gough_motion_evaluate(const gough_motion *motion, double t,
 GOUGH_API gough_status gough_motion_range(const gough_motion *motion, double duration,
                                           double output_step, double least[GOUGH_COMPONENTS],
                                           double greatest[GOUGH_COMPONENTS], gough_error *error);
+
+/** All limits that apply, each leg and component by itself: what follows from a platform and from the motion. */
+typedef struct gough_limits {
+    double length[GOUGH_LEGS][2];     /**< 0 and INFINITY: none */
+    double speed[GOUGH_LEGS];         /**< INFINITY: none, as for all below */
+    double force[GOUGH_LEGS][2];      /**< −INFINITY and INFINITY: none */
+    double acceleration[GOUGH_LEGS];  /**< of the length */
+    double base_swing[GOUGH_LEGS];    /**< radians */
+    double top_swing[GOUGH_LEGS];     /**< radians */
+    double pose[GOUGH_COMPONENTS][2]; /**< −INFINITY and INFINITY: none, as for those below */
+    double rate[GOUGH_COMPONENTS][2]; /**< velocity of the point and angular velocity */
+    double second_rate[GOUGH_COMPONENTS]
+                      [2]; /**< acceleration of the point and angular acceleration */
+    double about[3];       /**< the point, top frame */
+} gough_limits;
+
+/** Collects the limits of a machine that moves by a motion.
+ *  @param machine  from gough_machine_init(); the limits in its platform may have been changed since
+ *  @param motion   whose point `about` those of the platform concern where they have none of their own
+ *  @param size     sizeof(gough_limits)
+ *  @return as gough_platform_init(). Exact, but for the sum of stroke and length at home, rounded once. */
+GOUGH_API gough_status gough_limits_collect(const gough_machine *machine,
+                                            const gough_motion *motion, gough_limits *limits,
+                                            size_t size);
+
+/** The limits that gough_limits_collect() fills in. */
+static inline gough_limits gough_limits_of(const gough_machine *machine,
+                                           const gough_motion *motion) {
+    gough_limits limits;
+    (void)gough_limits_collect(machine, motion, &limits, sizeof limits);
+    return limits;
+}
 
 /* ---- control, disturbance, initial state ---------------------------------------------------------------------- */
 

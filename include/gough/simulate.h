@@ -148,13 +148,16 @@ GOUGH_API gough_status gough_simulation_check(const gough_model *model,
  *  @return whether @p column is filled. */
 GOUGH_API bool gough_column_filled(int column, bool simulated, const gough_simulation *simulation);
 
-/** One interval of the program in which a leg exceeds a limit. */
+/** One interval of the program in which a leg or the platform exceeds a limit. */
 typedef struct gough_crossing {
     gough_cause cause; /**< which limit */
-    int leg;           /**< 1 … 6 */
+    int leg;           /**< 1 … 6; 0: a limit of the platform */
+    int component;     /**< of the platform: 1 … 6 for surge … yaw; 0: a limit of a leg */
+    double limit;      /**< the limit */
+    bool least;        /**< it is a least value, other than that of a length */
     double enter;      /**< time at which it begins */
     double leave;      /**< time at which it ends; INFINITY: still exceeded at the end of the run */
-    double worst;      /**< the worst value in the interval (length, speed or force) */
+    double worst;      /**< the worst value in the interval (length, speed, force, …) */
     double worst_time; /**< time of that value */
 } gough_crossing;
 
@@ -183,15 +186,26 @@ GOUGH_API gough_status gough_simulate(const gough_model *model, const gough_simu
                                       gough_sink sink, void *context, gough_end *end,
                                       gough_error *error);
 
+/** What follows a number in the message of an end, such as " m/s"; "" where numbers have no unit. */
+typedef struct gough_end_words {
+    const char *length;               /**< such as " m" */
+    const char *speed;                /**< " m/s" */
+    const char *acceleration;         /**< " m/s^2" */
+    const char *force;                /**< " N" */
+    const char *time;                 /**< " s" */
+    const char *angle;                /**< " deg" */
+    const char *angular_speed;        /**< " deg/s" */
+    const char *angular_acceleration; /**< " deg/s^2" */
+} gough_end_words;
+
 /** Rewrites the message of an end with units. The library does not know the units, so the message of a run has none.
  *
  *  @param end  with its time and limit in the units that are named; convert them first if necessary
- *  @param length,speed,force,time  what follows a number, such as " m", " m/s", " N" and " s"; "" where numbers have no unit
+ *  @param words  what follows numbers of each dimension
  *
- *  The message of an end at a leg's limit is written anew from cause, legs, limit and time; in other messages each
+ *  The message of an end at a limit is written anew from cause, legs, component, limit and time; in other messages each
  *  "t = number" becomes the time of the end with its unit. Independent of the locale. */
-GOUGH_API void gough_end_say(gough_end *end, const char *length, const char *speed,
-                             const char *force, const char *time);
+GOUGH_API void gough_end_say(gough_end *end, const gough_end_words *words);
 
 /* ---- a model and how to run it as one array --------------------------------------------------------------------- */
 
@@ -250,6 +264,9 @@ typedef struct gough_leg_summary {
         friction_loss; /**< work that friction takes, ∫ (u − F) l̇ dt, of drive force u and leg force F */
     double
         returned_energy; /**< energy that the leg returns to its drive while it brakes, −∫ min(power, 0) dt, at least 0 */
+    double
+        acceleration; /**< peak |second derivative of the length|; 0 unless the machine has a limit
+                              of acceleration or of the platform */
 } gough_leg_summary;
 
 /** Summary of the rows so far; fill it by gough_summary_begin(), gough_summary_add(), gough_summary_end(). For the motion
@@ -267,13 +284,16 @@ typedef struct gough_summary {
     double
         between_rows; /**< greatest excess of a leg's length between two rows over both of them; 0 without looks
                               between rows */
-    int between_leg;     /**< that leg, 1 … 6; 0: none */
+    int between_leg; /**< that leg, 1 … 6; 0: none */
+    /** Least and greatest values of the platform's components, those of gough_limits.pose, rate and second_rate at the point
+     *  `about`; 0 unless the machine has a limit of acceleration or of the platform. */
+    double component[3][GOUGH_COMPONENTS][2];
     double drawing_step; /**< rows this close draw the motion: chords miss lengths by a hundredth of
                               the longest stroke at most; 0 where between_leg is 0 */
     double window_
         [4][1 + 3 * GOUGH_LEGS]; /**< private: the last rows for the fourth-order time integrals */
     double square_[GOUGH_LEGS];  /**< private */
-    double look_[4][4 + 10 * GOUGH_LEGS]; /**< private: the last looks */
+    double look_[4][4 + 14 * GOUGH_LEGS]; /**< private: the last looks */
     size_t looks_;                        /**< private: looks since a corner */
     double origin_;                       /**< private: time of the first look */
     double span_;                         /**< private: time since then */
@@ -281,6 +301,8 @@ typedef struct gough_summary {
     double acceleration_;                 /**< private: largest of a leg */
     bool brief_;                          /**< private: what an outcome has, no more */
     bool joints_;                         /**< private: looks have forces of the joints */
+    bool limited_;                        /**< private: component and acceleration are wanted */
+    double about_[3];                     /**< private: their point */
 } gough_summary;
 
 /** An empty summary. Summaries are exact where rows or looks are, and of fourth order in their distance between them. */

@@ -9,6 +9,7 @@
 #define GOUGH_STATUS_H
 
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "gough/names.h"
@@ -93,13 +94,20 @@ typedef enum gough_cause {
     GOUGH_END_SINGULAR, /**< the six equations became singular or nearly so (condition over 1e8, or det J changed sign) */
     GOUGH_END_NOT_FINITE, /**< a formula or the motion was no longer finite */
     GOUGH_END_NO_CONVERGENCE, /**< the stepper could not meet the tolerance, or an implicit step did not converge */
-    GOUGH_END_STOPPED, /**< the caller's sink asked to stop */
-    GOUGH_END_INVALID  /**< in a sweep: the values of this run do not make a valid study */
+    GOUGH_END_STOPPED,          /**< the caller's sink asked to stop */
+    GOUGH_END_INVALID,          /**< in a sweep: the values of this run do not make a valid study */
+    GOUGH_END_LEG_ACCELERATION, /**< the length of a leg exceeded its greatest acceleration */
+    GOUGH_END_BASE_SWING,     /**< a leg turned too far from its direction at home, in base axes */
+    GOUGH_END_TOP_SWING,      /**< the same, in the axes of the top */
+    GOUGH_END_PLATFORM_POSE,  /**< the platform left the range of one of its six components */
+    GOUGH_END_PLATFORM_SPEED, /**< the platform moved or turned too fast */
+    GOUGH_END_PLATFORM_ACCELERATION, /**< its acceleration or angular acceleration was too large */
+    GOUGH_CAUSES                     /**< number of causes */
 } gough_cause;
 
 /** Fixed word for a cause, as in the JSON summary and the attribute `end_cause`:
  *  done, leg_short, leg_long, leg_speed, leg_force, leg_no_length, singular, not_finite, no_convergence, stopped,
- *  invalid. */
+ *  invalid, leg_acceleration, base_swing, top_swing, platform_pose, platform_speed, platform_acceleration. */
 GOUGH_API const char *gough_cause_name(gough_cause cause);
 
 /** How and when a run ended. */
@@ -108,7 +116,9 @@ typedef struct gough_end {
     double time;       /**< time of the end, in the study's units */
     int leg;           /**< 1 … 6 if a leg is the cause: the lowest such leg; else 0 */
     unsigned legs;     /**< bit n − 1 is set for each leg n within 1e-6 of that limit */
-    double limit;      /**< the exceeded limit (length, speed or force); 0 for other causes */
+    double limit;      /**< the exceeded limit (length, speed, force, …); 0 for other causes */
+    int component; /**< 1 … 6 for surge … yaw if a limit of the platform is the cause; else 0 */
+    bool least;    /**< it fell below the least value, which `limit` is */
     char message[400]; /**< one sentence; empty for GOUGH_END_DONE */
 } gough_end;
 

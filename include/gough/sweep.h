@@ -161,12 +161,12 @@ GOUGH_API gough_status gough_sweep_run(const gough_sweep *sweep, const gough_swe
 
 /** Summary of a sweep. Runs that reached their duration count as done. */
 typedef struct gough_sweep_summary {
-    gough_units units; /**< of the file's numbers; those here are in the study's */
-    size_t runs;       /**< of the file */
-    size_t resumed;    /**< of these, found in FILE.part */
-    size_t ended[GOUGH_END_INVALID + 1]; /**< by gough_cause */
-    size_t first_invalid;                /**< a run; 0: none */
-    size_t first_not_finite;             /**< a run that ended so; 0: none */
+    gough_units units;            /**< of the file's numbers; those here are in the study's */
+    size_t runs;                  /**< of the file */
+    size_t resumed;               /**< of these, found in FILE.part */
+    size_t ended[GOUGH_CAUSES];   /**< by gough_cause */
+    size_t first_invalid;         /**< a run; 0: none */
+    size_t first_not_finite;      /**< a run that ended so; 0: none */
     double least_position;        /**< least of the deviations of position; NaN: no run is done */
     double greatest_position;     /**< the greatest of them, units of the study */
     double least_angle;           /**< least of the deviations of angle, radians */

@@ -160,6 +160,20 @@ const char *gough_cause_name(gough_cause cause) {
         return "stopped";
     case GOUGH_END_INVALID:
         return "invalid";
+    case GOUGH_END_LEG_ACCELERATION:
+        return "leg_acceleration";
+    case GOUGH_END_BASE_SWING:
+        return "base_swing";
+    case GOUGH_END_TOP_SWING:
+        return "top_swing";
+    case GOUGH_END_PLATFORM_POSE:
+        return "platform_pose";
+    case GOUGH_END_PLATFORM_SPEED:
+        return "platform_speed";
+    case GOUGH_END_PLATFORM_ACCELERATION:
+        return "platform_acceleration";
+    case GOUGH_CAUSES:
+        break;
     }
     return "unknown";
 }

@@ -17,10 +17,20 @@ static void choose_title(builder *b) {
 /* What gough_cause_name() stands for. */
 static const char *words_of_cause(const char *cause) {
     static const char *const known[][2] = {
-        {"leg_short", "a leg too short"},          {"leg_long", "a leg too long"},
-        {"leg_speed", "a leg too fast"},           {"leg_force", "a leg overloaded"},
-        {"leg_no_length", "joints of a leg meet"}, {"singular", "singular pose"},
-        {"not_finite", "a number not finite"},     {"no_convergence", "no convergence"}};
+        {"leg_short", "a leg too short"},
+        {"leg_long", "a leg too long"},
+        {"leg_speed", "a leg too fast"},
+        {"leg_force", "a leg overloaded"},
+        {"leg_no_length", "joints of a leg meet"},
+        {"singular", "singular pose"},
+        {"not_finite", "a number not finite"},
+        {"no_convergence", "no convergence"},
+        {"leg_acceleration", "a leg's acceleration too great"},
+        {"base_swing", "a leg turned too far at the base"},
+        {"top_swing", "a leg turned too far at the top"},
+        {"platform_pose", "the platform out of its range"},
+        {"platform_speed", "the platform too fast"},
+        {"platform_acceleration", "the platform's acceleration too great"}};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
         if (strcmp(cause, known[i][0]) == 0) return known[i][1];
     return cause;

@@ -13,6 +13,8 @@
 #define TYPE_VECTOR "three numbers"
 #define TYPE_GRAVITY "number or three numbers"
 #define TYPE_NUMBER_OR_SIX "number or six numbers"
+#define TYPE_PAIR_OR_SIX "two numbers or six pairs"
+#define TYPE_RANGE "number or two numbers"
 #define TYPE_POINTS "six points"
 #define TYPE_INERTIA "three numbers or 3×3 matrix"
 #define TYPE_FORMULA "formula"
@@ -31,6 +33,9 @@
 #define BOUND_ABOVE_ZERO BOUND("> 0", "greater than 0", 0, INFINITY, true)
 #define BOUND_NOT_NEGATIVE BOUND(">= 0", "0 or greater", 0, INFINITY, false)
 #define BOUND_HALF_ANGLE BOUND("0 to 60", "from 0 to 60 degrees", 0, 60, false)
+#define BOUND_SWING BOUND("> 0 to 180", "greater than 0, and at most 180 degrees", 0, 180, true)
+#define BOUND_HALF_TURN BOUND("-180 to 180", "from -180 to 180 degrees", -180, 180, false)
+#define BOUND_QUARTER_TURN BOUND("-90 to 90", "from -90 to 90 degrees", -90, 90, false)
 #define BOUND_TOLERANCE BOUND("1e-30 to 0.1", "from 1e-30 to 0.1", 1e-30, 0.1, false)
 #define BOUND_GRAVITY                                                                              \
     BOUND(">= 0 as a number", "0 or greater, downwards (or a vector [x, y, z])", 0, INFINITY, false)

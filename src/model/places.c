@@ -1,9 +1,6 @@
 /* The places of all fields, and their defaults. */
 #include "model/places.h"
 
-_Static_assert(offsetof(gough_platform, length_max) - offsetof(gough_platform, length_min) ==
-                   sizeof(double),
-               "the two members of MACHINE_PAIR are neighbours");
 _Static_assert(sizeof(gough_method) == sizeof(int) && sizeof(gough_constraints) == sizeof(int) &&
                    sizeof(gough_precision) == sizeof(int) &&
                    sizeof(gough_motion_kind) == sizeof(int),

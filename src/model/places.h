@@ -26,6 +26,7 @@ const gough_place *gough_places(size_t *count);
 #define KIND_OF(x)                                                                                 \
     _Generic((x), double                                                                           \
              : GOUGH_KIND_NUMBER, double *                                                         \
+             : GOUGH_KIND_NUMBER, double(*)[2]                                                     \
              : GOUGH_KIND_NUMBER, double(*)[3]                                                     \
              : GOUGH_KIND_NUMBER, gough_formula                                                    \
              : GOUGH_KIND_FORMULA, gough_formula *                                                 \
@@ -38,6 +39,7 @@ const gough_place *gough_places(size_t *count);
 #define SIZE_OF(x)                                                                                 \
     _Generic((x), double                                                                           \
              : sizeof(double), double *                                                            \
+             : sizeof(double), double(*)[2]                                                        \
              : sizeof(double), double(*)[3]                                                        \
              : sizeof(double), gough_formula *                                                     \
              : sizeof(gough_formula), bool *                                                       \
@@ -56,9 +58,6 @@ const gough_place *gough_places(size_t *count);
 #define INITIAL(m) PLACE(GOUGH_PART_INITIAL, GOUGH_OWNER_MODEL, gough_model, initial.m)
 #define SIMULATION(m) PLACE(GOUGH_PART_SIMULATION, GOUGH_OWNER_SIMULATION, gough_simulation, m)
 #define MOVE(m) PLACE(GOUGH_PART_MOTION, GOUGH_OWNER_MOVE, gough_move, m)
-#define MACHINE_PAIR(m, n)                                                                         \
-    .part = GOUGH_PART_MACHINE, .owner = GOUGH_OWNER_MODEL, .kind = GOUGH_KIND_NUMBER, .count = 2, \
-    .offset = offsetof(gough_model, machine.m)
 #define FILE_ONLY(p) .part = GOUGH_PART_##p
 #define GIVEN(m) .given = offsetof(gough_model, m)
 #define MOVE_GIVEN(m) .given = offsetof(gough_move, m)

@@ -7,6 +7,7 @@
 #include "kernel/legs.h"
 #include "kernel/principal.h"
 #include "kernel/real.h"
+#include "plant/limits_check.h"
 
 /* Relative sizes below which a length or a moment counts as none. Geometry is given with a few
  * digits, so a distance of 1e-9 of the machine is one meant to be zero; triangle inequalities of
@@ -389,6 +390,7 @@ gough_status gough_machine_init(gough_machine *machine, const gough_platform *pl
     status = set_legs(&m, error);
     if (status == GOUGH_OK) status = set_inertia(&m, error);
     if (status == GOUGH_OK) status = set_home(&m, error);
+    if (status == GOUGH_OK) status = limits_check(platform, m.home_length, error);
     if (status == GOUGH_OK) *machine = m;
     return status;
 }

@@ -43,37 +43,106 @@ static void renew_time(gough_end *end, const char *unit) {
     end->message[sizeof end->message - 1] = '\0';
 }
 
-void gough_end_say(gough_end *end, const char *length, const char *speed, const char *force,
-                   const char *time) {
-    const int several = (end->legs & (end->legs - 1)) != 0;
-    const char *verb = several ? "exceed their" : "exceeds its", *what = NULL, *unit = length;
-    gough_error said;
-    char legs[64];
+/* Of which limit an end is: what follows "exceeds its …", and the unit. */
+typedef struct {
+    char what[64];
+    const char *unit;
+} limit_words;
 
+static const char *axis_of(const gough_end *end) {
+    static const char *const axis[] = {"x", "y", "z"};
+    return axis[(end->component + 2) % 3];
+}
+
+/* "greatest heave", "least velocity in surge", "greatest angular velocity about z" */
+static void name_component(const gough_end *end, const gough_end_words *words, limit_words *limit) {
+    const char *const degree = end->least ? "least" : "greatest";
+    const char *const name = gough_component_name(end->component - 1);
+    const int turns = end->component > GOUGH_ROLL;
+    const int second = end->cause == GOUGH_END_PLATFORM_ACCELERATION;
+    const char *const rate = second ? "acceleration" : "velocity";
+    const size_t size = sizeof limit->what;
+
+    if (end->cause == GOUGH_END_PLATFORM_POSE) {
+        snprintf(limit->what, size, "%s %s", degree, name);
+        limit->unit = turns ? words->angle : words->length;
+    } else if (turns) {
+        snprintf(limit->what, size, "%s angular %s about %s", degree, rate, axis_of(end));
+        limit->unit = second ? words->angular_acceleration : words->angular_speed;
+    } else {
+        snprintf(limit->what, size, "%s %s in %s", degree, rate, name);
+        limit->unit = second ? words->acceleration : words->speed;
+    }
+}
+
+/* 0 where the end is at no limit */
+static int name_limit(const gough_end *end, const gough_end_words *words, limit_words *limit) {
+    const char *what;
+
+    limit->unit = words->length;
     switch (end->cause) {
     case GOUGH_END_LEG_SHORT:
-        verb = several ? "get shorter than their" : "gets shorter than its";
         what = "least length";
         break;
     case GOUGH_END_LEG_LONG:
-        verb = several ? "get longer than their" : "gets longer than its";
         what = "greatest length";
         break;
     case GOUGH_END_LEG_SPEED:
         what = "greatest speed";
-        unit = speed;
+        limit->unit = words->speed;
         break;
     case GOUGH_END_LEG_FORCE:
-        what = "greatest force";
-        unit = force;
+        what = end->least ? "least force" : "greatest force";
+        limit->unit = words->force;
         break;
+    case GOUGH_END_LEG_ACCELERATION:
+        what = "greatest acceleration";
+        limit->unit = words->acceleration;
+        break;
+    case GOUGH_END_BASE_SWING:
+        what = "greatest swing at the base";
+        limit->unit = words->angle;
+        break;
+    case GOUGH_END_TOP_SWING:
+        what = "greatest swing at the top";
+        limit->unit = words->angle;
+        break;
+    case GOUGH_END_PLATFORM_POSE:
+    case GOUGH_END_PLATFORM_SPEED:
+    case GOUGH_END_PLATFORM_ACCELERATION:
+        name_component(end, words, limit);
+        return 1;
     default:
-        renew_time(end, time);
+        return 0;
+    }
+    snprintf(limit->what, sizeof limit->what, "%s", what);
+    return 1;
+}
+
+/* "gets shorter than its", "exceed their" */
+static const char *verb_of(const gough_end *end) {
+    const int several = (end->legs & (end->legs - 1)) != 0;
+
+    if (end->cause == GOUGH_END_LEG_SHORT)
+        return several ? "get shorter than their" : "gets shorter than its";
+    if (end->cause == GOUGH_END_LEG_LONG)
+        return several ? "get longer than their" : "gets longer than its";
+    if (end->least) return several ? "fall below their" : "falls below its";
+    return several ? "exceed their" : "exceeds its";
+}
+
+void gough_end_say(gough_end *end, const gough_end_words *words) {
+    char who[64] = "the platform";
+    limit_words limit;
+    gough_error said;
+
+    if (!name_limit(end, words, &limit)) {
+        renew_time(end, words->time);
         return;
     }
-    name_legs(end->legs, legs, sizeof legs);
-    (void)gough_fail(&said, GOUGH_ERROR_NUMERICAL, "%s %s %s %.9g%s at t = %.9g%s", legs, verb,
-                     what, end->limit, unit, end->time, time);
+    if (!end->component) name_legs(end->legs, who, sizeof who);
+    (void)gough_fail(&said, GOUGH_ERROR_NUMERICAL, "%s %s %s %.9g%s at t = %.9g%s", who,
+                     verb_of(end), limit.what, end->limit, limit.unit, end->time, words->time);
     memcpy(end->message, said.message, sizeof end->message);
     end->message[sizeof end->message - 1] = '\0';
 }

@@ -38,6 +38,7 @@ typedef struct {
     int near; /* the pose is nearly singular */
     jet component[GOUGH_COMPONENTS];
     real value[GOUGH_COLUMNS], margin[MARGINS];
+    measured q;
 } look;
 
 typedef struct {
@@ -47,10 +48,11 @@ typedef struct {
     void *context, *crossings_context;
     gough_end *end;
     limits_side side;
-    appointments when;                /* the program's corners */
-    gough_crossing open[MARGIN_POSE]; /* limits that are exceeded now; leg 0: none */
-    int crossed;                      /* some limit was exceeded: `first` is the earliest */
+    appointments when;                    /* the program's corners */
+    gough_crossing open[MARGIN_SINGULAR]; /* limits that are exceeded now; else done */
+    int crossed; /* some limit was exceeded: `first` is the earliest, of margin `first_margin` */
     gough_crossing first;
+    int first_margin;
     unsigned first_legs; /* all legs at that limit then: bit v for leg v + 1 */
 
     real speed, force, swiftness,
@@ -73,9 +75,11 @@ static inline void walk_at(walk *a, real t, signals *m) {
 }
 
 static inline void walk_margins(walk *a, real t, signals *m, real margin[MARGINS]) {
+    measured q;
+
     walk_at(a, t, m);
     limits_margins(&a->r, system_wanted(&a->r, t), m, limits_pose(&a->r, m).determinant, &a->side,
-                   margin);
+                   &q, margin);
 }
 
 static inline void walk_look(walk *a, real t, look *l) {
@@ -86,7 +90,8 @@ static inline void walk_look(walk *a, real t, look *l) {
     walk_at(a, t, &m);
     motion_components(a->r.motion, t, l->component);
     const elimination pose = limits_pose(&a->r, &m);
-    limits_margins(&a->r, system_wanted(&a->r, t), &m, pose.determinant, &a->side, l->margin);
+    limits_margins(&a->r, system_wanted(&a->r, t), &m, pose.determinant, &a->side, &l->q,
+                   l->margin);
     l->near = limits_nearly_singular(&a->r, t, &m, &pose);
     row_fill(&a->r, system_wanted(&a->r, t), t, &m, 0, ROW_WHOLE, 0, l->value);
 }
@@ -131,56 +136,86 @@ static inline real walk_near_root(walk *a, real low, real high) {
 
 /* what the limit of margin e is about */
 static inline double walk_quantity(const look *l, int e) {
-    const int v = e % LEGS;
+    const int kind = e / LIMIT_SIX, i = e % LIMIT_SIX;
 
-    if (e >= MARGIN_FORCE) return (double)l->value[GOUGH_F + v];
-    return (double)l->value[(e >= MARGIN_SPEED ? GOUGH_DL : GOUGH_L) + v];
+    switch (kind) {
+    case LIMIT_SHORT:
+    case LIMIT_LONG:
+        return (double)l->value[GOUGH_L + i];
+    case LIMIT_SPEED:
+        return (double)l->value[GOUGH_DL + i];
+    case LIMIT_FORCE:
+    case LIMIT_PULL:
+        return (double)l->value[GOUGH_F + i];
+    case LIMIT_ACCELERATION:
+        return (double)l->q.acceleration[i];
+    case LIMIT_BASE_SWING:
+        return 2 * asin(fmin(1, (double)l->q.base_chord[i] / 2));
+    case LIMIT_TOP_SWING:
+        return 2 * asin(fmin(1, (double)l->q.top_chord[i] / 2));
+    default:
+        return (double)l->q.component[(kind - LIMIT_POSE_LOW) / 2][i];
+    }
 }
 
-static inline int walk_worse(int e, double value, double than) {
-    if (e < MARGIN_LONG) return value < than;
-    return e < MARGIN_SPEED ? value > than : fabs(value) > fabs(than);
+static inline int walk_worse(const walk *a, int e, double value, double than) {
+    const int kind = e / LIMIT_SIX;
+
+    if (kind == LIMIT_SHORT || limits_is_least(e)) return value < than;
+    if (kind == LIMIT_LONG || kind >= LIMIT_LEG_KINDS) return value > than;
+    if (kind == LIMIT_FORCE && limit_has(&a->r.limits, LIMIT_PULL)) return value > than;
+    return fabs(value) > fabs(than);
 }
 
 static inline void walk_close(walk *a, int e, double leave) {
     a->open[e].leave = leave;
     if (a->crossings) a->crossings(a->crossings_context, &a->open[e]);
-    a->open[e].leg = 0;
+    a->open[e].cause = GOUGH_END_DONE;
 }
 
 static inline void walk_open(walk *a, int e, double enter, double value) {
+    const int of_leg = e / LIMIT_SIX < LIMIT_LEG_KINDS;
     real margin[MARGINS];
     signals m;
 
     a->open[e] = (gough_crossing){.cause = limits_cause(&a->r, e),
-                                  .leg = e % LEGS + 1,
+                                  .leg = of_leg ? e % LIMIT_SIX + 1 : 0,
+                                  .component = of_leg ? 0 : e % LIMIT_SIX + 1,
+                                  .limit = limits_of(&a->r, e),
+                                  .least = limits_is_least(e) != 0,
                                   .enter = enter,
                                   .leave = INFINITY,
                                   .worst = value,
                                   .worst_time = enter};
     if (a->crossed && !(enter < a->first.enter)) return;
     a->first = a->open[e];
+    a->first_margin = e;
     walk_margins(a, (real)enter, &m, margin);
-    a->first_legs = limits_together_at(margin, e);
+    a->first_legs = limits_together_at(&a->r, margin, e);
     a->crossed = 1;
 }
 
-/* the legs' limits at a look, the look before having been at `before` */
-static inline void walk_cross(walk *a, real before, const look *l) {
-    for (int e = 0; e < MARGIN_POSE; e++) {
-        const int broken = !(l->margin[e] >= 0), was = a->open[e].leg != 0;
-        const double value = walk_quantity(l, e);
+/* one limit at a look, the look before having been at `before` */
+static inline void walk_cross_one(walk *a, int e, real before, const look *l) {
+    const int broken = !(l->margin[e] >= 0), was = a->open[e].cause != GOUGH_END_DONE;
 
-        if (broken && !was) {
-            const double enter = (double)(l->t > before ? walk_root(a, e, before, l->t, 0) : l->t);
-            walk_open(a, e, enter, value);
-        }
-        if (!broken && was) walk_close(a, e, (double)walk_root(a, e, before, l->t, 1));
-        if (broken && walk_worse(e, value, a->open[e].worst)) {
-            a->open[e].worst = value;
-            a->open[e].worst_time = (double)l->t;
-        }
+    if (!broken && !was) return;
+    const double value = walk_quantity(l, e);
+    if (broken && !was) {
+        const double enter = (double)(l->t > before ? walk_root(a, e, before, l->t, 0) : l->t);
+        walk_open(a, e, enter, value);
     }
+    if (!broken && was) walk_close(a, e, (double)walk_root(a, e, before, l->t, 1));
+    if (broken && walk_worse(a, e, value, a->open[e].worst)) {
+        a->open[e].worst = value;
+        a->open[e].worst_time = (double)l->t;
+    }
+}
+
+/* all limits */
+static inline void walk_cross(walk *a, real before, const look *l) {
+    for (int e = 0; e < MARGIN_SINGULAR; e++)
+        if (limits_has_margin(&a->r, e)) walk_cross_one(a, e, before, l);
 }
 
 /* singular, no length, not finite at a look: what `forces` cannot go past */
@@ -191,12 +226,12 @@ static inline gough_status walk_hard(walk *a, real before, const look *l) {
     if (a->r.fault.what && !(a->r.fault.time > t)) return limits_fault(&a->r, a->end);
     for (int v = 0; v < LEGS; v++) {
         if (!(l->value[GOUGH_L + v] > (real)nothing)) {
-            limits_say(&a->r, GOUGH_END_LEG_NO_LENGTH, 1u << v, (double)t, a->end);
+            limits_say_no_length(v, (double)t, a->end);
             return GOUGH_ERROR_NUMERICAL;
         }
     }
-    if (!(l->margin[MARGIN_POSE] >= 0)) {
-        const real root = t > before ? walk_root(a, MARGIN_POSE, before, t, 0) : t;
+    if (!(l->margin[MARGIN_SINGULAR] >= 0)) {
+        const real root = t > before ? walk_root(a, MARGIN_SINGULAR, before, t, 0) : t;
         limits_say_singular(1, (double)root, a->end);
         return GOUGH_ERROR_NUMERICAL;
     }
@@ -236,13 +271,15 @@ static inline gough_status walk_process(walk *a, real before, const look *l, int
 
 /* Where a margin has its bottom between three looks, by the parabola through them: whether it goes below zero there although it
  * does not at the looks, or the other way round, and when. */
-static inline int walk_dip(const look *one, const look *two, const look *three, real *t) {
+static inline int walk_dip(const walk *a, const look *one, const look *two, const look *three,
+                           real *t) {
     const real left = two->t - one->t, right = three->t - two->t;
 
-    for (int e = 0; e <= MARGIN_POSE; e++) {
+    for (int e = 0; e <= MARGIN_SINGULAR; e++) {
+        if (!limits_has_margin(&a->r, e)) continue;
         const real p = one->margin[e], q = two->margin[e], r = three->margin[e];
         const int bottom = q >= 0 && p >= q && r >= q && (p > q || r > q);
-        const int top = e < MARGIN_POSE && q < 0 && p <= q && r <= q && (p < q || r < q);
+        const int top = e < MARGIN_SINGULAR && q < 0 && p <= q && r <= q && (p < q || r < q);
         if (!bottom && !top) continue;
         const real before = (q - p) / left, after = (r - q) / right;
         const real bend = (after - before) / (left + right), slope = before + bend * left;
@@ -266,7 +303,7 @@ static inline gough_status walk_feed(walk *a, const look *l, int corner) {
         a->corner = corner;
         return status;
     }
-    const int dips = walk_dip(one, two, l, &t);
+    const int dips = walk_dip(a, one, two, l, &t);
     if (dips) walk_look(a, t, &inserted);
     if (dips && t < two->t) {
         status = walk_process(a, one->t, &inserted, 0);
@@ -312,7 +349,7 @@ static inline void walk_learn(walk *a, const look *l) {
         const real dd = real_magnitude(l->component[c].dd) * (c < GOUGH_ROLL ? 1 : radius);
         if (dd > a->swiftness && real_finite(dd)) a->swiftness = dd;
     }
-    if (l->margin[MARGIN_POSE] > a->determinant) a->determinant = l->margin[MARGIN_POSE];
+    if (l->margin[MARGIN_SINGULAR] > a->determinant) a->determinant = l->margin[MARGIN_SINGULAR];
 }
 
 static inline int walk_smooth(const walk *a, const look *const l[5]) {
@@ -321,7 +358,7 @@ static inline int walk_smooth(const walk *a, const look *const l[5]) {
 
     for (int i = 0; i < 5; i++) {
         const real weight = i % 2 ? -4 : i == 2 ? 6 : 1;
-        determinant = determinant + weight * l[i]->margin[MARGIN_POSE];
+        determinant = determinant + weight * l[i]->margin[MARGIN_SINGULAR];
     }
     if (real_magnitude(determinant) > 100 * share * a->determinant) return 0;
     for (int v = 0; v < LEGS; v++) {
@@ -513,16 +550,16 @@ static inline gough_status walk_run(const gough_model *model, const gough_simula
     a.speed = (real)walk_rest * radius / duration;
     a.swiftness = a.speed / duration;
     a.force = (real)model->machine.load.mass * a.swiftness;
-    for (int e = 0; e < MARGIN_POSE; e++) a.open[e].leg = 0;
+    for (int e = 0; e < MARGIN_SINGULAR; e++) a.open[e].cause = GOUGH_END_DONE;
 
     status = walk_all(&a);
-    for (int e = 0; e < MARGIN_POSE; e++) {
-        if (a.open[e].leg) walk_close(&a, e, INFINITY);
+    for (int e = 0; e < MARGIN_SINGULAR; e++) {
+        if (a.open[e].cause != GOUGH_END_DONE) walk_close(&a, e, INFINITY);
     }
     if (status != GOUGH_OK) return status;
     end->time = options->duration;
     if (!a.crossed) return GOUGH_OK;
-    limits_say(&a.r, a.first.cause, a.first_legs, a.first.enter, end);
+    limits_say(&a.r, a.first_margin, a.first_legs, a.first.enter, end);
     return GOUGH_ERROR_NUMERICAL;
 }
 

@@ -130,6 +130,7 @@ static inline number forward_go(forward *d, dop853 *work, rattle_state *carried)
 typedef struct {
     forward *d;
     dop853 work;
+    rattle_state unused; /* by this method */
     stiffness_watch watch;
     real size[STATE_SIZE], unit; /* of the state's numbers; the unit of time */
     real stop;                   /* no step goes beyond */
@@ -166,7 +167,7 @@ static inline real forward_attempt(void *context, real length) {
     d->m.h = length;
     d->prepared = 0;
     forward_prefetch(d);
-    (void)forward_go(d, &a->work, NULL);
+    (void)forward_go(d, &a->work, &a->unused);
     return dop853_error(&a->work, d->r.states, length, d->y0, d->raw, a->size,
                         d->r.options->tolerance);
 }

@@ -169,18 +169,19 @@ static inline int forward_broken(forward *d, real theta, const elimination *e,
                                  real margin[MARGINS]) {
     const real t = d->m.t0 + theta * d->m.h;
     number y[STATE_SIZE];
+    measured q;
     signals m;
 
     if (!(theta < 1)) {
-        limits_margins(&d->r, system_wanted(&d->r, d->t), &d->now, e->determinant, &d->side,
+        limits_margins(&d->r, system_wanted(&d->r, d->t), &d->now, e->determinant, &d->side, &q,
                        margin);
-        return limits_broken(margin, 0, MARGINS);
+        return limits_broken(&d->r, margin);
     }
     forward_inside(d, theta, y);
     system_signals(&d->r, t, y, &m);
     limits_margins(&d->r, system_wanted(&d->r, t), &m, limits_pose(&d->r, &m).determinant, &d->side,
-                   margin);
-    return limits_broken(margin, 0, MARGINS);
+                   &q, margin);
+    return limits_broken(&d->r, margin);
 }
 
 /* whether the summary is to see the step at its eighths, rows being too far apart to serve */
@@ -224,18 +225,18 @@ static inline void forward_remember(forward *d, const elimination *e) {
     d->program = system_wanted(&d->r, d->t)->singularity.determinant;
 }
 
-/* Whether nothing can have happened within the step that is not seen at its ends: no limits of speed or force, lengths further
- * from their limits than the legs can go in a step, determinants far from zero */
+/* Whether nothing can have happened within the step that is not seen at its ends: no limits but those of lengths, which are
+ * further from their limits than the legs can go in a step, determinants far from zero */
 static inline int forward_comfortable(const forward *d, real program, const elimination *e) {
     const real pose = e->determinant, ease = (real)determinant_ease;
 
-    if (d->r.limited[1] || d->r.limited[2]) return 0;
+    if (d->r.limits.kinds & ~LIMITS_OF_LENGTH) return 0;
     for (int v = 0; v < LEGS; v++) {
         const real after = real_magnitude(d->now.g.rate[v]), before = d->speed[v];
         const real way = d->m.h * (after > before ? after : before);
         const real one = d->length[v], two = d->now.g.length[v];
-        if (!(((one < two ? one : two) - way) * d->r.least > 1)) return 0;
-        if (!(((one < two ? two : one) + way) * d->r.most < 1)) return 0;
+        if (!(((one < two ? one : two) - way) * d->r.limits.shortest[v] > 1)) return 0;
+        if (!(((one < two ? two : one) + way) * d->r.limits.longest[v] < 1)) return 0;
     }
     return real_magnitude(pose) > ease * real_magnitude(pose - d->pose) &&
            real_magnitude(program) > ease * real_magnitude(program - d->program);
@@ -286,6 +287,7 @@ static inline gough_status forward_begin(forward *d) {
     gough_status status;
     real margin[MARGINS];
     elimination e;
+    measured q;
     int broken;
 
     d->t = 0;
@@ -303,8 +305,8 @@ static inline gough_status forward_begin(forward *d) {
     }
     status = forward_row(d, d->y);
     if (status != GOUGH_OK) return status;
-    limits_margins(&d->r, system_wanted(&d->r, 0), &d->now, e.determinant, &d->side, margin);
-    broken = limits_broken(margin, 0, MARGINS);
+    limits_margins(&d->r, system_wanted(&d->r, 0), &d->now, e.determinant, &d->side, &q, margin);
+    broken = limits_broken(&d->r, margin);
     if (broken < 0) return GOUGH_OK;
     limits_end(&d->r, margin, broken, 0, d->end);
     return GOUGH_ERROR_NUMERICAL;

@@ -9,53 +9,150 @@ static const double limit_slack = 1e-12;
 /* pivots further apart than this call for a look at the condition */
 static const double suspicious_pivots = 1e-6;
 
-/* margins: four limits of six legs, then the determinants of the pose and of the program's pose */
-enum {
-    MARGIN_SHORT = 0,
-    MARGIN_LONG = LEGS,
-    MARGIN_SPEED = 2 * LEGS,
-    MARGIN_FORCE = 3 * LEGS,
-    MARGIN_POSE = 4 * LEGS,
-    MARGIN_PROGRAM,
-    MARGINS
-};
+/* margins: six of each kind of limit, then the determinants of the pose and of the program's pose. Those of kinds that no lane has
+ * are neither filled nor read. */
+enum { LIMIT_SIX = 6, MARGIN_SINGULAR = LIMIT_SIX * LIMIT_KINDS, MARGIN_PROGRAM, MARGINS };
+_Static_assert((int)LEGS == LIMIT_SIX && (int)GOUGH_COMPONENTS == LIMIT_SIX, "six of each kind");
 
 static inline elimination limits_pose(const struct system *r, const signals *m) {
     return legs_determinant(&r->h, &m->x, &m->g);
 }
 
-/* margins of the legs, relative; 1 where there is no limit */
-static inline void limits_legs(const struct system *r, const signals *m,
-                               number margin[MARGIN_POSE]) {
+/* What limits are about besides lengths, rates and forces; only what a limit asks for is filled. */
+typedef struct {
+    number acceleration[LEGS]; /* of the length */
+    number base_chord[LEGS];   /* 2 sin(φ/2), φ from the direction at home */
+    number top_chord[LEGS];
+    number component[3][GOUGH_COMPONENTS]; /* of the platform, by order of derivative; not angles */
+    triad R;                               /* of the top */
+} measured;
+
+static inline void limits_measure_legs(const struct system *r, const signals *m, measured *q) {
+    const limit_set *s = &r->limits;
+
+    if (limit_has(s, LIMIT_ACCELERATION))
+        legs_second_rates(&r->h, &m->rate, &m->acceleration, &m->g, q->acceleration);
+    for (int v = 0; limit_has(s, LIMIT_BASE_SWING) && v < LEGS; v++)
+        q->base_chord[v] = norm(subtract(m->g.n[v], s->home[v]));
+    for (int v = 0; limit_has(s, LIMIT_TOP_SWING) && v < LEGS; v++)
+        q->top_chord[v] = norm(subtract(onto(&m->x.q, m->g.n[v]), s->home_top[v]));
+}
+
+/* the point of the top, its velocity and acceleration: ρ + Q r and its derivatives */
+static inline vector limits_point(const limit_set *s, const coordinates *x) {
+    return add(x->rho, out_of(&x->q, s->arm));
+}
+
+static inline void limits_measure(const struct system *r, const signals *m, measured *q) {
+    const limit_set *s = &r->limits;
+    const triad back = transpose(&r->h.axes);
+
+    limits_measure_legs(r, m, q);
+    if (!(s->kinds & LIMITS_OF_PLATFORM)) return;
+    q->R = compose(&m->x.q, &back);
+    vector_store(subtract(limits_point(s, &m->x), s->start), q->component[0]);
+    vector_store(limits_point(s, &m->rate), q->component[1]);
+    vector_store(angular_velocity_of(&m->x, &m->rate), q->component[1] + 3);
+    vector_store(limits_point(s, &m->acceleration), q->component[2]);
+    vector_store(angular_velocity_of(&m->x, &m->acceleration), q->component[2] + 3);
+}
+
+/* margins below the greatest value, and above the least */
+static inline number limits_below(const limit_range *range, number x) {
+    return range->most - x * range->scale + number_of(limit_slack);
+}
+static inline number limits_above(const limit_range *range, number x) {
+    return x * range->scale - range->least + number_of(limit_slack);
+}
+
+/* lengths, rates, forces of the legs, relative */
+static inline void limits_legs(const struct system *r, const signals *m, number margin[MARGINS]) {
+    const number one = number_of(1), slack = number_of(limit_slack);
+    const limit_set *s = &r->limits;
+    const int pulls = limit_has(s, LIMIT_PULL);
+    number *const low = margin + LIMIT_SIX * LIMIT_SHORT, *const high =
+                                                              margin + LIMIT_SIX * LIMIT_LONG;
+    number *const fast = margin + LIMIT_SIX * LIMIT_SPEED;
+    number *const strong = margin + LIMIT_SIX * LIMIT_FORCE, *const pull =
+                                                                 margin + LIMIT_SIX * LIMIT_PULL;
+
+    for (int v = 0; v < LEGS; v++) low[v] = m->g.length[v] * s->shortest[v] - one + slack;
+    for (int v = 0; limit_has(s, LIMIT_LONG) && v < LEGS; v++)
+        high[v] = one - m->g.length[v] * s->longest[v] + slack;
+    for (int v = 0; limit_has(s, LIMIT_SPEED) && v < LEGS; v++)
+        fast[v] = one - number_magnitude(m->g.rate[v]) * s->speed[v] + slack;
+    for (int v = 0; limit_has(s, LIMIT_FORCE) && v < LEGS; v++)
+        strong[v] = limits_below(&s->force[v], pulls ? m->force[v] : number_magnitude(m->force[v]));
+    for (int v = 0; pulls && v < LEGS; v++) pull[v] = limits_above(&s->force[v], m->force[v]);
+}
+
+/* six margins of magnitudes that have one limit each */
+static inline void limits_magnitudes(const limit_set *s, int kind, const number x[LIMIT_SIX],
+                                     const number reciprocal[LIMIT_SIX], number margin[MARGINS]) {
     const number one = number_of(1), slack = number_of(limit_slack);
 
-    for (int v = 0; v < LEGS; v++) {
-        margin[MARGIN_SHORT + v] = m->g.length[v] * r->least - one + slack;
-        margin[MARGIN_LONG + v] = one;
-        margin[MARGIN_SPEED + v] = one;
-        margin[MARGIN_FORCE + v] = one;
-    }
-    for (int v = 0; r->limited[0] && v < LEGS; v++) {
-        margin[MARGIN_LONG + v] = one - m->g.length[v] * r->most + slack;
-    }
-    for (int v = 0; r->limited[1] && v < LEGS; v++) {
-        margin[MARGIN_SPEED + v] = one - number_magnitude(m->g.rate[v]) * r->fastest + slack;
-    }
-    for (int v = 0; r->limited[2] && v < LEGS; v++) {
-        margin[MARGIN_FORCE + v] = one - number_magnitude(m->force[v]) * r->strongest + slack;
+    if (!limit_has(s, kind)) return;
+    for (int i = 0; i < LIMIT_SIX; i++)
+        margin[LIMIT_SIX * kind + i] = one - number_magnitude(x[i]) * reciprocal[i] + slack;
+}
+
+static inline void limits_component(const limit_set *s, int order, int c, number x,
+                                    number margin[MARGINS]) {
+    number *const low = margin + LIMIT_SIX * (LIMIT_POSE_LOW + 2 * order);
+
+    low[c] = limits_above(&s->component[order][c], x);
+    low[LIMIT_SIX + c] = limits_below(&s->component[order][c], x);
+}
+
+/* all limits but those of angles */
+static inline void limits_fill(const struct system *r, const signals *m, const measured *q,
+                               number margin[MARGINS]) {
+    const limit_set *s = &r->limits;
+
+    limits_legs(r, m, margin);
+    limits_magnitudes(s, LIMIT_ACCELERATION, q->acceleration, s->acceleration, margin);
+    limits_magnitudes(s, LIMIT_BASE_SWING, q->base_chord, s->base_swing, margin);
+    limits_magnitudes(s, LIMIT_TOP_SWING, q->top_chord, s->top_swing, margin);
+    for (int order = 0; order < 3; order++) {
+        if (!limit_has(s, LIMIT_POSE_LOW + 2 * order)) continue;
+        for (int c = 0; c < (order == 0 ? 3 : GOUGH_COMPONENTS); c++)
+            limits_component(s, order, c, q->component[order][c], margin);
     }
 }
 
-/* the least of them, in each lane */
-static inline number limits_least(const struct system *r, const signals *m) {
-    number margin[MARGIN_POSE], least;
+/* A cheap test of roll, pitch and yaw without inverse functions: where the angle a of (s, c) = ϱ (sin a, cos a) passes a bound,
+ * ϱ sin(bound − a) changes its sign. It may flag an angle half a turn from a bound, but never misses one beyond it. */
+static inline void limits_angle(const limit_set *set, int a, number s, number c,
+                                number margin[MARGINS]) {
+    number *const low = margin + LIMIT_SIX * LIMIT_POSE_LOW + 3 + a;
+    const number given = number_select(number_greater(set->component[0][3 + a].scale, number_of(0)),
+                                       number_of(0), number_of(1));
 
-    limits_legs(r, m, margin);
-    least = margin[MARGIN_SHORT];
-    for (int kind = 0; kind < 4; kind++) {
-        if (kind > 0 && !r->limited[kind - 1]) continue;
-        for (int v = 0; v < LEGS; v++) {
-            const number here = margin[kind * LEGS + v];
+    low[0] = s * set->cosine[a][0] - c * set->sine[a][0] + given;
+    low[LIMIT_SIX] = c * set->sine[a][1] - s * set->cosine[a][1] + given;
+}
+
+static inline void limits_angles_cheaply(const limit_set *s, const triad *R,
+                                         number margin[MARGINS]) {
+    if (!limit_has(s, LIMIT_POSE_LOW)) return;
+    limits_angle(s, 0, R->j.z, R->k.z, margin);
+    limits_angle(s, 1, -R->i.z, number_root(R->i.x * R->i.x + R->i.y * R->i.y), margin);
+    limits_angle(s, 2, R->i.y, R->i.x, margin);
+}
+
+/* the least margin in each lane; below zero where a limit may be exceeded */
+static inline number limits_least(const struct system *r, const signals *m) {
+    number margin[MARGINS], least;
+    measured q;
+
+    limits_measure(r, m, &q);
+    limits_fill(r, m, &q, margin);
+    limits_angles_cheaply(&r->limits, &q.R, margin);
+    least = margin[0];
+    for (int kind = 0; kind < LIMIT_KINDS; kind++) {
+        if (!limit_has(&r->limits, kind)) continue;
+        for (int i = 0; i < LIMIT_SIX; i++) {
+            const number here = margin[LIMIT_SIX * kind + i];
             least = number_select(number_greater(least, here), here, least);
         }
     }

@@ -9,6 +9,7 @@
 #include "program/program_valid.h"
 #include "run/prefetch.h"
 #include "run/run.h"
+#include "run/summary_limits.h"
 
 /* more rows than this are a mistake, not a study */
 static const double most_rows = 1e8;
@@ -229,6 +230,11 @@ const struct simulate_table *simulate_table_of(gough_precision precision) {
     return precision == GOUGH_QUADRUPLE ? &simulate_quad : in_double;
 }
 
+static void begin_summary(const gough_model *model, gough_summary *summary) {
+    gough_summary_begin(summary);
+    summary_limits_begin(summary, &model->machine, &model->motion);
+}
+
 /* an end that is the input's fault is its error's sentence too */
 static gough_status finish(gough_status status, const gough_end *end, gough_error *error) {
     if (status == GOUGH_OK) return status;
@@ -243,7 +249,7 @@ gough_status gough_forces(const gough_model *model, const gough_simulation *simu
     *end = (gough_end){.cause = GOUGH_END_DONE};
     if (checked != GOUGH_OK) return checked;
     if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
-    if (simulation->summary) gough_summary_begin(simulation->summary);
+    if (simulation->summary) begin_summary(model, simulation->summary);
     const gough_status status =
         simulate_table_of(simulation->precision)
             ->forces(model, simulation, sink, context, crossings, crossings_context, end);
@@ -262,7 +268,7 @@ gough_status gough_simulate(const gough_model *model, const gough_simulation *si
     const simulate_parts parts = {&model->motion,  &model->machine,
                                   &model->control, &model->disturbance,
                                   &model->initial, model->disturbance.noise.run};
-    if (simulation->summary) gough_summary_begin(simulation->summary);
+    if (simulation->summary) begin_summary(model, simulation->summary);
     const gough_status status =
         simulate_table_of(simulation->precision)->simulate(&parts, simulation, sink, context, end);
     if (simulation->summary) gough_summary_end(simulation->summary);

@@ -10,6 +10,7 @@
 #include "run/peak.h"
 #include "run/quadrature.h"
 #include "run/returned.h"
+#include "run/summary_limits.h"
 
 /* columns of the window: time, then per leg the square of the force, the power, and what of it friction takes */
 enum {
@@ -38,7 +39,11 @@ enum {
     LOOK_BASE_LOAD = LOOK_TOP_LOAD + GOUGH_LEGS,
     LOOK_SIDE = LOOK_BASE_LOAD + GOUGH_LEGS,
     LOOK_LOSS = LOOK_SIDE + GOUGH_LEGS,
-    LOOK_COLUMNS = LOOK_LOSS + GOUGH_LEGS
+    LOOK_LIMITS =
+        LOOK_LOSS + GOUGH_LEGS, /* what follows is for limits that not every machine has */
+    LOOK_ACCELERATION = LOOK_LIMITS,
+    LOOK_COMPONENT = LOOK_ACCELERATION + GOUGH_LEGS,
+    LOOK_COLUMNS = LOOK_COMPONENT + 3 * GOUGH_COMPONENTS
 };
 _Static_assert(LOOK_COLUMNS == sizeof((gough_summary *)0)->look_[0] / sizeof(double), "window");
 
@@ -157,9 +162,7 @@ static double power_lost(const double *value, int v) {
     return (value[GOUGH_F + v] - value[GOUGH_H + v]) * value[GOUGH_DL + v];
 }
 
-static double size_of(const double *v) {
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
+static double size_of(const double *v) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 /* Peaks up to a row or look that has them, whose loads and loss go to load[0 … 3] of each leg as in the window of looks. */
 static void take_joints(gough_summary *summary, const double *value, double load[4 * GOUGH_LEGS]) {
@@ -173,6 +176,29 @@ static void take_joints(gough_summary *summary, const double *value, double load
         leg->base_load = fmax(leg->base_load, load[GOUGH_LEGS + v]);
         leg->side_load = fmax(leg->side_load, load[2 * GOUGH_LEGS + v]);
     }
+}
+
+/* what limits ask for, at a moment; look: the newest, or NULL */
+static void take_limits(gough_summary *summary, const gough_machine *machine, const double *value,
+                        double *look) {
+    double component[3][GOUGH_COMPONENTS], acceleration[GOUGH_LEGS];
+
+    if (!summary->limited_ || isnan(value[GOUGH_X])) return;
+    summary_limits_row(machine, summary->about_, value, component, acceleration);
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        leg->acceleration = fmax(leg->acceleration, fabs(acceleration[v]));
+    }
+    for (int order = 0; order < 3; order++) {
+        for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+            double *range = summary->component[order][c];
+            range[0] = fmin(range[0], component[order][c]);
+            range[1] = fmax(range[1], component[order][c]);
+        }
+    }
+    if (look == NULL) return;
+    memcpy(look + LOOK_ACCELERATION, acceleration, sizeof acceleration);
+    memcpy(look + LOOK_COMPONENT, component, sizeof component);
 }
 
 static void count_row(gough_summary *summary, double t) {
@@ -238,6 +264,7 @@ void gough_summary_add(gough_summary *summary, const gough_machine *machine, con
     find_swing(machine, value, at_base, at_top);
     find_deviation(value, &position, &angle);
     take_peaks(summary, value, at_base, at_top, position, angle);
+    take_limits(summary, machine, value, NULL);
     add_to_window(summary, value);
 }
 
@@ -279,7 +306,9 @@ static void fit(interval *f) {
 static void find_bends(const gough_summary *summary, interval *f) {
     const double(*look)[LOOK_COLUMNS] = summary->look_;
     const bool middle = f->count == WINDOW && f->a == 1;
-    const int columns = summary->joints_ ? LOOK_COLUMNS : LOOK_PLAIN;
+    const int columns = summary->limited_  ? LOOK_COLUMNS
+                        : summary->joints_ ? LOOK_LIMITS
+                                           : LOOK_PLAIN;
 
     for (int c = 0; c < columns && !middle; c++) f->bends[c] = -1;
     for (int c = 0; c < columns && middle; c++)
@@ -356,6 +385,23 @@ static void take_load_extremes(gough_summary *summary, interval *f) {
     }
 }
 
+/* the same of what limits ask for */
+static void take_limit_extremes(gough_summary *summary, interval *f) {
+    double *const component = &summary->component[0][0][0];
+    double s, x;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        x = extreme_of(summary, f, LOOK_ACCELERATION + v, &s);
+        if (s > 0) leg->acceleration = fmax(leg->acceleration, fabs(x));
+    }
+    for (int c = 0; c < 3 * GOUGH_COMPONENTS; c++) {
+        x = extreme_of(summary, f, LOOK_COMPONENT + c, &s);
+        if (s > 0) component[2 * c] = fmin(component[2 * c], x);
+        if (s > 0) component[2 * c + 1] = fmax(component[2 * c + 1], x);
+    }
+}
+
 /* Extremes between the two looks; the looks themselves are among the peaks already. */
 static void take_extremes(gough_summary *summary, interval *f) {
     double s, x;
@@ -390,6 +436,7 @@ static void take_extremes(gough_summary *summary, interval *f) {
         summary->condition = x;
         summary->condition_time = summary->look_[f->a][0] + s * f->h;
     }
+    if (summary->limited_) take_limit_extremes(summary, f);
 }
 
 /* integrals and extremes from look a to the next, by the polynomial through the last `count` looks */
@@ -470,6 +517,7 @@ void gough_summary_look(gough_summary *summary, const gough_machine *machine, co
     take_peaks(summary, value, at_base, at_top, newest[LOOK_POSITION], angle);
     summary->joints_ = has_joints(machine, value);
     if (summary->joints_) take_joints(summary, value, newest + LOOK_TOP_LOAD);
+    take_limits(summary, machine, value, newest);
     summary->looks_++;
     if (!summary->brief_) watch_rows(summary, is_row);
     if (summary->looks_ == WINDOW) sum_up(summary, WINDOW, 0);

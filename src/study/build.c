@@ -60,12 +60,13 @@ static gough_platform read_rings(const study_node *platform) {
     return made;
 }
 
-static void check_stroke(study_build *build, study_node *legs) {
-    study_node *length = study_node_child(legs, "length");
-    if (!length) return;
-    if (study_number(study_node_item(length, 0)) < study_number(study_node_item(length, 1))) return;
-    study_node_say(build->messages, length, study_node_place(length, false),
-                   "`platform.legs.length` must be [shortest, longest], in this order");
+/* Two keys that say the same in different ways. */
+static void check_either(study_build *build, const study_node *legs, const char *one,
+                         const char *other) {
+    study_node *node = study_node_child(legs, one);
+    if (!node || !study_node_child(legs, other)) return;
+    study_node_say(build->messages, node, study_node_place(node, true),
+                   "`platform.legs` has both `%s` and `%s`; give one of them", other, one);
 }
 
 /* A part of the legs with a mass needs to say where its centre of mass is, and its inertia: a silent 0 would be a wrong answer. */
@@ -106,7 +107,8 @@ static void check_breakaway(study_build *build, const study_node *legs) {
 }
 
 static void check_legs(study_build *build, study_node *legs) {
-    check_stroke(build, legs);
+    check_either(build, legs, "stroke", "length");
+    check_either(build, legs, "max_force", "force");
     check_part(build, legs, "cylinder");
     check_part(build, legs, "piston");
     check_breakaway(build, legs);

@@ -107,6 +107,46 @@ static void check_rows(study_messages *messages, study_node *node, size_t count,
         check_numbers(messages, row, 3, &any, "a list of three numbers");
 }
 
+/* A pair of limits, the least first. */
+static void check_limits(study_messages *messages, study_node *pair, const gough_bound *bound,
+                         const char *phrase) {
+    if (!check_numbers(messages, pair, 2, bound, phrase)) return;
+    if (study_number(pair->first) < study_number(pair->first->next)) return;
+    study_node_say(messages, pair, study_node_place(pair, false),
+                   "`%s` must be [least, greatest], the first below the second",
+                   study_node_path(messages->arena, pair));
+}
+
+/* One pair of limits for all legs, or six. */
+static void check_pairs(study_messages *messages, study_node *node, const gough_key *key) {
+    const char *phrase = study_shape_phrase(key->shape);
+    if (node->kind != STUDY_LIST || !node->first || node->first->kind == STUDY_SCALAR) {
+        check_limits(messages, node, &key->bound, phrase);
+        return;
+    }
+    if (!check_count(messages, node, GOUGH_LEGS, phrase)) return;
+    for (study_node *pair = node->first; pair; pair = pair->next)
+        check_limits(messages, pair, &key->bound, "a list of two numbers");
+}
+
+/* A pair of limits, or a number x for the pair −x, x. */
+static void check_range(study_messages *messages, study_node *node, const gough_key *key) {
+    if (node->kind == STUDY_LIST) {
+        check_limits(messages, node, &key->bound, study_shape_phrase(key->shape));
+        return;
+    }
+    if (node->kind != STUDY_SCALAR || node->length == 0) {
+        study_say_shape(messages, node, study_shape_phrase(key->shape));
+        return;
+    }
+    if (!study_check_number(messages, node, &key->bound) || study_number(node) > 0) return;
+    study_node_say(messages, node, study_node_place(node, false),
+                   "`%s` as one number means both signs and must be greater than 0, found `%s`; a "
+                   "range is [least, greatest]",
+                   study_node_path(messages->arena, node),
+                   study_quote(messages->arena, node->text, node->length));
+}
+
 static void check_formulas(study_messages *messages, study_node *node, size_t count,
                            const char *phrase) {
     bool good = true;
@@ -177,6 +217,10 @@ static void check_numeric(study_messages *messages, study_node *node, const goug
     } else if (shape == GOUGH_SHAPE_NUMBER ||
                (single && (shape == GOUGH_SHAPE_GRAVITY || shape == GOUGH_SHAPE_NUMBER_OR_SIX))) {
         study_check_number(messages, node, &key->bound);
+    } else if (shape == GOUGH_SHAPE_PAIR_OR_SIX) {
+        check_pairs(messages, node, key);
+    } else if (shape == GOUGH_SHAPE_RANGE) {
+        check_range(messages, node, key);
     } else if (shape == GOUGH_SHAPE_POINTS) {
         check_rows(messages, node, GOUGH_LEGS, phrase);
     } else if (shape == GOUGH_SHAPE_INERTIA && node->first && node->first->kind == STUDY_LIST) {
@@ -236,6 +280,8 @@ static void check_value(study_messages *messages, study_node *node, const gough_
     case GOUGH_SHAPE_VECTOR:
     case GOUGH_SHAPE_GRAVITY:
     case GOUGH_SHAPE_NUMBER_OR_SIX:
+    case GOUGH_SHAPE_PAIR_OR_SIX:
+    case GOUGH_SHAPE_RANGE:
     case GOUGH_SHAPE_POINTS:
     case GOUGH_SHAPE_INERTIA:
         check_numeric(messages, node, key);

@@ -33,11 +33,17 @@ static gough_formula read_formula(const study_node *node) {
     return formula;
 }
 
-/* A list gives each value; a scalar is for all of them. */
+/* A list gives each value; a scalar is for all of them, one pair for six pairs, and a scalar in place of a pair for both signs. */
 static void read_numbers(const gough_field *field, const study_node *node, double *value) {
     const double factor = strstr(field->unit, "[degrees]") ? STUDY_DEGREE : 1;
-    if (node->kind == STUDY_LIST)
+    const bool one_pair =
+        field->shape == GOUGH_SHAPE_PAIR_OR_SIX && node->first && node->first->kind == STUDY_SCALAR;
+    if (one_pair)
+        for (size_t i = 0; i < field->place.count; i += 2) read_each(node, factor, &value[i]);
+    else if (node->kind == STUDY_LIST)
         read_each(node, factor, value);
+    else if (field->shape == GOUGH_SHAPE_RANGE)
+        value[1] = study_number(node) * factor, value[0] = -value[1];
     else
         for (size_t i = 0; i < field->place.count; i++) read_each(node, factor, &value[i]);
 }

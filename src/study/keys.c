@@ -27,6 +27,8 @@ const char *study_shape_phrase(gough_shape shape) {
         [GOUGH_SHAPE_VECTOR] = "a list of three numbers",
         [GOUGH_SHAPE_GRAVITY] = "a number or a list of three numbers",
         [GOUGH_SHAPE_NUMBER_OR_SIX] = "a number or a list of six numbers",
+        [GOUGH_SHAPE_PAIR_OR_SIX] = "a list of two numbers or a list of six such pairs",
+        [GOUGH_SHAPE_RANGE] = "a number or a list of two numbers",
         [GOUGH_SHAPE_POINTS] = "a list of six points [x, y, z]",
         [GOUGH_SHAPE_INERTIA] = "a list of three numbers or a 3×3 matrix [[…], […], […]]",
         [GOUGH_SHAPE_FORMULA] = "a formula",

@@ -26,6 +26,10 @@ static makeup makeup_of(gough_shape shape) {
         return (makeup){.number = true, .alone = true, .list = {3}};
     case GOUGH_SHAPE_NUMBER_OR_SIX:
         return (makeup){.number = true, .alone = true, .list = {GOUGH_LEGS}};
+    case GOUGH_SHAPE_PAIR_OR_SIX:
+        return (makeup){.number = true, .list = {GOUGH_LEGS, 2}};
+    case GOUGH_SHAPE_RANGE:
+        return (makeup){.number = true, .alone = true, .list = {2}};
     case GOUGH_SHAPE_POINTS:
         return (makeup){.number = true, .list = {GOUGH_LEGS, 3}};
     case GOUGH_SHAPE_INERTIA:
@@ -110,7 +114,8 @@ static bool say_no_number(study_messages *messages, study_node *node, const char
         study_node_say(messages, node, study_node_place(node, true),
                        "`%s` is not one number but %s: vary its elements, numbered from 1, as in "
                        "`%s.%s`",
-                       path, type, key->path, made->list[1] ? "1.1" : "1");
+                       path, type, key->path,
+                       made->list[1] && key->shape != GOUGH_SHAPE_PAIR_OR_SIX ? "1.1" : "1");
     else
         study_node_say(messages, node, study_node_place(node, true),
                        "`%s` is not a number (%s) and cannot vary", path, type);

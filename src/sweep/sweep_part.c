@@ -75,7 +75,7 @@ static size_t read_at(int file, void *bytes, size_t length, size_t place) {
 static bool outcome_possible(const unsigned char *record) {
     uint64_t cause;
     memcpy(&cause, record + 8, 8);
-    return cause >> 8 <= GOUGH_END_INVALID && (cause & 0xff) <= GOUGH_LEGS;
+    return cause >> 8 < GOUGH_CAUSES && (cause & 0xff) <= GOUGH_LEGS;
 }
 
 static bool record_whole(const sweep_part *part, const unsigned char *record, size_t run) {

@@ -35,7 +35,7 @@ typedef struct table {
     int columns;
     result_column *column;
     double *factor;
-    char flags[200];
+    char flags[400];
     void *records;
     double *value;  /* swept values of a record */
     double *number; /* numbers of a row */
@@ -70,14 +70,14 @@ static void list_columns(table *t) {
     }
     for (int i = 0; i < PEAKS; i++)
         add_scaled(t, peak[i].name, peak[i].long_name, peak[i].unit, &scale);
-    for (int c = 0; c <= GOUGH_END_INVALID; c++) {
+    for (int c = 0; c < GOUGH_CAUSES; c++) {
         if (c) strcat(t->flags, " ");
         strcat(t->flags, gough_cause_name((gough_cause)c));
     }
     add_column(t, "end_cause", "1", "how the run ended", 1);
     t->column[t->columns - 1].whole = true;
     t->column[t->columns - 1].flags = t->flags;
-    t->column[t->columns - 1].flag_count = GOUGH_END_INVALID + 1;
+    t->column[t->columns - 1].flag_count = GOUGH_CAUSES;
     add_column(t, "end_leg", "1", "leg that caused it, or 0", 1);
     t->column[t->columns - 1].whole = true;
     add_scaled(t, "end_time", "time of the end", GOUGH_UNIT_TIME, &scale);

@@ -14,6 +14,7 @@
 #include "plant/inverse.h"
 #include "plant/program_motion.h"
 #include "plant/state.h"
+#include "system/limit_set.h"
 
 /* What the program and the disturbances are at one time. It depends on time alone, so that it may be prefetched, recorded and
  * replayed; nothing else may. */
@@ -72,9 +73,7 @@ struct system {
     hexapod h;
     double height;      /* of home, the same in every lane */
     number alpha, beta; /* Baumgarte, or 0 */
-    number least, most, fastest,
-        strongest;  /* reciprocals of the legs' limits, 0 for a limit not given */
-    int limited[3]; /* some lane has a greatest length, speed, force */
+    limit_set limits;
 
     /* controller */
     number G[LEGS], D[LEGS];
@@ -107,19 +106,11 @@ static inline void system_add_lane(struct system *r, int lane) {
     const gough_control *control = r->lane[lane].control;
     const gough_disturbance *d = r->lane[lane].disturbance;
     const gough_platform *p = &r->lane[lane].machine->platform;
-    const double nothing = leg_no_length * r->lane[lane].machine->base_radius;
 
-    number_put(&r->least, lane, 1 / (real)(p->length_min > nothing ? p->length_min : nothing));
-    number_put(&r->most, lane, 1 / (real)p->length_max);
-    number_put(&r->fastest, lane, 1 / (real)p->speed_max);
-    number_put(&r->strongest, lane, 1 / (real)p->force_max);
+    limit_set_lane(&r->limits, lane, r->lane[lane].machine, r->motion);
 
     if (p->legs_have_mass) r->traits |= MOVING_MASS | NEEDS_RATES;
     if (machine_has_friction(r->lane[lane].machine)) r->traits |= FRICTION | NEEDS_RATES;
-
-    r->limited[0] |= p->length_max < INFINITY;
-    r->limited[1] |= p->speed_max < INFINITY;
-    r->limited[2] |= p->force_max < INFINITY;
 
     for (int v = 0; v < LEGS; v++) {
         number_put(&r->G[v], lane, control->stiffness[v]);
@@ -151,13 +142,13 @@ static inline void system_begin(struct system *r, const gough_motion *motion,
     r->states = r->rate.at + r->rate.count;
     assert_true(r->pose.at + r->pose.count <= r->rate.at && r->states <= STATE_SIZE);
     r->noise.present = r->noise.fresh = 0;
-    for (int kind = 0; kind < 3; kind++) r->limited[kind] = 0;
     for (int v = 0; v < LEGS; v++) r->shaken[v] = 0;
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         r->lane[i] = lane[i];
         hexapod_put_machine(&r->h, i, lane[i].machine);
         system_add_lane(r, i);
     }
+    limit_set_turn(&r->limits, &r->h);
     r->feeds = lane[0].control->feedforward;
     r->knows = r->traits & ((lane[0].control->ignores_legs ? 0 : MOVING_MASS) |
                             (lane[0].control->ignores_friction ? 0 : FRICTION));

@@ -72,7 +72,7 @@ static gough_status read_number(const reader *r, gough_piece cell, double *value
 
 /* How a run ended, as a word: its number in gough_cause; -1 for any other text. */
 static int read_cause(gough_piece cell) {
-    for (int cause = GOUGH_END_DONE; cause <= GOUGH_END_INVALID; cause++)
+    for (int cause = GOUGH_END_DONE; cause < GOUGH_CAUSES; cause++)
         if (is_word(cell, gough_cause_name((gough_cause)cause))) return cause;
     return -1;
 }

@@ -329,9 +329,17 @@ static void binding_mode(tune *t, const listener *l) {
     if (sum > 0) tuning->mode_share = most / sum;
 }
 
+/* share of the limits of its force that a leg uses; a limit of 0 leaves nothing to use */
+static double used_force(const gough_leg_summary *leg, const double limit[2]) {
+    const double push = limit[1] > 0 ? leg->force_max / limit[1] : 0;
+    const double pull = limit[0] < 0 ? leg->force_min / limit[0] : 0;
+    return fmax(push, pull);
+}
+
 static void binding_leg(tune *t, const gough_summary *summary) {
-    const gough_platform *limit = &t->model->machine.platform;
+    const gough_limits limit = gough_limits_of(&t->model->machine, &t->model->motion);
     gough_tuning *tuning = t->tuning;
+    double force_share = 0, speed_share = 0;
 
     tuning->force = tuning->speed = 0;
     for (int v = 0; v < GOUGH_LEGS; v++) {
@@ -343,9 +351,11 @@ static void binding_leg(tune *t, const gough_summary *summary) {
             tuning->leg = v + 1;
         }
         tuning->speed = fmax(tuning->speed, leg->speed);
+        force_share = fmax(force_share, used_force(leg, limit.force[v]));
+        speed_share = fmax(speed_share, leg->speed / limit.speed[v]);
     }
-    tuning->force_share = isfinite(limit->force_max) ? tuning->force / limit->force_max : NAN;
-    tuning->speed_share = isfinite(limit->speed_max) ? tuning->speed / limit->speed_max : NAN;
+    tuning->force_share = force_share > 0 ? force_share : NAN;
+    tuning->speed_share = speed_share > 0 ? speed_share : NAN;
 }
 
 gough_status tune_detail(tune *t, gough_error *error) {

@@ -269,6 +269,7 @@ START_TEST(names_of_what_is_outside_are_harmless) {
     const gough_simulation everything = {.reactions = true, .joints = true};
     for (int i = 0; i < OUTSIDE; i++) {
         const int value = outside[i];
+        const gough_end_words words = {"", "", "", "", "", "", "", ""};
         gough_end end = {.cause = (gough_cause)value, .message = "as it was"};
         gough_place place = {.owner = GOUGH_OWNER_MODEL, .kind = (gough_kind)value, .count = 1};
         double number = 7;
@@ -280,8 +281,13 @@ START_TEST(names_of_what_is_outside_are_harmless) {
         ck_assert_str_eq(gough_component_name(value), "");
         ck_assert_ptr_null(gough_method_name(value));
         ck_assert_ptr_null(gough_column(value));
+        gough_motion motion = model.motion;
+        gough_limits limits;
+        motion.kind = (gough_motion_kind)value;
+        ck_assert_int_eq(gough_limits_collect(&model.machine, &motion, &limits, sizeof limits),
+                         GOUGH_OK);
         ck_assert(!gough_column_filled(value, true, &everything));
-        gough_end_say(&end, " m", " m/s", " N", " s");
+        gough_end_say(&end, &words);
         ck_assert_str_eq(end.message, "as it was");
         gough_place_reset(&place, &number);
         ck_assert(number >= 7 && number <= 7);

@@ -118,10 +118,24 @@ START_TEST(numbers_have_a_point_in_a_comma_locale) {
 END_TEST
 
 START_TEST(causes_have_their_words) {
-    static const char *const WORDS[] = {"done",           "leg_short",     "leg_long", "leg_speed",
-                                        "leg_force",      "leg_no_length", "singular", "not_finite",
-                                        "no_convergence", "stopped",       "invalid"};
-    for (int c = GOUGH_END_DONE; c <= GOUGH_END_INVALID; c++)
+    static const char *const WORDS[] = {"done",
+                                        "leg_short",
+                                        "leg_long",
+                                        "leg_speed",
+                                        "leg_force",
+                                        "leg_no_length",
+                                        "singular",
+                                        "not_finite",
+                                        "no_convergence",
+                                        "stopped",
+                                        "invalid",
+                                        "leg_acceleration",
+                                        "base_swing",
+                                        "top_swing",
+                                        "platform_pose",
+                                        "platform_speed",
+                                        "platform_acceleration"};
+    for (int c = GOUGH_END_DONE; c < GOUGH_CAUSES; c++)
         ck_assert_str_eq(gough_cause_name((gough_cause)c), WORDS[c]);
 }
 END_TEST

@@ -13,7 +13,7 @@ for verb in forces simulate; do
     expect_code 0 "$verb --json"
     cp "$scratch/out" "$scratch/$verb.json"
     [[ $(jq -c keys_unsorted "$scratch/out") == "$keys" ]] || fail "$verb: keys $(jq -c keys_unsorted "$scratch/out")"
-    [[ $(jq -c '.end | keys_unsorted' "$scratch/out") == '["status","time","leg","message","legs","limit"]' ]] || fail "$verb: end"
+    [[ $(jq -c '.end | keys_unsorted' "$scratch/out") == '["status","time","leg","message","legs","limit","component","least"]' ]] || fail "$verb: end"
     jq -e --arg verb "$verb" '.verb == $verb and .end.status == "done" and .end.time == 20 and .end.leg == null and (.legs | length) == 6' \
         "$scratch/out" >/dev/null || fail "$verb: $(jq -c '[.verb, .end, (.legs | length)]' "$scratch/out")"
     # lengths, forces and powers over the rows, by other means

@@ -8,10 +8,12 @@ perl -0777 -e '
     my @structs = (    # struct, place in the table, members that are no input: other structs, memory of the caller, derived numbers, sizes
         ["gough_model", "", "machine motion control disturbance initial"],
         ["gough_machine", "MACHINE(", "platform load base_radius gravity_magnitude principal_axes second_moments home_length home_condition breakaway smoothing_speed"],
-        ["gough_platform", "MACHINE(platform.", "cylinder piston friction"],
+        ["gough_platform", "MACHINE(platform.", "cylinder piston friction legs limits"],
         ["gough_leg_part", "MACHINE(platform.cylinder.", ""],
         ["gough_leg_part", "MACHINE(platform.piston.", ""],
         ["gough_friction", "MACHINE(platform.friction.", ""],
+        ["gough_leg_limits", "MACHINE(platform.legs.", ""],
+        ["gough_platform_limits", "MACHINE(platform.limits.", ""],
         ["gough_load", "MACHINE(load.", ""],
         ["gough_motion", "MOTION(", "move moves samples"],
         ["gough_samples", "MOTION(samples.", "count time value curvature"],
@@ -27,7 +29,6 @@ perl -0777 -e '
     $table = <F>;
     s{/\*.*?\*/}{}gs for $headers, $table;
     $table =~ s/"[^"]*"//g;
-    $table =~ s/MACHINE_PAIR\(([\w.]+), ([\w.]+)\)/MACHINE($1) MACHINE($2)/g;
     my ($bad, $members) = (0, 0);
     for (@structs) {
         my ($struct, $place, $others) = @$_;

@@ -144,10 +144,13 @@ START_TEST(defaults_are_those_of_the_structs) {
     const gough_platform none = gough_platform_default();
     const gough_simulation run = gough_simulation_default();
 
-    ck_assert(find("platform.legs.length")->place.usual[0] == none.length_min);
-    ck_assert(find("platform.legs.length")->place.usual[1] == none.length_max);
-    ck_assert(find("platform.legs.max_speed")->place.usual[0] == none.speed_max);
-    ck_assert(find("platform.legs.max_force")->place.usual[0] == none.force_max);
+    ck_assert(find("platform.length_min")->place.usual[0] == none.length_min);
+    ck_assert(find("platform.length_max")->place.usual[0] == none.length_max);
+    ck_assert(find("platform.speed_max")->place.usual[0] == none.speed_max);
+    ck_assert(find("platform.force_max")->place.usual[0] == none.force_max);
+    ck_assert(find("platform.legs.length")->place.usual[0] == none.legs.length[0][0]);
+    ck_assert(find("platform.legs.length")->place.usual[1] == none.legs.length[0][1]);
+    ck_assert(find("platform.limits.yaw")->place.usual[0] == none.limits.pose[GOUGH_YAW][0]);
     ck_assert(run.duration == 20 && run.output_step == 0.05 && run.tolerance == 1e-10);
     ck_assert(run.method == GOUGH_DOP853 && run.constraints == GOUGH_PROJECTION);
     ck_assert(run.step == 0 && run.max_step == 0 && run.precision == GOUGH_DOUBLE);

@@ -64,13 +64,13 @@ START_TEST(columns_outside_the_enumeration_are_not_there) {
 END_TEST
 
 static const char *said(gough_cause cause, unsigned legs, const char *message, bool units) {
+    static const gough_end_words si = {" m", " m/s", " m/s^2", " N",
+                                       " s", " deg", " deg/s", " deg/s^2"},
+                                 none = {"", "", "", "", "", "", "", ""};
     static gough_end end;
     end = (gough_end){.cause = cause, .time = 1.5, .limit = 0.75, .legs = legs};
     memcpy(end.message, message, strlen(message) + 1);
-    if (units)
-        gough_end_say(&end, " m", " m/s", " N", " s");
-    else
-        gough_end_say(&end, "", "", "", "");
+    gough_end_say(&end, units ? &si : &none);
     return end.message;
 }
 

@@ -107,11 +107,11 @@ START_TEST(limits_of_a_leg_are_in_order) {
     expect_one("platform:\n  base: {radius: 1, half_angle: 15}\n  top: {radius: 0.6, half_angle: "
                "15}\n  height: 1.2\n  legs:\n    length: [2, 1]\nload: {mass: 1, inertia: [1, 1, "
                "1]}\n",
-               "6:13", "[shortest, longest]");
+               "6:13", "[least, greatest]");
     expect_one("platform:\n  base: {radius: 1, half_angle: 15}\n  top: {radius: 0.6, half_angle: "
                "15}\n  height: 1.2\n  legs:\n    length: [1, 1]\nload: {mass: 1, inertia: [1, 1, "
                "1]}\n",
-               "6:13", "[shortest, longest]");
+               "6:13", "[least, greatest]");
 }
 END_TEST
 

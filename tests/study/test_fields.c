@@ -35,7 +35,8 @@ static const char *value_for(const gough_key *key, int which) {
         {"platform.top.joints", "[[0.5, 0.51, 0], [0.4, 0.62, 0], [-0.6, 0.13, 0.01], "
                                 "[-0.6, -0.14, 0], [0.3, -0.6, 0.15], [0.5, -0.46, 0]]"},
         {"platform.height", "1.3"},
-        {"platform.legs.length", "[0.1, 9]"},
+        {"platform.legs.length", "[[0.1, 9], [0.2, 8], [0.3, 7], [0.4, 6], [0.5, 5], [0.6, 4]]",
+         "[0.1, 9]"},
         {"load.inertia", "[[0.1, 0.01, 0.02], [0.01, 0.11, 0], [0.02, 0, 0.16]]"},
         {"platform.legs.friction.efficiency", "[0.9, 0.8, 0.7, 0.95, 0.85, 0.75]", "0.7"},
         {"control.model.legs", "false"},
@@ -50,6 +51,9 @@ static const char *value_for(const gough_key *key, int which) {
         {"three numbers", "[0.01, 0.02, 0.03]"},
         {"number or three numbers", "[0.1, 0.2, -9]"},
         {"number or six numbers", "[1, 2, 3, 4, 5, 6]", "7"},
+        {"two numbers or six pairs",
+         "[[-0.1, 9], [-0.2, 8], [-0.3, 7], [-0.4, 6], [-0.5, 5], [-0.6, 4]]", "[-0.1, 9]"},
+        {"number or two numbers", "[-0.03, 0.09]", "0.07"},
         {"formula", "0.07*t"},
         {"formula or six formulas", "[1*t, 2*t, 3*t, 4*t, 5*t, 6*t]", "7*t"},
         {"three formulas", "[1*t, 2*t, 3*t]"}};
@@ -107,7 +111,8 @@ static void expect_value(const gough_field *field, const void *value, const char
     double number[20];
     const size_t count = numbers_in(text, number);
     for (size_t i = 0; i < field->place.count; i++) {
-        const double wanted = factor * number[count > 1 ? i : 0];
+        const bool both = count == 1 && field->shape == GOUGH_SHAPE_RANGE; /* x means −x and x */
+        const double wanted = factor * number[count ? i % count : 0] * (both && i == 0 ? -1 : 1);
         double found = NAN, jet[3];
         switch (field->place.kind) {
         case GOUGH_KIND_NUMBER:
@@ -129,7 +134,9 @@ static void expect_value(const gough_field *field, const void *value, const char
                           "%s", field->path);
             return;
         }
-        ck_assert_msg(count == 1 || count == field->place.count, "%s: %s", field->path, text);
+        ck_assert_msg(count == 1 || count == field->place.count ||
+                          (count == 2 && field->shape == GOUGH_SHAPE_PAIR_OR_SIX),
+                      "%s: %s", field->path, text);
         ck_assert_msg(found == wanted, "%s: %s is %.17g at %zu", field->path, text, found, i);
     }
 }

@@ -65,7 +65,18 @@ START_TEST(examples_of_the_guide_are_right) {
     reading_free(&made);
     free(guide);
     guide = read_guide();
-    char *moves = block(guide, 1);
+    char *limits = block(guide, 1), with[2000];
+    ck_assert_ptr_nonnull(strstr(limits, "limits:"));
+    snprintf(with, sizeof with,
+             "platform:\n  base: {radius: 0.25, half_angle: 10}\n  top: {radius: 0.15, half_angle: "
+             "10}\n  height: 0.28\n%sload: {mass: 6, inertia: [0.05, 0.05, 0.08]}\n",
+             limits + strlen("platform:\n"));
+    made = read_bytes(with, strlen(with), NULL);
+    ck_assert_msg(made.status == GOUGH_OK, "%s", made.messages ? made.messages : "");
+    reading_free(&made);
+    free(guide);
+    guide = read_guide();
+    char *moves = block(guide, 2);
     ck_assert_ptr_nonnull(strstr(moves, "moves:"));
     made = expect_good(moves, NULL);
     reading_free(&made);

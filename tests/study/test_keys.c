@@ -57,6 +57,8 @@ static const char *shape_with(const gough_key *key, const char *v, char *value, 
         {"number", "", "", ""},
         {"whole number", "", "", ""},
         {"two numbers", "[", ", 1]", ".1"},
+        {"two numbers or six pairs", "[", ", 1]", ".1"},
+        {"number or two numbers", "[", ", 1]", ".1"},
         {"three numbers", "[1, ", ", 1]", ".2"},
         {"number or three numbers", "[1, 1, ", "]", ".3"},
         {"number or six numbers", "[1, 1, ", ", 1, 1, 1]", ".3"},
@@ -160,6 +162,14 @@ START_TEST(rejects_every_number_out_of_range) {
         } else if (strcmp(key->range, "> 0, <= 1") == 0) {
             expect_of_number(key, "0", "greater than 0, and at most 1, found 0");
             expect_of_number(key, "1.01", "greater than 0, and at most 1, found 1.01");
+        } else if (strcmp(key->range, "> 0 to 180") == 0) {
+            expect_of_number(key, "0", "greater than 0, and at most 180 degrees, found 0");
+            expect_of_number(key, "180.01",
+                             "greater than 0, and at most 180 degrees, found 180.01");
+        } else if (strcmp(key->range, "-180 to 180") == 0) {
+            expect_of_number(key, "-181", "from -180 to 180 degrees, found -181");
+        } else if (strcmp(key->range, "-90 to 90") == 0) {
+            expect_of_number(key, "-90.1", "from -90 to 90 degrees, found -90.1");
         } else if (strcmp(key->range, "0 to 60") == 0) {
             expect_of_number(key, "-1", "from 0 to 60 degrees, found -1");
             expect_of_number(key, "60.01", "from 0 to 60 degrees, found 60.01");

@@ -79,10 +79,14 @@ START_TEST(machine_has_the_numbers_of_the_file) {
     for (int leg = 0; leg < GOUGH_LEGS; leg++)
         for (int i = 0; i < 3; i++) NEARLY(platform->top[leg][i], expected.top[leg][i]);
     EXACTLY(platform->height, 1.25);
-    EXACTLY(platform->length_min, 0.5);
-    EXACTLY(platform->length_max, 2.5);
-    EXACTLY(platform->speed_max, 0.75);
-    EXACTLY(platform->force_max, 15000);
+    const gough_limits limits = gough_limits_of(machine, &made.study->model->motion);
+    for (int leg = 0; leg < GOUGH_LEGS; leg++) {
+        EXACTLY(limits.length[leg][0], 0.5);
+        EXACTLY(limits.length[leg][1], 2.5);
+        EXACTLY(limits.speed[leg], 0.75);
+        EXACTLY(limits.force[leg][0], -15000);
+        EXACTLY(limits.force[leg][1], 15000);
+    }
     EXACTLY(machine->load.mass, 10.5);
     EXACTLY(machine->load.center_of_mass[1], -0.02);
     EXACTLY(machine->load.inertia[1][1], 0.9);
@@ -161,9 +165,10 @@ START_TEST(what_is_left_out_has_the_defaults) {
         }
     EXACTLY(model->machine.base_radius, 1);
     EXACTLY(model->machine.gravity[2], -1);
-    EXACTLY(platform->length_min, 0);
-    ck_assert(isinf(platform->length_max) && isinf(platform->speed_max));
-    ck_assert(isinf(platform->force_max));
+    const gough_limits limits = gough_limits_of(&model->machine, &model->motion);
+    EXACTLY(limits.length[5][0], 0);
+    ck_assert(isinf(limits.length[5][1]) && isinf(limits.speed[5]));
+    ck_assert(isinf(limits.force[5][0]) && isinf(limits.force[5][1]));
     gough_motion_evaluate(&model->motion, 3, component);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         EXACTLY(component[c][0], 0);

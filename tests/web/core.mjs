@@ -392,6 +392,7 @@ function dice(seed) {
 const causes = [
   "done", "leg_short", "leg_long", "leg_speed", "leg_force", "leg_no_length",
   "singular", "not_finite", "no_convergence", "stopped", "invalid",
+  "leg_acceleration", "base_swing", "top_swing", "platform_pose", "platform_speed", "platform_acceleration",
 ];
 const nasty = [0, -1, 1e300, -1e300, 1e-300, NaN, Infinity, -Infinity, 5e-324, 1e9, 0.5, 2];
 

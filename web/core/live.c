@@ -160,9 +160,23 @@ static void settle(void) {
     forward_refresh(&live.d);
 }
 
+/* whether the limit of an end is an angle, or one in time */
+static int end_turns(const gough_end *end) {
+    return end->component > GOUGH_ROLL || end->cause == GOUGH_END_BASE_SWING ||
+           end->cause == GOUGH_END_TOP_SWING;
+}
+
+/* the sentence of the end, in degrees and, in SI, with units */
 static void conclude(void) {
-    if (live.si) gough_end_say(&live.end, " m", " m/s", " N", " s");
-    say(live.end.message);
+    static const gough_end_words si = {" m", " m/s", " m/s^2", " N",
+                                       " s", " deg", " deg/s", " deg/s^2"};
+    static const gough_end_words plain = {"", "", "", "", "", " deg", " deg", " deg"};
+
+    gough_end end = live.end;
+
+    if (end_turns(&end)) end.limit *= 57.295779513082320877;
+    gough_end_say(&end, live.si ? &si : &plain);
+    say(end.message);
 }
 
 /* when the program's own time comes to `inner`, between two times */

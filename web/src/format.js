@@ -126,6 +126,12 @@ export function causeWords(status) {
       singular: "singular pose",
       not_finite: "a number was no longer finite",
       no_convergence: "the steps did not converge",
+      leg_acceleration: "the length of a leg accelerated too fast",
+      base_swing: "a leg turned too far at the base",
+      top_swing: "a leg turned too far at the top",
+      platform_pose: "the platform left its range",
+      platform_speed: "the platform moved too fast",
+      platform_acceleration: "the platform accelerated too fast",
       stopped: "stopped",
     }[status] ?? status
   );

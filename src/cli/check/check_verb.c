@@ -1,6 +1,7 @@
 /* gough check: validates a study and prints the machine that it describes, in the study's units. */
 #include <math.h>
 
+#include "cli/check/check_limits.h"
 #include "cli/check/check_record.h"
 #include "cli/check/check_warnings.h"
 #include "cli/check/machine_view.h"
@@ -57,15 +58,7 @@ static void print_legs(const check *c) {
         }
     }
     table_print(stdout, column, false);
-    const gough_units *unit = c->unit;
-    if (platform->length_min > 0 || isfinite(platform->length_max))
-        printf("  length limits        %.6g to %.6g%s\n", platform->length_min,
-               platform->length_max, unit_word(unit, GOUGH_UNIT_LENGTH));
-    if (isfinite(platform->speed_max)) print_value(c, "greatest speed", "platform.legs.max_speed");
-    if (isfinite(platform->force_max)) print_value(c, "greatest force", "platform.legs.max_force");
-    if (!(platform->length_min > 0) && !isfinite(platform->length_max) &&
-        !isfinite(platform->speed_max) && !isfinite(platform->force_max))
-        printf("  limits               none given\n");
+    print_limits(c->study, c->unit);
 }
 
 /* Which motion the legs resist least: the largest component of its singular vector. */
@@ -310,7 +303,6 @@ static json_t *program_object(const check *c) {
 
 static int print_check_json(const check *c) {
     const gough_machine *m = c->machine;
-    const gough_platform *platform = &m->platform;
     const gough_simulation *s = &c->study->simulation;
     json_t *object = json_object(), *axes = json_array(), *simulation = json_object();
     for (int a = 0; a < 3; a++) {
@@ -329,8 +321,8 @@ static int print_check_json(const check *c) {
     json_object_set_new(object, "units",
                         json_string(c->study->dimensionless ? "dimensionless" : "si"));
     json_object_set_new(object, "home_length", json_numbers(m->home_length, GOUGH_LEGS));
-    json_object_set_new(object, "stroke",
-                        json_numbers((double[]){platform->length_min, platform->length_max}, 2));
+    json_object_set_new(object, "stroke", limits_common_length(c->study));
+    json_object_set_new(object, "limits", limits_object(c->study));
     json_object_set_new(object, "condition", json_number(c->view.condition));
     json_object_set_new(object, "determinant", json_number(c->view.determinant));
     json_object_set_new(object, "least_singular_value", json_number(c->view.least_singular));

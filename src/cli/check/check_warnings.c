@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/common/talk.h"
+#include "cli/run/limits_used.h"
 
 static const double DEGREES = 57.295779513082320877;
 
@@ -43,24 +44,24 @@ static const char *names_of(const bool leg[GOUGH_LEGS], char text[64]) {
 
 /* legs that are too short or too long at home, each kind with the one that is furthest beyond */
 static void warn_home(const warning *w) {
-    const gough_machine *machine = &w->study->model->machine;
-    const gough_platform *p = &machine->platform;
+    const gough_model *model = w->study->model;
+    const gough_limits l = gough_limits_of(&model->machine, &model->motion);
     for (int kind = 0; kind < 2; kind++) {
-        bool beyond[GOUGH_LEGS], any = false;
-        double worst = kind ? 0 : INFINITY;
+        bool beyond[GOUGH_LEGS];
+        int worst = -1;
         char text[64];
         for (int v = 0; v < GOUGH_LEGS; v++) {
-            const double length = machine->home_length[v];
-            beyond[v] = kind ? length > p->length_max : length < p->length_min;
-            if (!beyond[v]) continue;
-            any = true;
-            worst = kind ? fmax(worst, length) : fmin(worst, length);
+            const double sign = kind ? 1 : -1, *home = model->machine.home_length;
+            const double excess = sign * (home[v] - l.length[v][kind]);
+            beyond[v] = excess > 0;
+            if (beyond[v] && (worst < 0 || excess > sign * (home[worst] - l.length[worst][kind])))
+                worst = v;
         }
-        if (!any) continue;
+        if (worst < 0) continue;
         WARN(w, "home is outside the limits: %s, length %.6g%s, %s length %.6g%s",
-             names_of(beyond, text), worst, unit_word(w->unit, GOUGH_UNIT_LENGTH),
-             kind ? "greatest" : "least", kind ? p->length_max : p->length_min,
-             unit_word(w->unit, GOUGH_UNIT_LENGTH));
+             names_of(beyond, text), model->machine.home_length[worst],
+             unit_word(w->unit, GOUGH_UNIT_LENGTH), kind ? "greatest" : "least",
+             l.length[worst][kind], unit_word(w->unit, GOUGH_UNIT_LENGTH));
     }
 }
 
@@ -93,9 +94,9 @@ static void warn_start(const warning *w) {
 }
 
 static void say_end(const warning *w, gough_end *end, const char *what) {
-    const gough_units *unit = w->unit;
-    gough_end_say(end, unit_word(unit, GOUGH_UNIT_LENGTH), unit_word(unit, GOUGH_UNIT_SPEED),
-                  unit_word(unit, GOUGH_UNIT_FORCE), unit_word(unit, GOUGH_UNIT_TIME));
+    const gough_end_words words = limit_words(w->unit);
+    end->limit *= gough_unit_factor(w->unit, limit_unit(end->cause, end->component));
+    gough_end_say(end, &words);
     WARN(w, "%s: %s", what, end->message);
 }
 
@@ -115,7 +116,7 @@ static void warn_way(const warning *w) {
     s.constraints = w->study->simulation.constraints;
     memcpy(s.baumgarte, w->study->simulation.baumgarte, sizeof s.baumgarte);
     if (gough_simulate(model, &s, NULL, NULL, &end, NULL) == GOUGH_ERROR_NUMERICAL &&
-        !(end.time > 0) && (end.legs || end.cause == GOUGH_END_SINGULAR))
+        !(end.time > 0) && (end.legs || end.component || end.cause == GOUGH_END_SINGULAR))
         say_end(w, &end, "a run of gough simulate ends at once");
 }
 

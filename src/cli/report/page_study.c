@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/check/check_limits.h"
 #include "cli/common/json.h"
 #include "cli/common/memory.h"
 #include "cli/common/study_fields.h"
@@ -66,6 +67,14 @@ static json_t *columns_of(const gough_result *result, bool program) {
     return columns;
 }
 
+/* whether six legs have different limits, each of `sides` numbers */
+static bool differs(const double *bound, size_t sides) {
+    bool different = false;
+    for (size_t v = 1; v < GOUGH_LEGS; v++)
+        different |= memcmp(bound, bound + sides * v, sides * sizeof *bound) != 0;
+    return different;
+}
+
 static json_t *machine_object(const gough_study *study) {
     static const char *const keys[][2] = {{"base", "platform.base.joints"},
                                           {"top", "platform.top.joints"},
@@ -76,19 +85,23 @@ static json_t *machine_object(const gough_study *study) {
                                           {"inertia", "load.inertia"},
                                           {"gravity", "gravity"}};
     const gough_machine *m = &study->model->machine;
-    const double least = m->platform.length_min;
+    static const double none[2] = {NAN, NAN};
+    const gough_limits l = gough_limits_of(m, &study->model->motion);
+    const double least = l.length[0][0], sum = l.force[0][0] + l.force[0][1];
+    const bool either = differs(l.force[0], 2) || sum < 0 || sum > 0;
     json_t *object = json_object(), *limits = json_object();
 
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
         json_object_set_new(object, keys[i][0],
                             keys[i][1] ? json_field(study, keys[i][1])
                                        : json_number(m->base_radius));
-    json_object_set_new(
-        limits, "length",
-        json_numbers((double[]){least > 0 ? least : NAN, m->platform.length_max}, 2));
-    json_object_set_new(limits, "speed", json_field(study, "platform.legs.max_speed"));
-    json_object_set_new(limits, "force", json_field(study, "platform.legs.max_force"));
+    json_object_set_new(limits, "length",
+                        json_numbers((double[]){least > 0 ? least : NAN, l.length[0][1]}, 2));
+    if (differs(l.length[0], 2)) json_object_set_new(limits, "length", json_numbers(none, 2));
+    json_object_set_new(limits, "speed", json_number(differs(l.speed, 1) ? NAN : l.speed[0]));
+    json_object_set_new(limits, "force", json_number(either ? NAN : l.force[0][1]));
     json_object_set_new(object, "limits", limits);
+    json_object_set_new(object, "all_limits", limits_object(study));
     json_object_set_new(object, "home_length", json_numbers(m->home_length, GOUGH_LEGS));
     json_object_set_new(object, "home_condition", json_number(m->home_condition));
     json_object_set_new(object, "legs_have_mass", json_boolean(m->platform.legs_have_mass));

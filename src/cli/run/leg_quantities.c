@@ -11,8 +11,9 @@
 typedef double derived(const run_report *report, const gough_leg_summary *leg);
 
 double leg_stroke_share(const run_report *report, const gough_leg_summary *leg) {
-    const double stroke = report->stroke[1] - report->stroke[0];
-    if (!(report->stroke[0] > 0) || !isfinite(stroke) || !(stroke > 0)) return NAN;
+    const double *range = report->stroke[leg - report->summary.leg];
+    const double stroke = range[1] - range[0];
+    if (!(range[0] > 0) || !isfinite(stroke) || !(stroke > 0)) return NAN;
     return (leg->length_max - leg->length_min) / stroke;
 }
 
@@ -109,6 +110,7 @@ void leg_scale(gough_leg_summary *leg, const gough_units *units) {
         const scaled_member one = {q->at, 1, q->unit, NULL};
         if (!q->value) scale_members(leg, &one, 1, units);
     }
+    leg->acceleration *= gough_unit_factor(units, GOUGH_UNIT_ACCELERATION);
 }
 
 /* ---- tables for reading ------------------------------------------------------------------------------------------- */

@@ -5,6 +5,11 @@
 #include "cli/run/leg_quantities.h"
 #include "cli/run/limits_used.h"
 
+/* "surge" … "yaw" of 1 … 6; null of 0 */
+static json_t *component_json(int component) {
+    return component ? json_string(gough_component_name(component - 1)) : json_null();
+}
+
 static json_t *limits_array(const run_report *report) {
     limit_use use[MOST_LIMITS];
     const int count = limits_used(report, use);
@@ -12,8 +17,10 @@ static json_t *limits_array(const run_report *report) {
     for (int i = 0; i < count; i++) {
         const limit_use *u = &use[i];
         json_t *object = json_object();
-        json_object_set_new(object, "leg", json_integer(u->leg));
+        json_object_set_new(object, "leg", u->leg ? json_integer(u->leg) : json_null());
+        json_object_set_new(object, "component", component_json(u->component));
         json_object_set_new(object, "kind", json_string(gough_cause_name(u->kind)));
+        json_object_set_new(object, "least", json_boolean(u->least));
         json_object_set_new(object, "limit", json_number(u->limit));
         json_object_set_new(object, "worst", json_number(u->worst));
         json_object_set_new(object, "share", json_number(u->share));
@@ -58,7 +65,10 @@ json_t *run_report_json(const run_report *report) {
     json_object_set_new(end, "leg", ended->leg ? json_integer(ended->leg) : json_null());
     json_object_set_new(end, "message", json_words(ended->message));
     json_object_set_new(end, "legs", legs_array(ended->legs));
-    json_object_set_new(end, "limit", json_number(ended->leg ? ended->limit : NAN));
+    json_object_set_new(end, "limit",
+                        json_number(ended->leg || ended->component ? ended->limit : NAN));
+    json_object_set_new(end, "component", component_json(ended->component));
+    json_object_set_new(end, "least", json_boolean(ended->least));
     for (int i = 0; i < GOUGH_LEGS; i++) json_array_append_new(legs, leg_json(report, &s->leg[i]));
     json_object_set_new(deviation, "position", json_number(s->position_deviation));
     json_object_set_new(deviation, "angle", json_number(s->angle_deviation));

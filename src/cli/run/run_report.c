@@ -29,16 +29,16 @@ static const scaled_member report_members[] = {
 
 static void scale_crossing(gough_crossing *crossing, const gough_units *u) {
     SCALE(crossing, crossing_members, u);
-    crossing->worst *= gough_unit_factor(u, limit_unit(crossing->cause));
+    crossing->limit *= gough_unit_factor(u, limit_unit(crossing->cause, crossing->component));
+    crossing->worst *= gough_unit_factor(u, limit_unit(crossing->cause, crossing->component));
 }
 
 /* time and limit in the output's units, and the sentence with them */
 static void scale_end(gough_end *end, const gough_units *u) {
-    const gough_units *unit = u;
+    const gough_end_words words = limit_words(u);
     end->time *= gough_unit_factor(u, GOUGH_UNIT_TIME);
-    end->limit *= gough_unit_factor(u, limit_unit(end->cause));
-    gough_end_say(end, unit_word(unit, GOUGH_UNIT_LENGTH), unit_word(unit, GOUGH_UNIT_SPEED),
-                  unit_word(unit, GOUGH_UNIT_FORCE), unit_word(unit, GOUGH_UNIT_TIME));
+    end->limit *= gough_unit_factor(u, limit_unit(end->cause, end->component));
+    gough_end_say(end, &words);
 }
 
 /* "… from t = 3 to 4 s" in place of "… at t = 3 s": of forces, which go on beyond a limit */
@@ -49,10 +49,11 @@ static void say_span(gough_end *end, const run_report *report) {
     char *at = strstr(end->message, " at t = ");
     double leave = 0;
     gough_error said;
-    if (!at || !end->legs || crossings->count == 0) return;
+    if (!at || !(end->legs || end->component) || crossings->count == 0) return;
     for (size_t i = 0; i < crossings->count; i++) {
         const gough_crossing *c = &crossings->list[i];
-        if (c->cause == end->cause && (end->legs >> (c->leg - 1) & 1) &&
+        const bool same = c->leg ? end->legs >> (c->leg - 1) & 1 : c->component == end->component;
+        if (c->cause == end->cause && c->least == end->least && same &&
             c->enter <= report->end.time * (1 + 1e-6))
             leave = fmax(leave, c->leave);
     }
@@ -97,28 +98,51 @@ static void find_holding(run_report *report) {
     for (int i = 0; i < GOUGH_LEGS; i++) report->holds_from[i] = report->holds_to[i] = NAN;
 }
 
+/* least and greatest values of the platform's components, by order of derivative */
+static void scale_components(gough_summary *s, const gough_units *u) {
+    static const gough_cause cause[3] = {GOUGH_END_PLATFORM_POSE, GOUGH_END_PLATFORM_SPEED,
+                                         GOUGH_END_PLATFORM_ACCELERATION};
+    for (int order = 0; order < 3; order++)
+        for (int c = 0; c < GOUGH_COMPONENTS; c++)
+            for (int side = 0; side < 2; side++)
+                s->component[order][c][side] *=
+                    gough_unit_factor(u, limit_unit(cause[order], c + 1));
+}
+
 void run_report_scale(run_report *report) {
     const gough_units *u = &report->units;
+    const gough_model *model = report->study->model;
+    const gough_limits limits = gough_limits_of(&model->machine, &model->motion);
     gough_summary *s = &report->summary;
     if (s->rows == 0) leave_blank(s);
     for (int i = 0; i < GOUGH_LEGS; i++) leg_scale(&s->leg[i], u);
     SCALE(s, summary_members, u);
+    scale_components(s, u);
     scale_end(&report->end, u);
     for (size_t i = 0; i < report->crossings.count; i++)
         scale_crossing(&report->crossings.list[i], u);
-    report->stroke[0] = report->study->model->machine.platform.length_min;
-    report->stroke[1] = report->study->model->machine.platform.length_max;
+    memcpy(report->stroke, limits.length, sizeof report->stroke);
     find_holding(report);
     SCALE(report, report_members, u);
 }
 
 /* The stroke that the legs have, if it is limited on both sides. */
 static void print_stroke(FILE *stream, const run_report *report) {
-    const double *stroke = report->stroke;
     const char *unit = unit_word(&report->units, GOUGH_UNIT_LENGTH);
-    if (isfinite(leg_stroke_share(report, &report->summary.leg[0])))
-        fprintf(stream, "  stroke      %.6g%s available, from %.6g to %.6g%s\n",
-                stroke[1] - stroke[0], unit, stroke[0], stroke[1], unit);
+    bool alike = true, limited = false;
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        const double *stroke = report->stroke[v];
+        limited = limited || isfinite(leg_stroke_share(report, &report->summary.leg[v]));
+        alike = alike && memcmp(stroke, report->stroke[0], sizeof report->stroke[0]) == 0;
+    }
+    if (!limited) return;
+    for (int v = 0; v < (alike ? 1 : GOUGH_LEGS); v++) {
+        const double *stroke = report->stroke[v];
+        fprintf(stream, "%s", v ? "              " : "  stroke      ");
+        if (!alike) fprintf(stream, "leg %d: ", v + 1);
+        fprintf(stream, "%.6g%s available, from %.6g to %.6g%s\n", stroke[1] - stroke[0], unit,
+                stroke[0], stroke[1], unit);
+    }
 }
 
 static bool any_formula(const gough_formula *formula, int count) {

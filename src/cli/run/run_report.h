@@ -7,7 +7,7 @@
 
 #include "gough/gough.h"
 
-/* A limit of a leg that the program leaves, and all of them. */
+/* Limits that the program exceeds. */
 typedef struct crossing_list {
     gough_crossing *list;
     size_t count, room;
@@ -19,11 +19,11 @@ typedef struct run_report {
     bool simulated;
     const gough_study *study;
     gough_units units;
-    gough_summary summary;       /* scaled to the output's units, angles in degrees */
-    gough_end end;               /* time, limit and sentence in the output's units */
-    gough_statistics statistics; /* its rate and time in the output's units */
-    crossing_list crossings;     /* scaled; forces only */
-    double stroke[2];            /* least and greatest leg length, scaled; 0 and INFINITY: none */
+    gough_summary summary;        /* scaled to the output's units, angles in degrees */
+    gough_end end;                /* time, limit and sentence in the output's units */
+    gough_statistics statistics;  /* its rate and time in the output's units */
+    crossing_list crossings;      /* scaled; forces only */
+    double stroke[GOUGH_LEGS][2]; /* least and greatest length, scaled; 0 and INFINITY: none */
     double
         holds_from[GOUGH_LEGS];  /* drive forces that hold the legs at rest at home, scaled; NaN: */
     double holds_to[GOUGH_LEGS]; /* none can */

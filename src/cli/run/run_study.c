@@ -79,7 +79,7 @@ static void take_crossing(void *context, const gough_crossing *crossing) {
 static int by_beginning(const void *left, const void *right) {
     const gough_crossing *a = left, *b = right;
     if (a->enter < b->enter || a->enter > b->enter) return a->enter < b->enter ? -1 : 1;
-    return a->leg - b->leg;
+    return a->leg != b->leg ? a->leg - b->leg : a->component - b->component;
 }
 
 /* Says why a run ended; the table and the summary are the answer, this is the reason for the exit code. */

@@ -56,6 +56,20 @@ static const char *cause_words(gough_cause cause) {
         return "stopped";
     case GOUGH_END_INVALID:
         return "invalid";
+    case GOUGH_END_LEG_ACCELERATION:
+        return "ended: a leg's acceleration too great";
+    case GOUGH_END_BASE_SWING:
+        return "ended: a leg turned too far at the base";
+    case GOUGH_END_TOP_SWING:
+        return "ended: a leg turned too far at the top";
+    case GOUGH_END_PLATFORM_POSE:
+        return "ended: the platform out of its range";
+    case GOUGH_END_PLATFORM_SPEED:
+        return "ended: the platform too fast";
+    case GOUGH_END_PLATFORM_ACCELERATION:
+        return "ended: the platform's acceleration too great";
+    case GOUGH_CAUSES:
+        break;
     }
     return "ended";
 }
@@ -116,7 +130,7 @@ static void print_summary(FILE *stream, const sweep_report *report) {
     if (report->sweep && report->time > 0 && made > 0)
         fprintf(stream, ", %.3g s, %.4g runs/s", report->time, made / report->time);
     fputs("\n\n", stream);
-    for (int c = 0; c <= GOUGH_END_INVALID; c++)
+    for (int c = 0; c < GOUGH_CAUSES; c++)
         if (s->ended[c] || c == GOUGH_END_DONE)
             fprintf(stream, "  %-30s %zu\n", cause_words((gough_cause)c), s->ended[c]);
     for (int q = 0; q < QUANTITIES && s->least_position_run; q++) {
@@ -232,7 +246,7 @@ static int print_summary_json(const sweep_report *report) {
     const double made = (double)(s->runs - s->resumed);
     const bool timed = report->sweep && report->time > 0;
     json_t *object = json_object(), *ended = json_object();
-    for (int c = 1; c <= GOUGH_END_INVALID; c++)
+    for (int c = 1; c < GOUGH_CAUSES; c++)
         if (s->ended[c])
             json_object_set_new(ended, gough_cause_name((gough_cause)c),
                                 json_integer((json_int_t)s->ended[c]));

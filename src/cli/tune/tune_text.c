@@ -21,6 +21,18 @@ static const char *end_words(gough_cause cause) {
         return "a leg moves too fast";
     case GOUGH_END_LEG_FORCE:
         return "a leg's force exceeds its limit";
+    case GOUGH_END_LEG_ACCELERATION:
+        return "a leg's acceleration exceeds its limit";
+    case GOUGH_END_BASE_SWING:
+        return "a leg turns too far at the base";
+    case GOUGH_END_TOP_SWING:
+        return "a leg turns too far at the top";
+    case GOUGH_END_PLATFORM_POSE:
+        return "the platform leaves its range";
+    case GOUGH_END_PLATFORM_SPEED:
+        return "the platform moves too fast";
+    case GOUGH_END_PLATFORM_ACCELERATION:
+        return "the platform's acceleration exceeds its limit";
     case GOUGH_END_LEG_NO_LENGTH:
         return "the joints of a leg meet";
     case GOUGH_END_SINGULAR:

@@ -85,7 +85,7 @@ def uses(run):
 def json(run):
     out = []
     for use, q in uses(run):
-        out.append({"leg": use.leg, "kind": KINDS[use.kind][0], **q, "count": use.count})
+        out.append({"leg": use.leg, "component": None, "least": False, "kind": KINDS[use.kind][0], **q, "count": use.count})
     return out
 
 

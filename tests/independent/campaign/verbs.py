@@ -81,6 +81,19 @@ class Check:
         return {"h": machine.height / L, "r": machine.top_radius / L, "J": [x / (M * L * L) for x in self.moments],
                 "G": [g * T * T / M for g in meaning.stiffness], "D": [d * T / M for d in meaning.damping]}
 
+    def limits_json(self):
+        """Limits of the legs; the studies of the campaign have none of the platform."""
+        given, none = self.meaning.limits, [[None, None]] * 6
+        bound = lambda x, d: Q(x, d, 1e-11 * abs(x))
+        low, high = given.get("length", (0.0, None))
+        speed, force = (given.get(key) for key in ("max_speed", "max_force"))
+        return {"legs": {"length": [[bound(low, "length"), bound(high, "length") if high else None]] * 6,
+                         "speed": [bound(speed, "speed") if speed else None] * 6,
+                         "force": [[bound(-force, "force"), bound(force, "force")]] * 6 if force else none,
+                         "acceleration": [None] * 6, "base_swing": [None] * 6, "top_swing": [None] * 6},
+                "platform": {"pose": none, "speed": none, "acceleration": none,
+                             "about": Skip("the point of the motion")}}
+
     def json(self):
         meaning, machine, tree = self.meaning, self.machine, self.meaning.tree
         s, eps = self.scales.size, 1e-11
@@ -98,6 +111,7 @@ class Check:
             "verb": "check", "title": tree.get("title", ""), "units": "dimensionless" if meaning.dimensionless else "si",
             "home_length": each(machine.home.length, "length", s["length"]),
             "stroke": [bound(length[0], "length"), bound(length[1], "length") if length[1] else None],
+            "limits": self.limits_json(),
             "condition": Q(machine.home.condition(), None, 1e-9 * machine.home.condition()),
             "determinant": Q(self.determinant, "volume", 1e-9 * abs(self.determinant)),
             "least_singular_value": Q(min(self.singular), None, 1e-9),
@@ -332,7 +346,7 @@ class Run:
         return {"verb": self.verb, "title": self.meaning.tree.get("title", ""),
                 "end": {"status": self.end["status"], "time": Q(self.end["time"], "time", self.end["slack"]),
                         "leg": self.end["leg"], "message": SENTENCE, "legs": self.end["legs"],
-                        "limit": limits.sentence_facts(self.end).get("end_limit")},
+                        "limit": limits.sentence_facts(self.end).get("end_limit"), "component": None, "least": False},
                 "legs": [self.leg_json(leg, hold) for leg, hold in zip(self.legs, self.holding())],
                 "condition": Q(self.condition, None, self.condition_slack),
                 "deviation": {"position": None, "angle": None}, "drift": None, "statistics": None, "limits": limits.json(self)}

@@ -1,0 +1,15 @@
+/* What a summary keeps for limits of the platform and of the legs' accelerations. */
+#ifndef GOUGH_RUN_SUMMARY_LIMITS_H
+#define GOUGH_RUN_SUMMARY_LIMITS_H
+
+#include "gough/simulate.h"
+
+/* sets what a summary that was just begun is to keep for the limits of a machine that moves by a motion */
+void summary_limits_begin(gough_summary *summary, const gough_machine *machine,
+                          const gough_motion *motion);
+
+/* From the numbers of a row: pose, velocity and acceleration of the platform at `about`, and second derivatives of the lengths. */
+void summary_limits_row(const gough_machine *machine, const double about[3], const double *value,
+                        double component[3][GOUGH_COMPONENTS], double acceleration[GOUGH_LEGS]);
+
+#endif
