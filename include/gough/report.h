@@ -25,6 +25,9 @@ typedef struct gough_figure {
     double from;         /**< first t; NaN: from the beginning */
     double to;           /**< last t; NaN: to the end */
     bool logarithmic;    /**< magnitudes on a logarithmic vertical axis */
+    double
+        max_speed; /**< of kind "duty": limit of the leg rate that is drawn, in the unit of the first table; NaN: the table's */
+    double max_force; /**< the same of the drive force */
 } gough_figure;
 
 /** Fills in the defaults: kind and title from the tables, all columns and times.

@@ -124,6 +124,9 @@ typedef struct gough_table {
     double end_time;   /**< in the table's unit of time; NaN if unknown */
     double tolerance;  /**< of the adaptive stepper; NaN if unknown or if steps were fixed */
     double step;       /**< fixed step in the table's unit of time; NaN if unknown or adaptive */
+    double
+        max_speed; /**< greatest leg rate that the study allows all legs; NaN if unknown or not limited */
+    double max_force; /**< the same of the drive force, push and pull */
 } gough_table;
 
 /** Reads a table; HDF5 is recognised by its first bytes; "-" means CSV on standard input. HDF5 is read in a child process with

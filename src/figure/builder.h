@@ -50,6 +50,15 @@ double *builder_array(builder *b, size_t table);
 /* Title and note of the sheet (titles.c). */
 void builder_title(builder *b);
 
+/* Group of each leg of a table for figures: its own number, or that of the first leg with the same numbers within the noise; and
+ * how the key names a group (run_figures.c). */
+void builder_group_legs(const gough_table *table, const double *const column[GOUGH_LEGS],
+                        double noise, int group[GOUGH_LEGS]);
+void builder_name_group(const int group[GOUGH_LEGS], int number, char *label, size_t size);
+
+/* Drive force over leg rate (duty_figure.c). */
+void builder_fill_duty(builder *b);
+
 /* A table of a sweep (sweep.c). */
 void builder_fill_sweep(builder *b);
 

@@ -14,8 +14,14 @@
 
 gough_status gough_figure_init(gough_figure *figure, size_t size) {
     if (size != sizeof *figure) return gough_size_refuse(figure, size);
-    *figure = (gough_figure){
-        .size = size, .kind = NULL, .title = NULL, .columns = NULL, .from = NAN, .to = NAN};
+    *figure = (gough_figure){.size = size,
+                             .kind = NULL,
+                             .title = NULL,
+                             .columns = NULL,
+                             .from = NAN,
+                             .to = NAN,
+                             .max_speed = NAN,
+                             .max_force = NAN};
     return GOUGH_OK;
 }
 

@@ -171,8 +171,8 @@ static bool same_column(const double *a, const double *b, size_t rows, double to
 }
 
 /* Group of each leg: its own number, or that of the first leg with the same numbers (within noise, or 1e-9 of the greatest). */
-static void group_legs(const gough_table *table, const double *const column[GOUGH_LEGS],
-                       double noise, int group[GOUGH_LEGS]) {
+void builder_group_legs(const gough_table *table, const double *const column[GOUGH_LEGS],
+                        double noise, int group[GOUGH_LEGS]) {
     double most = 0.0;
     for (int leg = 0; leg < GOUGH_LEGS; leg++) {
         double least, greatest;
@@ -190,7 +190,7 @@ static void group_legs(const gough_table *table, const double *const column[GOUG
 }
 
 /* "2", "1, 6", "legs 1–6 (equal)": the panel's heading says that these are legs. */
-static void name_group(const int group[GOUGH_LEGS], int number, char *label, size_t size) {
+void builder_name_group(const int group[GOUGH_LEGS], int number, char *label, size_t size) {
     int members = 0;
     for (int leg = 0; leg < GOUGH_LEGS; leg++) members += group[leg] == number;
     if (members == GOUGH_LEGS) {
@@ -217,11 +217,11 @@ static void add_legs_of_table(builder *b, panel *p, size_t t, const char *prefix
     }
     if (b->status != GOUGH_OK) return;
 
-    group_legs(b->tables[t], column, builder_noise(b, name), group);
+    builder_group_legs(b->tables[t], column, builder_noise(b, name), group);
     int drawn = 0;
     for (int leg = 0; leg < GOUGH_LEGS; leg++) {
         if (group[leg] != leg) continue;
-        name_group(group, leg, label, sizeof label);
+        builder_name_group(group, leg, label, sizeof label);
         if (builder_compares(b))
             snprintf(label, sizeof label, "%s", drawn == 0 ? builder_label(b, t) : "");
         builder_line(b, p, t, "t", column[leg], label,
@@ -500,6 +500,7 @@ static const char *const kind_names[] = {
     "lengths — leg lengths",
     "rates — leg rates",
     "power — leg powers",
+    "duty — drive force over leg rate, with the limits and the RMS of both",
     "deviation — deviation from the program; its magnitude with --log or if compared",
     "drift — violation of the constraints before projection",
     "condition — condition number of the leg Jacobian",
@@ -510,9 +511,9 @@ static const char *const kind_names[] = {
     NULL};
 
 static void (*const fillers[])(builder *b) = {
-    fill_overview, fill_motion,         fill_forces,       fill_lengths,   fill_rates,
-    fill_power,    fill_deviation,      fill_drift,        fill_condition, fill_columns,
-    fill_gain,     builder_fill_tuning, builder_fill_sweep};
+    fill_overview, fill_motion,       fill_forces,         fill_lengths,      fill_rates,
+    fill_power,    builder_fill_duty, fill_deviation,      fill_drift,        fill_condition,
+    fill_columns,  fill_gain,         builder_fill_tuning, builder_fill_sweep};
 
 enum { KINDS = sizeof fillers / sizeof fillers[0] };
 

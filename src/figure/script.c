@@ -33,9 +33,10 @@ enum {
     MAP_RIGHT = 66,  /* and at its right, for the scale of its colours */
     COLOUR_GAP = 14, /* between the map and that scale */
     COLOUR_WIDTH = 14,
-    COLOURS = 12,   /* steps of that scale */
-    LABEL_GAP = 14, /* of numbers from their axis, its ticks between */
-    TEXT = 12,      /* sizes of text */
+    COLOURS = 12,      /* steps of that scale */
+    LOOP_STEPS = 2000, /* of a thinned loop along each axis */
+    LABEL_GAP = 14,    /* of numbers from their axis, its ticks between */
+    TEXT = 12,         /* sizes of text */
     SMALL_TEXT = 11,
     TITLE_TEXT = 14
 };
@@ -160,11 +161,15 @@ static bool drawable(const sheet *s, const panel *p, double x, double y) {
 /* One line's points, thinned; a blank line where it is interrupted. Points that ended early have a 1 behind them. */
 static bool write_data(const sheet *s, const panel *p, const series *line, double scale,
                        const char *path) {
-    size_t *index = malloc((2 * BUCKETS + 2) * sizeof *index);
+    const size_t room = line->loop ? line->count + 1 : 2 * BUCKETS + 2;
+    size_t *index = malloc(room * sizeof *index);
     FILE *file = fopen(path, "w");
     bool good = index != NULL && file != NULL;
-    const size_t kept = good ? sheet_thin(line->x, line->y, line->count, BUCKETS, index) : 0;
-    size_t points = 0;
+    size_t points = 0, kept = 0;
+    if (good && line->loop)
+        kept = sheet_thin_loop(line->x, line->y, line->count, 1.0 / LOOP_STEPS, index);
+    else if (good)
+        kept = sheet_thin(line->x, line->y, line->count, BUCKETS, index);
     for (size_t k = 0; k < kept; k++) {
         const size_t i = index[k];
         if (drawable(s, p, line->x[i], line->y[i])) {
@@ -269,6 +274,10 @@ static void write_frame(const drawing *pen) {
 }
 
 static void write_line_style(FILE *file, const series *line) {
+    if (line->limit) {
+        fprintf(file, "with lines lw 1.4 dt (6,4) lc rgb '%s'", alarm);
+        return;
+    }
     if (line->colour < 0) {
         fprintf(file, "with lines lw 5 lc rgb '%s'", pale);
         return;
@@ -329,6 +338,11 @@ static void write_axes(const drawing *pen, int number, int power) {
     const axis ordinate = ordinate_axis(p, pen->ranges->y[number].range, l->panel_height);
     axis_write(file, &ordinate);
 
+    for (int zero = 0; zero < 2; zero++) {
+        fprintf(file,
+                p->crossed ? "set %czeroaxis lt 1 dt 1 lw 0.8 lc rgb '%s'\n" : "unset %czeroaxis\n",
+                "xy"[zero], ink);
+    }
     sheet_unit_label(unit, sizeof unit, p->unit, power);
     snprintf(heading, sizeof heading, "%s%s%s", p->heading,
              p->logarithmic && !p->mapped && has_negative(p) ? ", magnitude" : "", unit);

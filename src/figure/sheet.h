@@ -22,7 +22,9 @@ typedef struct series {
         *ended; /* NULL, or 1 where a point is marked as ended early: points are drawn then */
     const char *ended_label; /* what such points are called; NULL: "ended early" */
     bool points;
-    bool mark; /* no line, but large points */
+    bool mark;  /* no line, but large points */
+    bool loop;  /* a curve in the plane, whose abscissa goes back and forth */
+    bool limit; /* a dashed line that nothing should cross */
 } series;
 
 /* Colours over a grid of two abscissas: cells[row · columns + column], NaN where a run ended early. */
@@ -40,6 +42,7 @@ typedef struct panel {
     bool logarithmic;
     double noise; /* of the numbers, in the unit: what is smaller means nothing; 0: not known */
     double least; /* a logarithmic axis begins no lower; 0: wherever the numbers do */
+    bool crossed; /* lines through zero of both axes */
     int count;
     series series[SHEET_SERIES];
     bool mapped; /* `map` is drawn, and no series */
@@ -110,6 +113,10 @@ bool sheet_write_map(const map *map, bool logarithmic_x, double scale, const cha
  * order. Returns the count of points kept, whose indices go to @p index (room for 2·buckets + 2); a line with no more
  * points than that is kept whole. Points that are not finite stand for gaps and are kept once per stretch. */
 size_t sheet_thin(const double *x, const double *y, size_t count, size_t buckets, size_t *index);
+
+/* Thins a curve in the plane: a point stays if it is further from the last one kept than a share of what the curve spans in x or
+ * in y. Returns the count of points kept, whose indices go to @p index (room for @p count). */
+size_t sheet_thin_loop(const double *x, const double *y, size_t count, double share, size_t *index);
 
 /* Text as gnuplot may have it between single quotes: apostrophes become typographic ones (gnuplot takes a doubled quote at
  * the beginning of a string for its end), control characters and broken UTF-8 are replaced; cut to @p characters. */

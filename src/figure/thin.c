@@ -21,6 +21,29 @@ static size_t keep_extremes(const double *y, size_t begin, size_t end, size_t *i
     return 2;
 }
 
+static double span_of(const double *value, size_t count) {
+    double least = INFINITY, greatest = -INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        if (!isfinite(value[i])) continue;
+        least = fmin(least, value[i]);
+        greatest = fmax(greatest, value[i]);
+    }
+    return greatest > least ? greatest - least : 0;
+}
+
+size_t sheet_thin_loop(const double *x, const double *y, size_t count, double share,
+                       size_t *index) {
+    const double width = share * span_of(x, count), height = share * span_of(y, count);
+    size_t kept = 0;
+    for (size_t i = 0; i < count; i++) {
+        const size_t last = kept > 0 ? index[kept - 1] : 0;
+        const bool near = kept > 0 && i + 1 < count && fabs(x[i] - x[last]) <= width &&
+                          fabs(y[i] - y[last]) <= height;
+        if (!near) index[kept++] = i;
+    }
+    return kept;
+}
+
 size_t sheet_thin(const double *x, const double *y, size_t count, size_t buckets, size_t *index) {
     size_t kept = 0;
     if (count <= 2 * buckets + 2) {

@@ -76,11 +76,12 @@ static void texts_of(gough_table *table, char **text[TEXTS]) {
 /* The numbers that come before the texts. */
 typedef struct shape {
     size_t rows, columns;
-    double end_time, tolerance, step;
+    double end_time, tolerance, step, max_speed, max_force;
 } shape;
 
 static bool put_table(int pipe, gough_table *table) {
-    const shape s = {table->rows, table->columns, table->end_time, table->tolerance, table->step};
+    const shape s = {table->rows, table->columns,   table->end_time, table->tolerance,
+                     table->step, table->max_speed, table->max_force};
     char **text[TEXTS];
     texts_of(table, text);
     bool good = put(pipe, &s, sizeof s);
@@ -99,6 +100,8 @@ static bool get_table(int pipe, gough_table *table) {
     table->end_time = s.end_time;
     table->tolerance = s.tolerance;
     table->step = s.step;
+    table->max_speed = s.max_speed;
+    table->max_force = s.max_force;
     for (int i = 0; i < TEXTS; i++) good = good && get_text(pipe, text[i]);
     good = good && result_table_shape(table, s.columns, s.rows);
     for (size_t c = 0; c < s.columns; c++)

@@ -180,6 +180,8 @@ static gough_status read_root(reader *r) {
     table->end_time = read_number(r->file, "end_time");
     table->tolerance = read_number(r->file, "tolerance");
     table->step = read_number(r->file, "step");
+    table->max_speed = read_number(r->file, "max_speed");
+    table->max_force = read_number(r->file, "max_force");
     if (table->title == NULL || table->verb == NULL || table->end_cause == NULL ||
         table->end_message == NULL)
         return gough_fail(r->error, GOUGH_ERROR_FILE, "%s: out of memory", r->path);

@@ -149,6 +149,7 @@ gough_status gough_table_read(const char *path, gough_table **table, gough_error
         status = gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     } else {
         read->end_time = read->tolerance = read->step = NAN;
+        read->max_speed = read->max_force = NAN;
         status = read_file(file, standard ? "standard input" : path, read, error);
         if (status == GOUGH_OK && !complete_texts(read))
             status = gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);

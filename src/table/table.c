@@ -19,6 +19,21 @@ static char *copy_text(const char *text) {
     return copy;
 }
 
+/* Limits of speed and force that all legs share, those of the force the same both ways, in the units of the output. */
+static void put_limits(gough_result *result, const gough_study *study) {
+    const gough_limits limits = gough_limits_of(&study->model->machine, &study->model->motion);
+    const double speed = limits.speed[0], force = limits.force[0][1];
+    bool fast = speed > 0 && isfinite(speed), strong = force > 0 && isfinite(force);
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        fast = fast && fabs(limits.speed[v] - speed) <= 0;
+        strong = strong && fabs(limits.force[v][1] - force) <= 0 &&
+                 fabs(limits.force[v][0] + force) <= 0;
+    }
+    const gough_units *u = &result->units;
+    result->max_speed = fast ? speed * gough_unit_factor(u, GOUGH_UNIT_SPEED) : NAN;
+    result->max_force = strong ? force * gough_unit_factor(u, GOUGH_UNIT_FORCE) : NAN;
+}
+
 gough_result *gough_result_new(const gough_study *study, const char *verb,
                                const gough_units *units) {
     gough_result *result = calloc(1, sizeof *result);
@@ -47,6 +62,7 @@ gough_result *gough_result_new(const gough_study *study, const char *verb,
     const bool fixed = simulation->step > 0;
     result->tolerance = simulated && !fixed ? simulation->tolerance : NAN;
     result->step = simulated && fixed ? simulation->step / (double)scale.time : NAN;
+    put_limits(result, study);
     result->end.time = NAN;
     result->title = copy_text(study->title);
     result->text = copy_text(study->text);

@@ -19,7 +19,7 @@ struct gough_result {
     double *value[GOUGH_COLUMNS];
     gough_quad *quad[GOUGH_COLUMNS];
     gough_end end;
-    double tolerance, step; /* as in gough_table */
+    double tolerance, step, max_speed, max_force; /* as in gough_table */
 };
 
 /* Factor from units of the run to those of the output, in 33 digits: angles in degrees.
@@ -76,9 +76,10 @@ typedef struct result_file {
                             int column); /* valid until the next call; NULL: they cannot be had */
     void *context;
 } result_file;
-/* Puts the attributes "tolerance" and "step" of a run, each if it is not NaN, into an array with room for both.
- * @return how many there are */
-int result_put_steps(double tolerance, double step, result_attribute *attribute);
+/* Puts the attributes "tolerance", "step", "max_speed" and "max_force" of a run, each if it is not NaN, into an array with room for
+ * all. @return how many there are */
+enum { RESULT_SETTINGS = 4 };
+int result_put_settings(const double setting[RESULT_SETTINGS], result_attribute *attribute);
 gough_status result_write_hdf5_file(const result_file *file, const char *path, gough_error *error);
 
 /* Readers fill a table whose fields are all zero; the caller frees it, also after an error. */

@@ -202,10 +202,12 @@ gough_status result_write_hdf5_file(const result_file *content, const char *path
     return status;
 }
 
-int result_put_steps(double tolerance, double step, result_attribute *attribute) {
+int result_put_settings(const double setting[RESULT_SETTINGS], result_attribute *attribute) {
+    static const char *const name[RESULT_SETTINGS] = {"tolerance", "step", "max_speed",
+                                                      "max_force"};
     int count = 0;
-    if (!isnan(tolerance)) attribute[count++] = (result_attribute){"tolerance", NULL, tolerance};
-    if (!isnan(step)) attribute[count++] = (result_attribute){"step", NULL, step};
+    for (int i = 0; i < RESULT_SETTINGS; i++)
+        if (!isnan(setting[i])) attribute[count++] = (result_attribute){name[i], NULL, setting[i]};
     return count;
 }
 
@@ -216,7 +218,7 @@ static const double *values_of(void *context, int column) {
 }
 
 gough_status result_write_hdf5(const gough_result *result, const char *path, gough_error *error) {
-    enum { OWN_ATTRIBUTES = 8, ATTRIBUTES = OWN_ATTRIBUTES + 2 };
+    enum { OWN_ATTRIBUTES = 8, ATTRIBUTES = OWN_ATTRIBUTES + RESULT_SETTINGS };
     result_column column[GOUGH_COLUMNS] = {{.name = NULL}};
     for (int i = 0; i < result->columns; i++) {
         const int c = result->column[i];
@@ -232,12 +234,14 @@ gough_status result_write_hdf5(const gough_result *result, const char *path, gou
                                               {"end_time", NULL, result->end.time},
                                               {"end_cause", gough_cause_name(result->end.cause), 0},
                                               {"end_message", result->end.message, 0}};
-    const int steps = result_put_steps(result->tolerance, result->step, attribute + OWN_ATTRIBUTES);
+    const double setting[RESULT_SETTINGS] = {result->tolerance, result->step, result->max_speed,
+                                             result->max_force};
+    const int settings = result_put_settings(setting, attribute + OWN_ATTRIBUTES);
     const result_file content = {.column = column,
                                  .columns = result->columns,
                                  .rows = result->rows,
                                  .attribute = attribute,
-                                 .attributes = OWN_ATTRIBUTES + steps,
+                                 .attributes = OWN_ATTRIBUTES + settings,
                                  .values = values_of,
                                  .context = (void *)result};
     return result_write_hdf5_file(&content, path, error);

@@ -16,6 +16,7 @@ gough_table *gough_table_new(const char *title, const char *verb, size_t columns
     gough_table *table = calloc(1, sizeof *table);
     if (table == NULL) return NULL;
     table->end_time = table->tolerance = table->step = NAN;
+    table->max_speed = table->max_force = NAN;
     bool good = result_table_shape(table, columns, rows);
     table->title = strdup(title);
     table->verb = strdup(verb);
@@ -105,18 +106,20 @@ static gough_status write_hdf5(const gough_table *table, const char *study, cons
         column[c] = (result_column){.name = table->name[c],
                                     .unit = *table->unit[c] ? table->unit[c] : "1",
                                     .long_name = table->name[c]};
-    enum { OWN_ATTRIBUTES = 5, ATTRIBUTES = OWN_ATTRIBUTES + 2 };
+    enum { OWN_ATTRIBUTES = 5, ATTRIBUTES = OWN_ATTRIBUTES + RESULT_SETTINGS };
     result_attribute attribute[ATTRIBUTES] = {{"title", table->title, 0},
                                               {"study", study ? study : "", 0},
                                               {"software", "gough", 0},
                                               {"version", GOUGH_VERSION, 0},
                                               {"verb", table->verb, 0}};
-    const int steps = result_put_steps(table->tolerance, table->step, attribute + OWN_ATTRIBUTES);
+    const double setting[RESULT_SETTINGS] = {table->tolerance, table->step, table->max_speed,
+                                             table->max_force};
+    const int settings = result_put_settings(setting, attribute + OWN_ATTRIBUTES);
     const result_file content = {.column = column,
                                  .columns = (int)table->columns,
                                  .rows = table->rows,
                                  .attribute = attribute,
-                                 .attributes = OWN_ATTRIBUTES + steps,
+                                 .attributes = OWN_ATTRIBUTES + settings,
                                  .values = values_of,
                                  .context = (void *)table};
     const gough_status status = result_write_hdf5_file(&content, path, error);

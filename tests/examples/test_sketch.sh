@@ -19,5 +19,6 @@ for leg in 1 2 3 4 5 6; do
 done
 claim 'the half angle is that of the study' grep -q '^  base: {radius: 0.25, half_angle: 10}' own-machine.yaml
 claim 'the half angle is drawn' grep -q '>10°</text>' "$sketch"
+claim 'the length is that from joint to joint' grep -q '>joint to joint</text>' "$sketch"
 claim 'the guide shows the sketch' grep -q '](../images/machine.svg)' "$SOURCE/docs/guide/study-file.md"
 finish

@@ -101,8 +101,32 @@ START_TEST(an_abscissa_that_stands_still_or_falls_is_no_harm) {
 }
 END_TEST
 
+/* a loop once round: no point is far from one that is kept, and few are */
+START_TEST(a_loop_keeps_its_shape) {
+    line *l = noisy_line();
+    for (size_t i = 0; i < ROWS; i++) {
+        l->x[i] = cos(6.28 * (double)i / ROWS);
+        l->y[i] = 1000 * sin(6.28 * (double)i / ROWS);
+    }
+    size_t *index = calloc(ROWS, sizeof *index);
+    const size_t kept = sheet_thin_loop(l->x, l->y, ROWS, 0.01, index);
+    ck_assert_uint_ge(kept, 100);
+    ck_assert_uint_le(kept, 400);
+    ck_assert_uint_eq(index[0], 0);
+    ck_assert_uint_eq(index[kept - 1], ROWS - 1);
+    for (size_t k = 1; k < kept; k++) {
+        ck_assert_uint_gt(index[k], index[k - 1]);
+        for (size_t i = index[k - 1]; i < index[k]; i++)
+            ck_assert(fabs(l->x[i] - l->x[index[k - 1]]) <= 0.02 &&
+                      fabs(l->y[i] - l->y[index[k - 1]]) <= 20);
+    }
+    free(index);
+    free(l);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("figure/thin", 10, short_lines_are_kept_whole, peaks_ends_and_order_are_kept,
                      each_stretch_keeps_its_least_and_greatest, gaps_stay_gaps,
-                     an_abscissa_that_stands_still_or_falls_is_no_harm);
+                     an_abscissa_that_stands_still_or_falls_is_no_harm, a_loop_keeps_its_shape);
 }

@@ -46,6 +46,9 @@ units() { # units LABEL m N W s ° m/s TABLE...
     expect "$label-power.svg" 'Leg power' "$W"
     expect "$label-deviation.svg" 'Deviation of position from the program' "$m"
     expect "$label-deviation.svg" 'Deviation of angles from the program' °
+    "$GOUGH" plot "$@" -q --figure duty -o "$label-duty.svg"
+    expect "$label-duty.svg" 'Drive force' "$N"
+    expect "$label-duty.svg" 'leg rate' "$rate"
     expect "$label-drift.svg" 'Constraint drift before projection' -
     expect "$label-condition.svg" 'Condition number of the leg Jacobian' -
 }

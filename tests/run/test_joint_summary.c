@@ -126,6 +126,9 @@ START_TEST(energies_balance) {
             given[1] += w.rows.leg[v].energy, lost[1] += w.rows.leg[v].friction_loss;
             ck_assert(s.leg[v].friction_loss >= 0 && s.leg[v].returned_energy >= 0);
             ck_assert(s.leg[v].energy + s.leg[v].returned_energy >= 0);
+            const double peak = fmax(s.leg[v].force_max, -s.leg[v].force_min);
+            if (LEGS[kind / 2] == 0) ck_assert(fabs(s.leg[v].top_load - peak) <= 0);
+            if (LEGS[kind / 2] == 0) ck_assert(fabs(s.leg[v].base_load - peak) <= 0);
             ck_assert((LEGS[kind / 2] & LEGS_VISCOUS) ? s.leg[v].friction_loss > 1e-3
                                                       : !(s.leg[v].friction_loss > 0));
         }
@@ -138,6 +141,33 @@ START_TEST(energies_balance) {
         }
         free(model);
     }
+}
+END_TEST
+
+/* loads that are sines, whose peak lies between looks: a cubic misses it by h⁴/24 at most */
+START_TEST(peaks_of_joints_lie_between_looks) {
+    gough_model *model = moving_machine(LEGS_HEAVY);
+    const double h = 0.05, slack = pow(h, 4) / 24;
+    gough_summary s;
+    gough_row row = {.quad = NULL};
+
+    gough_summary_begin(&s);
+    for (int k = 0; k < 6; k++) {
+        const double load = sin(pi / 2 + (k - 2.4) * h);
+        for (int c = 0; c < GOUGH_COLUMNS; c++) row.value[c] = 0;
+        row.value[GOUGH_X] = row.value[GOUGH_EX] = NAN;
+        row.value[GOUGH_T] = k * h;
+        row.value[GOUGH_ON_TOP + 1] = -load;
+        row.value[GOUGH_BY_BASE + 2] = 2 * load;
+        row.value[GOUGH_S] = 3 * load;
+        gough_summary_look(&s, &model->machine, &row, true);
+    }
+    gough_summary_end(&s);
+    ck_assert(fabs(s.leg[0].top_load - 1) <= slack);
+    ck_assert(fabs(s.leg[0].base_load - 2) <= 2 * slack);
+    ck_assert(fabs(s.leg[0].side_load - 3) <= 3 * slack);
+    ck_assert(!(s.leg[1].top_load > 0));
+    free(model);
 }
 END_TEST
 
@@ -189,6 +219,7 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("run/joint_summary", 60, peaks_of_joints_are_those_of_the_motion,
-                     energies_balance, returned_energy_is_the_negative_part_of_the_power,
+                     peaks_of_joints_lie_between_looks, energies_balance,
+                     returned_energy_is_the_negative_part_of_the_power,
                      few_rows_return_the_part_of_their_chords);
 }

@@ -20,6 +20,7 @@ static gough_table *make_table(void) {
 
     ck_assert(table != NULL && isnan(table->tolerance) && isnan(table->step));
     table->tolerance = 1e-7;
+    table->max_speed = 3.5;
     for (size_t c = 0; c < COLUMNS; c++) {
         double *value = gough_table_name(table, c, name[c][0], name[c][1]);
         ck_assert(value != NULL && value == gough_table_column(table, name[c][0]));
@@ -47,6 +48,7 @@ static void check_back(const char *path, bool described) {
     }
     /* CSV has no place for them */
     ck_assert(same(back->tolerance, described ? 1e-7 : NAN) && same(back->step, NAN));
+    ck_assert(same(back->max_speed, described ? 3.5 : NAN) && same(back->max_force, NAN));
     for (size_t c = 0; c < COLUMNS; c++)
         for (size_t r = 0; r < ROWS; r++)
             ck_assert_msg(same(back->value[c][r], number(r, c)), "column %zu row %zu: %.17g", c, r,

@@ -14,7 +14,7 @@ const DIMENSIONS = [
   [/^(roll|pitch|yaw|eroll|epitch|eyaw)$/, { angle: true }],
   [/^(vx|vy|vz|dl\d)$/, { length: 1, time: -1 }],
   [/^(wx|wy|wz)$/, { angle: true, time: -1 }],
-  [/^f\d$/, { force: 1 }],
+  [/^[fh]\d$/, { force: 1 }],
   [/^p\d$/, { force: 1, length: 1, time: -1 }],
   [/^energy$/, { force: 1, length: 1 }],
 ];
@@ -131,6 +131,11 @@ export class Study {
   /** The pose at home. */
   get home() {
     return poseOf([0, 0, this.machine.height, 0, 0, 0]);
+  }
+
+  /** What the columns f1 … f6 are: with friction in the legs, those of the drives. */
+  get forceWords() {
+    return this.machine.legs_take_force ? "drive forces" : "leg forces";
   }
 
   /** Unit of a dimension: of a column that has it. */

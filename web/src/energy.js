@@ -15,6 +15,19 @@ export function legWork(table) {
   });
 }
 
+/** What friction of all legs has taken since the first row: the integral of (drive force − leg force) times rate, likewise. */
+export function frictionLoss(table) {
+  const lost = new Float64Array(table.rows);
+  const columns = [1, 2, 3, 4, 5, 6].map((leg) =>
+    ["f", "h", "dl"].map((name) => table.column(`${name}${leg}`)),
+  );
+  const power = (row) => columns.reduce((sum, [f, h, v]) => sum + (f[row] - h[row]) * v[row], 0);
+  for (let row = 1; row < table.rows; row++)
+    lost[row] =
+      lost[row - 1] + 0.5 * (table.t[row] - table.t[row - 1]) * (power(row) + power(row - 1));
+  return lost;
+}
+
 /** Kinetic and potential energy of the load: ½ m v_c² + ½ ω·Jω, and −m g·r_c counted from the first row. */
 export function loadEnergy(table, machine) {
   const names = ["x", "y", "z", "roll", "pitch", "yaw", "vx", "vy", "vz", "wx", "wy", "wz"];

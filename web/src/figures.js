@@ -1,6 +1,6 @@
 // Which curves a study has, and which a comparison of studies has.
 import { AXES, GREY, LEGS, studyColor } from "./color.js";
-import { legWork, loadEnergy } from "./energy.js";
+import { frictionLoss, legWork, loadEnergy } from "./energy.js";
 import { number, unitAfter } from "./format.js";
 
 const SIX = [1, 2, 3, 4, 5, 6];
@@ -174,6 +174,7 @@ const three = (study, names, labels, planned) => [
 /** Curves of the legs, by their columns. */
 function legFigures(study) {
   const { run } = study;
+  const takesForce = run.has("h1");
   const leg = (id, title, column, note, limited) => ({
     id,
     title,
@@ -185,7 +186,24 @@ function legFigures(study) {
   });
   const notes = (column) => joined(limitsNote(study, column), equalNote(study, column));
   return [
-    leg("forces", "Leg forces", "f", joined("Push is positive.", notes("f")), true),
+    leg(
+      "forces",
+      takesForce ? "Drive forces" : "Leg forces",
+      "f",
+      joined("Push is positive.", takesForce && "With friction.", notes("f")),
+      true,
+    ),
+    ...(takesForce
+      ? [
+          leg(
+            "leg-forces",
+            "Leg forces",
+            "h",
+            joined("Drive forces less friction.", equalNote(study, "h")),
+            false,
+          ),
+        ]
+      : []),
     leg("lengths", "Leg lengths", "l", notes("l"), true),
     leg("rates", "Leg rates", "dl", notes("dl"), true),
     leg("power", "Leg power", "p", equalNote(study, "p"), false),
@@ -239,6 +257,8 @@ function topFigures(study) {
 /** Energy of the load, and the work of the legs. */
 function energyFigures(study) {
   const { run, machine } = study;
+  const takesForce = run.has("h1");
+  const doers = takesForce ? "drives" : "legs";
   const work = legWork(run);
   const { kinetic, potential } = loadEnergy(run, machine);
   const total = kinetic.map((value, row) => value + potential[row]);
@@ -248,19 +268,28 @@ function energyFigures(study) {
     {
       id: "energy",
       title: "Energy of the load",
-      note: "Potential energy from that at t = 0. The legs' work is the sum over six of the integral of force times rate.",
+      note: joined(
+        "Potential energy from that at t = 0.",
+        `The work of the ${doers} is the sum over six of the integral of ${takesForce ? "drive force" : "force"} times rate.`,
+        machine.legs_have_mass &&
+          "The energies are the load's alone: those of the legs' own mass are not drawn.",
+        takesForce && "Lost by friction: the same integral of drive force less leg force.",
+      ),
       unit: energyUnit,
       noise: study.noise("energy"),
       lines: [
         { label: "kinetic", color: AXES[0], t: run.t, y: kinetic },
         { label: "potential", color: AXES[1], t: run.t, y: potential },
         { label: "sum", color: AXES[2], t: run.t, y: total, width: 2 },
-        { label: "work of the legs", color: GREY, dash: DASH, t: run.t, y: done },
+        { label: `work of the ${doers}`, color: GREY, dash: DASH, t: run.t, y: done },
+        ...(takesForce
+          ? [{ label: "lost by friction", color: LEGS[3], t: run.t, y: frictionLoss(run) }]
+          : []),
       ],
     },
     {
       id: "work",
-      title: "Work of each leg",
+      title: takesForce ? "Work of each drive" : "Work of each leg",
       unit: energyUnit,
       noise: study.noise("energy"),
       lines: SIX.map((leg) => ({

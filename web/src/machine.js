@@ -253,7 +253,7 @@ export class Machine {
     const s = this.size;
     const shared = { cylinder: rod(0.036 * s), collar: rod(0.044 * s), piston: rod(0.02 * s) };
     const least = this.machine.limits?.length?.[0];
-    this.legs = this.machine.home_length.map((home) => {
+    this.legs = this.machine.home_length.map((home, index) => {
       const body = new MeshStandardMaterial({ roughness: 0.45, metalness: 0.05 });
       const leg = {
         body,
@@ -266,9 +266,22 @@ export class Machine {
       leg.group.add(leg.cylinder, leg.collar, leg.piston);
       leg.group.children.forEach((mesh) => (mesh.castShadow = mesh.receiveShadow = true));
       leg.collar.scale.z = 0.04 * s;
+      leg.marks = this.markCentres(leg.group, index);
       this.solid.add(leg.group);
       return leg;
     });
+  }
+
+  /** Marks where the cylinder and the piston of a leg have their centres of mass, each if it has mass. */
+  markCentres(group, index) {
+    const marks = {};
+    for (const part of ["cylinder", "piston"]) {
+      if (!(this.machine[part]?.mass[index] > 0)) continue;
+      marks[part] = centreMark(0.034 * this.size);
+      marks[part].renderOrder = 5;
+      group.add(marks[part]);
+    }
+    return marks;
   }
 
   buildGhost() {
@@ -358,6 +371,9 @@ export class Machine {
       leg.collar.position.z = cylinder - leg.collar.scale.z;
       leg.piston.position.z = cylinder - inside;
       leg.piston.scale.z = length - cylinder + inside;
+      const { cylinder: low, piston: high } = leg.marks;
+      if (low) low.position.z = this.machine.cylinder.center[index];
+      if (high) high.position.z = length - this.machine.piston.center[index];
       const [red, green, blue] = forceColor(forces[index] / this.peak);
       leg.body.color.setRGB(red / 255, green / 255, blue / 255, "srgb");
     });

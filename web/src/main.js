@@ -177,6 +177,9 @@ class Page {
     const peak = Math.max(...shown.map((study) => study.peakForce));
     this.paths = shown.map((study) => study.run.path(study.machine.center_of_mass));
     const forceUnit = unitAfter(shown[0].unit("f1")).trim();
+    const whose = shown.some(({ machine }) => machine.legs_take_force)
+      ? "force of a drive"
+      : "force in a leg";
     const ends = this.mixed
       ? ["greatest pull", "greatest push"]
       : [`pull ${number(-peak, 3)}`, `push ${number(peak, 3)}`];
@@ -184,7 +187,7 @@ class Page {
       element(
         "span",
         { class: "legend-title" },
-        `force in a leg${this.mixed ? ", of each study's greatest" : forceUnit && ` [${forceUnit}]`}`,
+        `${whose}${this.mixed ? ", of each study's greatest" : forceUnit && ` [${forceUnit}]`}`,
       ),
       element("i", { class: "legend-bar", style: { background: forceGradient } }),
       element(

@@ -8,8 +8,9 @@ const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
 
 /** Bars of the six leg forces about zero, with the limit and the program's force marked. */
 export class ForceBars {
-  /** @param noise below what size a force is no more than an error of the run. */
-  constructor(unitText, peak, limit, noise) {
+  /** @param words what forces these are; @param noise below what size a force is no more than an error of the run. */
+  constructor(words, unitText, peak, limit, noise) {
+    const title = words[0].toUpperCase() + words.slice(1);
     this.peak = Math.max(peak, limit && limit < 4 * peak ? limit : 0) || 1;
     this.colorPeak = peak || 1;
     const say = shower(peak);
@@ -33,11 +34,11 @@ export class ForceBars {
     });
     this.node = element(
       "section",
-      { class: "bars", "aria-label": "Leg forces" },
+      { class: "bars", "aria-label": title },
       element(
         "h3",
         {},
-        "Leg forces",
+        title,
         unit(unitText) && element("span", { class: "unit" }, unit(unitText)),
       ),
       element(
@@ -134,7 +135,7 @@ function glance(study) {
     ],
     ["off in angle, at most", `${study.say(simulate.deviation?.angle, "eroll", 3)} °`],
     [
-      "leg forces",
+      study.forceWords,
       `${study.say(Math.min(...forces), "f1", 4)} … ${study.say(Math.max(...forces), "f1", 4)}${unitAfter(study.unit("f1"))}`,
     ],
     [
@@ -172,6 +173,7 @@ export class StudyPanel {
       study.noise("eroll"),
     ]);
     this.bars = new ForceBars(
+      study.forceWords,
       study.unit("f1"),
       study.peakForce,
       study.machine.limits?.force,
@@ -229,7 +231,7 @@ export class ComparisonPanel {
           element("dd", {}, deviation, unitAfter(study.unit("ex"))),
           element("dt", {}, "off in angle"),
           element("dd", {}, angle, " °"),
-          element("dt", {}, "leg forces"),
+          element("dt", {}, study.forceWords),
           element("dd", {}, forces, unitAfter(study.unit("f1"))),
           element("dt", {}, "off, at most"),
           element(

@@ -60,7 +60,12 @@ export class Strips {
   }
 
   clear() {
-    this.samples = { t: [], off: [], forces: LEGS.map(() => []) };
+    this.samples = {
+      t: [],
+      off: [],
+      drives: LEGS.map(() => []),
+      legs: LEGS.map(() => []),
+    };
   }
 
   /** Time between samples that is fine enough for the drawing. */
@@ -71,7 +76,7 @@ export class Strips {
   build() {
     const { host, study } = this;
     this.strips?.forEach(({ plot }) => plot.destroy());
-    const strip = (title, unitText, series, id) => {
+    const strip = (title, unitText, series, id, ...tools) => {
       const box = element("div", { class: "plot" });
       host.append(
         element(
@@ -82,6 +87,7 @@ export class Strips {
             {},
             element("h3", {}, title),
             unit(unitText) && element("span", { class: "unit" }, unit(unitText)),
+            ...tools,
           ),
           box,
         ),
@@ -99,26 +105,59 @@ export class Strips {
         "strip-deviation",
       ),
       strip(
-        "Leg forces",
+        this.names[this.shown ?? "drives"],
         study.unit("f1"),
-        LEGS.map((color, leg) => ({ color, of: () => this.samples.forces[leg] })),
+        LEGS.map((color, leg) => ({ color, of: () => this.samples[this.shown ?? "drives"][leg] })),
         "strip-forces",
+        study.machine.legs_take_force && this.switch(),
       ),
     ];
   }
 
-  /** Takes a sample: t, distance from the program, six forces. */
+  /** What the forces are called: without friction, drives and legs have the same. */
+  get names() {
+    return this.study.machine.legs_take_force
+      ? { drives: "Drive forces", legs: "Leg forces" }
+      : { drives: "Leg forces" };
+  }
+
+  /** A button that changes between the forces of the drives and those in the legs. */
+  switch() {
+    const other = { drives: "legs", legs: "drives" };
+    const change = () => {
+      this.shown = other[this.shown ?? "drives"];
+      this.build();
+      this.drawn = 0;
+      this.draw();
+    };
+    return element(
+      "button",
+      {
+        class: "mini",
+        type: "button",
+        "data-testid": "strip-switch",
+        title: "friction is what drive forces and leg forces differ by",
+        onclick: change,
+      },
+      `show ${this.names[other[this.shown ?? "drives"]].toLowerCase()}`,
+    );
+  }
+
+  /** Takes a sample: t, distance from the program, six forces of the drives and six in the legs. */
   take([t, off, ...forces]) {
     // a run that began again
     if (t < this.samples.t[this.samples.t.length - 1]) this.clear();
     const { samples } = this;
     samples.t.push(t);
     samples.off.push(off);
-    forces.forEach((force, leg) => samples.forces[leg].push(force));
+    LEGS.forEach((_, leg) => {
+      samples.drives[leg].push(forces[leg]);
+      samples.legs[leg].push(forces[LEGS.length + leg]);
+    });
     while (samples.t.length > POINTS || samples.t[0] < t - this.window) {
       samples.t.shift();
       samples.off.shift();
-      samples.forces.forEach((values) => values.shift());
+      [...samples.drives, ...samples.legs].forEach((values) => values.shift());
     }
   }
 

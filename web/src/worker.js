@@ -29,12 +29,17 @@ function deviation(row) {
   return Math.hypot(row[ex], row[ey], row[ez]);
 }
 
-/** Keeps a sample for the strips, if it is time for one. */
+/** Keeps a sample for the strips, if it is time for one: forces of the drives, then those in the legs, if they are known. */
 function sample(row) {
-  const { t, f1 } = core.place;
+  const { t, f1, h1 } = core.place;
   if (row[t] < sampled + grain && row[t] >= sampled) return;
   sampled = row[t];
-  samples.push([row[t], deviation(row), ...row.subarray(f1, f1 + 6)]);
+  samples.push([
+    row[t],
+    deviation(row),
+    ...row.subarray(f1, f1 + 6),
+    ...row.subarray(h1, h1 + 6),
+  ]);
 }
 
 function report() {

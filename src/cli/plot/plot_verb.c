@@ -7,6 +7,7 @@
 #include "cli/common/in_and_out.h"
 #include "cli/common/interrupt.h"
 #include "cli/common/memory.h"
+#include "cli/common/option_values.h"
 #include "cli/common/talk.h"
 
 /* What gough plot is asked for. */
@@ -35,6 +36,14 @@ static void add_label(const struct argp_state *state, const option *o, const cha
     word_list_add(&plot->label, text);
 }
 
+/* A double, a limit above 0. */
+static void read_limit(const struct argp_state *state, const option *o, const char *text,
+                       void *group) {
+    double *limit = (double *)(void *)((char *)group + o->at);
+    if (!read_decimal(text, text + strlen(text), limit) || !(*limit > 0))
+        usage_error(state, "--%s takes a number above 0; got '%s'", o->name, text);
+}
+
 #define FIGURE(member) offsetof(struct plot_options, figure.member)
 
 static const option plot_option[] = {
@@ -56,6 +65,16 @@ static const option plot_option[] = {
      .at = FIGURE(from),
      .text = "start at this time"},
     {.name = "to", .value = "T", .read = read_time, .at = FIGURE(to), .text = "end at this time"},
+    {.name = "max-speed",
+     .value = "V",
+     .read = read_limit,
+     .at = FIGURE(max_speed),
+     .text = "limit of the leg rate that the figure duty draws (default: the study's, from HDF5)"},
+    {.name = "max-force",
+     .value = "F",
+     .read = read_limit,
+     .at = FIGURE(max_force),
+     .text = "limit of the drive force that it draws (default: likewise)"},
     {.name = "log",
      .read = read_flag,
      .at = FIGURE(logarithmic),

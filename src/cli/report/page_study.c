@@ -45,6 +45,13 @@ static json_t *base64_of_numbers(const double *value, size_t count) {
     return string;
 }
 
+/* Whether a column is of a joint: the page shows leg forces, but no others of them. */
+static bool is_of_joint(const char *name) {
+    for (int c = GOUGH_ON_TOP; c <= GOUGH_S_LAST; c++)
+        if (strcmp(gough_column(c)->name, name) == 0) return true;
+    return false;
+}
+
 /* Columns of a table; of the program's only what the page draws of it. */
 static json_t *columns_of(const gough_result *result, bool program) {
     json_t *columns = json_array();
@@ -53,7 +60,7 @@ static json_t *columns_of(const gough_result *result, bool program) {
         static const char *const drawn[] = {"t",  "x",  "y",  "z",  "roll", "pitch", "yaw",
                                             "l1", "l2", "l3", "l4", "l5",   "l6",    "f1",
                                             "f2", "f3", "f4", "f5", "f6"};
-        bool wanted = !program;
+        bool wanted = !program && !is_of_joint(column.name);
         for (size_t k = 0; k < sizeof drawn / sizeof *drawn; k++)
             wanted |= strcmp(column.name, drawn[k]) == 0;
         if (!wanted) continue;
@@ -73,6 +80,23 @@ static bool differs(const double *bound, size_t sides) {
     for (size_t v = 1; v < GOUGH_LEGS; v++)
         different |= memcmp(bound, bound + sides * v, sides * sizeof *bound) != 0;
     return different;
+}
+
+/* Whether the force in a leg is another than that of its drive. */
+static bool legs_take_force(const gough_machine *m) {
+    bool rough = false;
+    for (int v = 0; v < GOUGH_LEGS; v++)
+        rough = rough || m->platform.friction.viscous[v] > 0 || m->breakaway[v] > 0 ||
+                m->platform.friction.efficiency[v] < 1;
+    return rough;
+}
+
+/* Masses and centres of one part of all legs. */
+static json_t *part_object(const gough_leg_part *part) {
+    json_t *object = json_object();
+    json_object_set_new(object, "mass", json_numbers(part->mass, GOUGH_LEGS));
+    json_object_set_new(object, "center", json_numbers(part->center, GOUGH_LEGS));
+    return object;
 }
 
 static json_t *machine_object(const gough_study *study) {
@@ -105,6 +129,9 @@ static json_t *machine_object(const gough_study *study) {
     json_object_set_new(object, "home_length", json_numbers(m->home_length, GOUGH_LEGS));
     json_object_set_new(object, "home_condition", json_number(m->home_condition));
     json_object_set_new(object, "legs_have_mass", json_boolean(m->platform.legs_have_mass));
+    json_object_set_new(object, "legs_take_force", json_boolean(legs_take_force(m)));
+    json_object_set_new(object, "cylinder", part_object(&m->platform.cylinder));
+    json_object_set_new(object, "piston", part_object(&m->platform.piston));
     return object;
 }
 
@@ -189,6 +216,8 @@ gough_status page_study(const command_line *line, gough_study *study, json_t **o
     json_t *page = *object = json_object();
     json_t *motion = json_object();
 
+    /* before all that knows the columns: tables and the live run */
+    study->simulation.joints = legs_take_force(&study->model->machine);
     json_object_set_new(page, "name", json_words(study->name));
     json_object_set_new(page, "title", json_words(study->title));
     json_object_set_new(page, "text", json_words(study->text));
