@@ -370,6 +370,29 @@ static double extreme_of(const gough_summary *summary, interval *f, int column, 
 /* 2 arcsin x is at most π x */
 static const double most_angle = 3.15;
 
+/* friction jumps where one of its differences between neighbouring looks is so many times the next greatest */
+static const double friction_jump = 4;
+
+/* Whether friction of leg v jumps among four looks, as where the leg turns round: a cubic through its drive forces then swings
+ * although the force does not, and is no witness of a peak. */
+static bool friction_jumps(const gough_summary *summary, const interval *f, int v) {
+    double before = NAN, most = 0, next = 0;
+
+    for (int i = 0; i < WINDOW && summary->joints_ && f->count == WINDOW; i++) {
+        const double *look = summary->look_[i];
+        const double taken = look[LOOK_LOSS + v] / look[LOOK_RATE + v];
+        const double difference = fabs(taken - before);
+        before = taken;
+        if (difference > most) {
+            next = most;
+            most = difference;
+        } else if (difference > next) {
+            next = difference;
+        }
+    }
+    return most > friction_jump * next;
+}
+
 /* the same of the loads of the joints */
 static void take_load_extremes(gough_summary *summary, interval *f) {
     double s, x;
@@ -408,12 +431,13 @@ static void take_extremes(gough_summary *summary, interval *f) {
 
     for (int v = 0; v < GOUGH_LEGS; v++) {
         gough_leg_summary *leg = &summary->leg[v];
+        const bool smooth = !friction_jumps(summary, f, v);
         x = extreme_of(summary, f, LOOK_FORCE + v, &s);
-        if (s > 0) leg->force_min = fmin(leg->force_min, x);
-        if (s > 0) leg->force_max = fmax(leg->force_max, x);
+        if (s > 0 && smooth) leg->force_min = fmin(leg->force_min, x);
+        if (s > 0 && smooth) leg->force_max = fmax(leg->force_max, x);
         x = extreme_of(summary, f, LOOK_POWER + v, &s);
-        if (s > 0) leg->power_min = fmin(leg->power_min, x);
-        if (s > 0) leg->power_max = fmax(leg->power_max, x);
+        if (s > 0 && smooth) leg->power_min = fmin(leg->power_min, x);
+        if (s > 0 && smooth) leg->power_max = fmax(leg->power_max, x);
         x = extreme_of(summary, f, LOOK_RATE + v, &s);
         if (s > 0) leg->speed = fmax(leg->speed, fabs(x));
         if (summary->brief_) continue;

@@ -19,8 +19,9 @@ const command_verb forces_verb = {
     .sentence = "the leg forces that the motion of a study needs",
     .text = "Compute the leg forces that the program (the commanded motion) needs, with leg "
             "lengths, rates and powers (inverse dynamics). The summary contains what you need to "
-            "size a leg: least and greatest values, between rows too, RMS forces, and the share of "
-            "each limit that is used.\vSTUDY is a study file, or - for standard input. If the "
+            "size a leg: least and greatest values, between rows too, RMS forces, energy returned "
+            "while braking, loads of joints, what friction takes, and the share of each limit that "
+            "is used.\vSTUDY is a study file, or - for standard input. If the "
             "program exceeds a limit, the table is still complete and the exit status is 1.",
     .endings = "yaml yml",
     .least_files = 1,
