@@ -189,6 +189,7 @@ START_TEST(a_point_of_the_top_is_limited_by_itself) {
            "greatest acceleration in surge");
     /* without a point of its own it is that of the motion, whose surge is then 0 */
     l->about_given = false;
+    l->about[2] = 0;
     model->motion.about[2] = lever;
     gough_simulation s = tight(6);
     gough_end end;
@@ -294,6 +295,16 @@ START_TEST(least_and_greatest_force_are_apart) {
     gough_end end;
     ck_assert_int_eq(gough_simulate(model, &s, NULL, NULL, &end, NULL), GOUGH_ERROR_NUMERICAL);
     ck_assert(end.time <= 0 && end.cause == GOUGH_END_LEG_FORCE && !end.least && end.limit == 0);
+    /* hung up, all legs pull with about 0.2 */
+    gough_machine *m = &model->machine;
+    const gough_platform platform = m->platform;
+    const gough_load load = m->load;
+    const double up[3] = {0, 0, 1};
+    ck_assert_int_eq(gough_machine_init(m, &platform, &load, up, NULL), GOUGH_OK);
+    ck_assert_int_eq(gough_simulate(model, &s, NULL, NULL, &end, NULL), GOUGH_OK);
+    for (int v = 0; v < 6; v++) m->platform.legs.force[v][0] = -0.1;
+    ck_assert_int_eq(gough_simulate(model, &s, NULL, NULL, &end, NULL), GOUGH_ERROR_NUMERICAL);
+    ck_assert(end.time <= 0 && end.cause == GOUGH_END_LEG_FORCE && end.least && end.limit == -0.1);
     free(model);
 }
 END_TEST
@@ -308,6 +319,18 @@ START_TEST(each_leg_has_its_own_limit) {
     l->stroke[4][1] = sqrt(1.1 * 1.1 + d2) - model->machine.home_length[4];
     expect(model, asin(0.5), pi - asin(0.5), GOUGH_END_LEG_LONG, 0, false,
            "leg 5 gets longer than its greatest length");
+
+    /* all are too short at once, each by its own limit: the sentence names a limit and the legs that have it */
+    gough_simulation s = tight(1);
+    gough_end end;
+    for (int v = 0; v < 6; v++) {
+        l->stroke[v][0] = v < 2 ? 0.01 : 0.02 + 0.01 * v;
+        l->stroke[v][1] = 0.5;
+    }
+    ck_assert_int_eq(gough_simulate(model, &s, NULL, NULL, &end, NULL), GOUGH_ERROR_NUMERICAL);
+    ck_assert_int_eq(end.cause, GOUGH_END_LEG_SHORT);
+    ck_assert_uint_eq(end.legs, 3);
+    ck_assert(end.limit == model->machine.home_length[0] + 0.01);
     free(model);
 }
 END_TEST

@@ -115,6 +115,49 @@ START_TEST(limits_of_a_leg_are_in_order) {
 }
 END_TEST
 
+START_TEST(limits_of_data_sheets_are_checked) {
+    static const struct {
+        const char *line, *place, *part;
+    } wrong[] = {
+        {"legs: {length: [[1, 2], [1, 2], [1, 2], [1, 2], [1, 2]]}", "5:18",
+         "`platform.legs.length` must be a list of two numbers or a list of six such pairs, found "
+         "a list of 5"},
+        {"legs: {length: [[1, 2], [1, 2], [1, 2], [2, 1], [1, 2], [1, 2]]}", "5:43",
+         "`platform.legs.length.4` must be [least, greatest], the first below the second"},
+        {"legs: {length: [[1, 2], [1, 2], [1, 2], 1, [1, 2], [1, 2]]}", "5:43",
+         "`platform.legs.length.4` must be a list of two numbers, found `1`"},
+        {"legs: {length: [1, 2], stroke: [-1, 1]}", "5:26",
+         "`platform.legs` has both `length` and `stroke`; give one of them"},
+        {"legs: {force: [-1, 2], max_force: 3}", "5:26",
+         "`platform.legs` has both `force` and `max_force`; give one of them"},
+        {"legs: {stroke: [-5, 1]}", "5:10",
+         "the stroke of leg 1 begins at -5, but its length at home is only 1.3"},
+        {"legs: {stroke: [0, 0]}", "5:18", "`platform.legs.stroke` must be [least, greatest]"},
+        {"legs: {max_speed: [1, 1, 1, 1, 1]}", "5:21",
+         "must be a number or a list of six numbers, found a list of 5"},
+        {"legs: {max_force: [1, 1, 0, 1, 1, 1]}", "5:28",
+         "`platform.legs.max_force.3` must be greater than 0, found 0"},
+        {"joints: {base_swing: 0}", "5:24", "greater than 0, and at most 180 degrees, found 0"},
+        {"limits: {heave: [1]}", "5:19",
+         "`platform.limits.heave` must be a number or a list of two numbers, found a list of 1"},
+        {"limits: {heave: -1}", "5:19",
+         "`platform.limits.heave` as one number means both signs and must be greater than 0, found "
+         "`-1`; a range is [least, greatest]"},
+        {"limits: {yaw: [10, -10]}", "5:17",
+         "`platform.limits.yaw` must be [least, greatest], the first below the second"},
+        {"limits: {speed: {yaw: [1, 1]}}", "5:25", "`platform.limits.speed.yaw` must be [least"},
+        {"limits: {heav: 1}", "5:12", "unknown key `heav`; did you mean `heave`?"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        char text[1000];
+        snprintf(text, sizeof text,
+                 "platform:\n  base: %s\n  top: %s\n  height: 1.2\n  %s\nload: %s\n", ring,
+                 small_ring, wrong[i].line, body);
+        expect_one(text, wrong[i].place, wrong[i].part);
+    }
+}
+END_TEST
+
 START_TEST(motion_is_given_in_one_way) {
     expect_one_more("motion: {heave: t, moves: [{start: 1, duration: 1, heave: 1}]}\n", "8:20",
                     "`motion` has both `moves` and `heave`");
@@ -205,9 +248,9 @@ int main(void) {
                      joints_of_one_ring_may_be_listed_and_the_other_round,
                      impossible_machines_are_errors_at_their_part,
                      machines_with_shared_joints_are_fine, limits_of_a_leg_are_in_order,
-                     motion_is_given_in_one_way, smoothing_is_for_records_by_one_rule,
-                     moves_follow_one_another, steps_and_methods_fit_each_other,
-                     a_tolerance_beside_a_step_is_unused,
+                     limits_of_data_sheets_are_checked, motion_is_given_in_one_way,
+                     smoothing_is_for_records_by_one_rule, moves_follow_one_another,
+                     steps_and_methods_fit_each_other, a_tolerance_beside_a_step_is_unused,
                      tolerance_of_quadruple_precision_is_accepted,
                      a_part_that_is_wrong_hides_no_error_of_another);
 }

@@ -168,3 +168,14 @@ export const pictureDrawn = (page) =>
 
 export const sizeOf = (file) => statSync(file).size;
 export const present = (file) => existsSync(file);
+
+/** The facts of a list: {term: text}. */
+export const factsOf = (page, name) =>
+  byName(page, name)
+    .locator("dl")
+    .first()
+    .evaluate((list) =>
+      Object.fromEntries(
+        [...list.querySelectorAll("dt")].map((term) => [term.textContent, term.nextElementSibling.textContent]),
+      ),
+    );

@@ -246,6 +246,13 @@ for (const [cause, limits, text] of [
   ["leg_short", "legs: {length: [1.2, 1.4]}", "disturbance: {force: [0, 0, -t]}"],
   ["leg_speed", "legs: {max_speed: 0.02}", "disturbance: {force: [0, 0, t^2/4]}"],
   ["leg_force", "legs: {max_force: 0.5}", "disturbance: {force: [0, 0, t]}"],
+  ["leg_force", "legs: {force: [0.1, 9]}", "disturbance: {force: [0, 0, t/4]}"],
+  ["leg_acceleration", "legs: {max_acceleration: 0.01}", "disturbance: {force: [0, 0, t^4/40]}"],
+  ["base_swing", "joints: {base_swing: 1}", "disturbance: {force: [t/4, 0, 0]}"],
+  ["top_swing", "joints: {top_swing: 1}", "disturbance: {force: [t/4, 0, 0]}"],
+  ["platform_pose", "limits: {yaw: 2}", "disturbance: {moment: [0, 0, t/8]}"],
+  ["platform_speed", "limits: {speed: {heave: 0.02}}", "disturbance: {force: [0, 0, t^2/4]}"],
+  ["platform_acceleration", "limits: {acceleration: {heave: 0.01}}", "disturbance: {force: [0, 0, t^4/40]}"],
   ["not_finite", "", "motion: {heave: 0.01*log(2 - t)}"],
   ["not_finite", "", "disturbance: {force: [1/(t - 1), 0, 0]}"],
 ]) {

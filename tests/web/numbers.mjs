@@ -9,6 +9,7 @@ import {
   byName,
   closeAll,
   example,
+  factsOf,
   gough,
   open,
   pictureDrawn,
@@ -209,17 +210,6 @@ for (const units of ["si", "dimensionless"]) {
 }
 
 // ---- what the page shows ----
-
-/** The facts of a list: {term: text}. */
-const factsOf = (page, name) =>
-  byName(page, name)
-    .locator("dl")
-    .first()
-    .evaluate((list) =>
-      Object.fromEntries(
-        [...list.querySelectorAll("dt")].map((term) => [term.textContent, term.nextElementSibling.textContent]),
-      ),
-    );
 
 /** All numbers in a text, in order. */
 const numbersIn = (words) =>

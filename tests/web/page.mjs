@@ -8,6 +8,7 @@ import {
   byName,
   closeAll,
   example,
+  factsOf,
   gough,
   open,
   picture,
@@ -556,5 +557,36 @@ simulation: {duration: 600, output_step: 0.01, method: rk4, step: 0.01}
   const { bytes } = await saved(page, "save-run-0");
   assert.equal(bytes.toString().trim().split("\n").length, 60002);
   await picture(page, "long");
+  await page.close();
+});
+
+test("limits of single legs, of joints and of the platform are among the facts of the machine", async () => {
+  const page = await open(
+    report(
+      example("own-machine"),
+      ...["--set", "platform.legs={max_speed: [0.25, 0.26, 0.27, 0.28, 0.29, 0.3], force: [-70, 80], max_acceleration: 6}"],
+      ...["--set", "platform.joints={base_swing: 31, top_swing: [41, 42, 43, 44, 45, 46]}"],
+      ...["--set", "platform.limits={heave: [-0.05, 0.08], yaw: 22, speed: {surge: 0.5, yaw: 40}}"],
+      ...["--set", "platform.limits.acceleration={heave: [-5, 7], roll: 90}"],
+    ),
+    { webgl: false },
+  );
+  const machine = await factsOf(page, "machine-facts");
+  const minus = (text) => text.replaceAll("\u2212", "-");
+  for (const [term, text] of [
+    ["greatest speed", "0.25, 0.26, 0.27, 0.28, 0.29, 0.3 m/s"],
+    ["force limits", "-70 to 80 N"],
+    ["greatest acceleration of a leg", "6 m/s²"],
+    ["swing at the base", "31 °"],
+    ["swing at the top", "41, 42, 43, 44, 45, 46 °"],
+    ["heave", "-0.05 to 0.08 m"],
+    ["yaw", "±22 °"],
+    ["surge velocity", "±0.5 m/s"],
+    ["yaw velocity", "±40 °/s"],
+    ["heave acceleration", "-5 to 7 m/s²"],
+    ["roll acceleration", "±90 °/s²"],
+  ])
+    assert.equal(minus(machine[term] ?? "missing"), text, term);
+  assert.ok(!("greatest force" in machine) && !("length limits" in machine) && !("pitch" in machine));
   await page.close();
 });

@@ -166,18 +166,18 @@ static int end_turns(const gough_end *end) {
            end->cause == GOUGH_END_TOP_SWING;
 }
 
-/* the sentence of the end, in degrees and, in SI, with units */
-static void conclude(void) {
+/* the sentence of an end, in degrees and, in SI, with units */
+static void say_end(gough_end end) {
     static const gough_end_words si = {" m", " m/s", " m/s^2", " N",
                                        " s", " deg", " deg/s", " deg/s^2"};
     static const gough_end_words plain = {"", "", "", "", "", " deg", " deg", " deg"};
-
-    gough_end end = live.end;
 
     if (end_turns(&end)) end.limit *= 57.295779513082320877;
     gough_end_say(&end, live.si ? &si : &plain);
     say(end.message);
 }
+
+static void conclude(void) { say_end(live.end); }
 
 /* when the program's own time comes to `inner`, between two times */
 static real clock_reaches(real inner, real low, real high) {
@@ -450,6 +450,7 @@ int live_run(void) {
     if (!live.begun) return GOUGH_END_INVALID;
     gough_simulate(&live.model, &live.study, keep, NULL, &end, &error);
     say(error.message);
+    if (end.message[0]) say_end(end);
     if (end.cause == GOUGH_END_STOPPED) {
         say("there is not enough memory for the rows of the run");
         return GOUGH_END_INVALID;

@@ -59,6 +59,14 @@ function equalNote(study, column) {
 
 const joined = (...notes) => notes.filter(Boolean).join(" ");
 
+/** Least and greatest force if they are those of all legs, else null. */
+function forceRange(study) {
+  const ranges = study.machine.all_limits.legs.force;
+  return ranges.every((range) => range.every((value, side) => value === ranges[0][side]))
+    ? ranges[0]
+    : null;
+}
+
 function limitsOf(study, kind) {
   const { length, speed, force } = study.machine.limits ?? {};
   const both = (value) =>
@@ -73,6 +81,12 @@ function limitsOf(study, kind) {
       length?.[0] ? { value: length[0], beyond: -1 } : null,
       length?.[1] ? { value: length[1], beyond: 1 } : null,
     ].filter(Boolean);
+  const [least, greatest] = (!force && kind === "f" && forceRange(study)) || [null, null];
+  if (greatest !== null)
+    return [
+      { value: least, beyond: -1 },
+      { value: greatest, beyond: 1 },
+    ];
   return both(kind === "dl" ? speed : kind === "f" ? force : null);
 }
 

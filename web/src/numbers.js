@@ -144,6 +144,47 @@ function endFacts(study) {
 
 const same = (six) => (six.every((value) => value === six[0]) ? number(six[0], 6) : list(six));
 
+/** "0.25 to 0.4", "±80", "none"; one number for a limit of one side. */
+function rangeText(limit) {
+  if (!Array.isArray(limit)) return limit === null ? "none" : number(limit, 6);
+  const [low, high] = limit;
+  if (low === null || high === null) return "none";
+  return low === -high ? `±${number(high, 6)}` : `${number(low, 6)} to ${number(high, 6)}`;
+}
+
+const isGiven = (limit) => (Array.isArray(limit) ? limit[1] !== null : limit !== null);
+
+/** Limits of the legs besides those that all legs share, and limits of the platform: [name, text]. */
+function limitFacts(study) {
+  const { machine } = study;
+  const { legs, platform } = machine.all_limits;
+  const { length, speed, force } = machine.limits;
+  const names = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
+  const of = (name, six, column) => {
+    if (!six.some(isGiven)) return null;
+    const texts = six.map(rangeText);
+    const text = texts.every((one) => one === texts[0]) ? texts[0] : texts.join(", ");
+    return [name, text, unitAfter(study.unit(column))];
+  };
+  const components = (six, what, columns) =>
+    six.map((pair, c) =>
+      isGiven(pair)
+        ? [`${names[c]}${what}`, rangeText(pair), unitAfter(study.unit(columns[c < 3 ? 0 : 1]))]
+        : null,
+    );
+  return [
+    !length?.[1] && of("length limits", legs.length, "l1"),
+    !speed && of("greatest speed", legs.speed, "dl1"),
+    !force && of("force limits", legs.force, "f1"),
+    of("greatest acceleration of a leg", legs.acceleration, "ax"),
+    of("swing at the base", legs.base_swing, "roll"),
+    of("swing at the top", legs.top_swing, "roll"),
+    ...components(platform.pose, "", ["x", "roll"]),
+    ...components(platform.speed, " velocity", ["vx", "wx"]),
+    ...components(platform.acceleration, " acceleration", ["ax", "alx"]),
+  ].filter(Boolean);
+}
+
 function machineFacts(study) {
   const { machine } = study;
   const metre = unitAfter(study.unit("l1"));
@@ -173,6 +214,7 @@ function machineFacts(study) {
         ],
       speed && ["greatest speed", `${number(speed, 6)}${unitAfter(study.unit("dl1"))}`],
       force && ["greatest force", `${number(force, 6)}${unitAfter(study.unit("f1"))}`],
+      ...limitFacts(study),
       !machine.legs_have_mass && [
         "legs",
         "massless in this model: add the forces of their own weight and inertia",
