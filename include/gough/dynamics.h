@@ -4,7 +4,7 @@
  *
  *  Units are any consistent set, such as SI; angles are in radians. Forces of legs are those of their drives, which differ from the
  *  forces in the legs by friction, (mass-13); they push when positive. The machine must have been
- *  filled by gough_machine_init().
+ *  filled by gough_machine_init(). Its external loads count only where gough_external_wrench() is passed on.
  *
  *  A function that takes a state or a rotation checks first that the matrix is a rotation: each element of RᵀR within 1e-6
  *  of the unit matrix, and a positive determinant. Otherwise it returns GOUGH_ERROR_INPUT and writes nothing. The check costs
@@ -71,6 +71,21 @@ GOUGH_API void gough_rotation_from_angles(const double angles[3], double rotatio
  *
  *  The angles are accurate to a few ε divided by the cosine of the pitch. */
 GOUGH_API gough_status gough_angles_from_rotation(double rotation[3][3], double angles[3]);
+
+/** R of angles in an order, (motion-1): gough_rotation_from_angles() is that of GOUGH_ZYX.
+ *  @param order  GOUGH_ZYX or GOUGH_XYZ; anything else gives NaN
+ *
+ *  As accurate as gough_rotation_from_angles(). */
+GOUGH_API void gough_rotation_in_order(gough_order order, const double angles[3],
+                                       double rotation[3][3]);
+
+/** Roll, pitch and yaw of R in an order, as from gough_angles_from_rotation(): the pitch is within ±π/2 in both orders, and
+ *  at ±π/2 only a combination of roll and yaw is determined.
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if R is not a rotation or there is no such order.
+ *
+ *  As accurate as gough_angles_from_rotation(). */
+GOUGH_API gough_status gough_angles_in_order(gough_order order, double rotation[3][3],
+                                             double angles[3]);
 
 /** Leg lengths, joint to joint (inverse kinematics), their rates l̇ and second rates l̈: (legs-2), (legs-4), (legs-6).
  *  @param acceleration  may be NULL; @p second_rate is then not written
@@ -197,6 +212,14 @@ GOUGH_API gough_status gough_joint_forces(const gough_machine *machine, const go
 GOUGH_API gough_status gough_holding_forces(const gough_machine *machine, const gough_state *state,
                                             const gough_wrench *external, double force[GOUGH_LEGS],
                                             double low[GOUGH_LEGS], double high[GOUGH_LEGS]);
+
+/** Force and moment of the external loads of a machine on its top at time @p t, (law-4), for the functions above.
+ *  @param[out] wrench  the sum of the loads as a force at the centre of mass and a moment, base axes; zero without loads
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT if the matrix of the state is not a rotation or a formula is not finite at @p t
+ *
+ *  Velocities of the state are not used. Accurate to a few ε of the forces, and of them times their arms. */
+GOUGH_API gough_status gough_external_wrench(const gough_machine *machine, const gough_state *state,
+                                             double t, gough_wrench *wrench);
 
 /** Control law of one instant, F = F^p + G (l^p − l) + D (l̇^p − l̇) (law-1): for a real-time loop that measures l and l̇ and has
  *  its own F^p, l^p and l̇^p.

@@ -1,7 +1,7 @@
 /** @file fields.h
  *  Every field of a study as data: the keys of the study file with their types, units, ranges and defaults, and the members of
- *  gough_model, gough_simulation and gough_move that they fill. One table drives the reader of study files, the flat form of
- *  models, sweeps and output; bindings and exports can use it too.
+ *  gough_model, gough_simulation, gough_move and gough_external that they fill. One table drives the reader of study files,
+ *  the flat form of models, sweeps and output; bindings and exports can use it too.
  *
  *  Accuracy: defaults are exact.
  *  Overlap: a place is not part of the struct that is reset.
@@ -23,6 +23,7 @@ extern "C" {
 typedef enum gough_shape {
     GOUGH_SHAPE_MAPPING,        /**< keys and values */
     GOUGH_SHAPE_MOVES,          /**< a list of mappings */
+    GOUGH_SHAPE_LOADS,          /**< likewise */
     GOUGH_SHAPE_TEXT,           /**< text */
     GOUGH_SHAPE_FILE,           /**< path of a file */
     GOUGH_SHAPE_CHOICE,         /**< one of the words in the range */
@@ -53,7 +54,8 @@ enum gough_part {
     GOUGH_PART_DISTURBANCE = 8, /**< the disturbances */
     GOUGH_PART_CONTROL = 16,    /**< the control law */
     GOUGH_PART_INITIAL = 32,    /**< where runs start */
-    GOUGH_PART_SIMULATION = 64  /**< how they are run */
+    GOUGH_PART_SIMULATION = 64, /**< how they are run */
+    GOUGH_PART_EXTERNAL = 128   /**< the external loads */
 };
 
 /** The struct that contains a field. */
@@ -61,7 +63,8 @@ typedef enum gough_owner {
     GOUGH_OWNER_NONE,       /**< none: a mapping, or a key from which members are computed */
     GOUGH_OWNER_MODEL,      /**< gough_model */
     GOUGH_OWNER_SIMULATION, /**< gough_simulation */
-    GOUGH_OWNER_MOVE        /**< gough_move, one for each element of motion.moves */
+    GOUGH_OWNER_MOVE,       /**< gough_move, one for each element of motion.moves */
+    GOUGH_OWNER_EXTERNAL    /**< gough_external, one for each element of external */
 } gough_owner;
 
 /** Type of a field's values in its struct. */

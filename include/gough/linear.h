@@ -105,6 +105,33 @@ GOUGH_API gough_status gough_stability_at_rest(const gough_model *model,
                                                const double component[GOUGH_COMPONENTS],
                                                gough_rest *rest, gough_error *error);
 
+/** What resists a small displacement at rest, about the point `about` of the motion: 6×6 matrices on (δr, δθ), δr the shift of
+ *  that point and δθ the rotation in radians, base axes, (stab-18). Of the force and moment by which the loop pushes back. */
+typedef struct gough_stiffness {
+    gough_state state;         /**< of the pose */
+    double length[GOUGH_LEGS]; /**< of the legs there */
+    double force[GOUGH_LEGS];  /**< drive forces that hold load, legs and external loads there */
+    double condition;          /**< as from gough_conditioning() */
+    double control[6][6];      /**< Σ G y yᵀ: of the control's stiffness */
+    double geometric
+        [6][6]; /**< of the static forces, which turn with the legs or do not follow the load */
+    double total[6][6];      /**< their sum */
+    double compliance[6][6]; /**< its inverse; NaN where `firm` is false */
+    bool
+        firm; /**< every displacement is resisted: the symmetric part of total is positive definite */
+} gough_stiffness;
+
+/** The stiffness of the loop at rest in a pose, with legs whose forces hold it there, whatever the controller knows of them.
+ *  @param component  surge … yaw from home of the point `about` of the motion, radians; NULL: home
+ *  @return as gough_stability_at_rest(); @p stiffness has no numbers after an error
+ *
+ *  External loads are those at t = 0; if one turns with the top or is a moment, the geometric part is not symmetric. Matrices are
+ *  accurate to 1e-12 of their largest element, with angles counted as lengths on the base radius, the compliance to
+ *  that times their condition number. */
+GOUGH_API gough_status gough_stiffness_at_rest(const gough_model *model,
+                                               const double component[GOUGH_COMPONENTS],
+                                               gough_stiffness *stiffness, gough_error *error);
+
 #ifdef __cplusplus
 }
 #endif

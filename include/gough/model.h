@@ -50,7 +50,7 @@ typedef struct gough_friction {
 } gough_friction;
 
 /** The six components of a motion: displacement of a point of the top from home, base axes, and the angles of
- *  R = Rz(yaw) Ry(pitch) Rx(roll). */
+ *  R = Rz(yaw) Ry(pitch) Rx(roll), or of R = Rx(roll) Ry(pitch) Rz(yaw), as gough_order says. */
 enum gough_component {
     GOUGH_SURGE,
     GOUGH_SWAY,
@@ -60,6 +60,13 @@ enum gough_component {
     GOUGH_YAW,
     GOUGH_COMPONENTS
 };
+
+/** The order in which the three angles of a motion turn the top. */
+typedef enum gough_order {
+    GOUGH_ZYX, /**< R = Rz(yaw) Ry(pitch) Rx(roll): about base axes roll comes first */
+    GOUGH_XYZ, /**< R = Rx(roll) Ry(pitch) Rz(yaw): about base axes yaw comes first */
+    GOUGH_ORDERS
+} gough_order;
 
 /** Name of a component (enum gough_component), "surge" … "yaw"; a static string. */
 GOUGH_API const char *gough_component_name(int component);
@@ -156,8 +163,10 @@ typedef struct gough_load {
     double inertia[3][3];     /**< about the centre of mass, axes of the top frame; symmetric */
 } gough_load;
 
-/** A validated machine and the quantities derived from it. Fill it with gough_machine_init() only; it is constant afterwards and
- *  may be shared. */
+struct gough_external;
+
+/** A validated machine and the quantities derived from it. Fill it with gough_machine_init() and
+ *  gough_machine_set_external() only; it is constant afterwards and may be shared. */
 typedef struct gough_machine {
     gough_platform platform;        /**< as given */
     gough_load load;                /**< as given */
@@ -169,7 +178,10 @@ typedef struct gough_machine {
     double home_length[GOUGH_LEGS]; /**< leg lengths at home */
     double home_condition;          /**< condition number at home, as from gough_conditioning() */
     double breakaway[GOUGH_LEGS];   /**< F_S of each leg, >= F_C */
-    double smoothing_speed[GOUGH_LEGS]; /**< v_0 of each leg, > 0 */
+    double smoothing_speed[GOUGH_LEGS];    /**< v_0 of each leg, > 0 */
+    const struct gough_external *external; /**< known loads, in the caller's memory, which must
+                                                outlive the machine; NULL: none */
+    size_t externals;                      /**< how many */
 } gough_machine;
 
 /** Checks geometry and inertia and computes the derived quantities, (1.1), (2.7).
@@ -183,7 +195,7 @@ typedef struct gough_machine {
  *  force and max_force of a leg.
  *  @param gravity       acceleration of free fall, base axes; {0, 0, −9.80665} for a machine that stands on the earth, in SI units;
  *                       may be zero
- *  @param[out] machine  copies of the arguments and the derived quantities; unchanged after an error
+ *  @param[out] machine  copies of the arguments and the derived quantities, without external loads; unchanged after an error
  *
  *  Accurate to 1e-14 of the largest inertia and length, and to 1e-12 times the condition number for home_condition. The platform
  *  and load may be those in the machine itself. */
@@ -234,6 +246,32 @@ GOUGH_API bool gough_formula_is_zero(const gough_formula *formula);
  *  of a function, and if the formula has an impossible number of operations, the results are not finite. Does not allocate. */
 GOUGH_API void gough_formula_evaluate(const gough_formula *formula, double t, double jet[3]);
 
+/* ---- known loads ---------------------------------------------------------------------------------------------- */
+
+/** Most external loads of a machine. */
+enum { GOUGH_EXTERNALS = 8 };
+
+/** A known load on the top besides its weight, such as a counterbalance, wind or a cutting force, (law-4). Zero-filled:
+ *  no force. */
+typedef struct gough_external {
+    gough_formula force[3];  /**< formulas in t, along the axes below */
+    gough_formula moment[3]; /**< a couple, besides the force, along the same axes */
+    double at[3];            /**< the point on which the force acts, top frame */
+    bool at_given; /**< false: the force acts at the centre of mass, and `at` is not used */
+    bool
+        turns; /**< the axes are those of the top, with which the load turns; false: those of the base */
+} gough_external;
+
+/** Gives a machine its external loads. Everything that computes forces or motion of the machine counts with them, but not the
+ *  functions of dynamics.h, which know no time: give those the wrench of gough_external_wrench().
+ *  @param external  @p count loads, in memory that outlives the machine; their formulas may be changed there between
+ *                   runs. NULL if @p count is 0
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT, with the machine unchanged, if there are more than GOUGH_EXTERNALS or a point is not
+ *  finite. A formula that is not finite is reported when it is evaluated. Computes nothing: exact. */
+GOUGH_API gough_status gough_machine_set_external(gough_machine *machine,
+                                                  const gough_external *external, size_t count,
+                                                  gough_error *error);
+
 /* ---- the program --------------------------------------------------------------------------------------------- */
 
 /** A point-to-point move with minimum jerk, from the program's current pose (home before the first move) to the target. */
@@ -253,7 +291,7 @@ typedef struct gough_samples {
     const double *value; /**< six components per row, lengths and radians */
     double *curvature;   /**< their second derivatives in time, the same size as value */
     /** All 0: the angles are roll, pitch and yaw. Otherwise the quaternion (w, x, y, z), of any length, of a rotation F: the
-     *  angles are about turned axes, R = F Rz Ry Rx Fᵀ, (motion-10). */
+     *  angles are about turned axes, R = F Rz Ry Rx Fᵀ, (motion-10), or F Rx Ry Rz Fᵀ in the other order. */
     double axes[4];
 } gough_samples;
 
@@ -369,6 +407,7 @@ typedef struct gough_motion {
     const gough_move *move; /**< in the caller's memory, in order of time, not overlapping */
     size_t moves;           /**< number of moves */
     gough_samples samples;  /**< prepared by gough_samples_prepare() */
+    gough_order order;      /**< of the angles */
     double period;          /**< of the motion after scaling; 0: found from the formulas */
     bool scaled;            /**< whether amplitude and frequency are used; false: both count as 1 */
     double amplitude; /**< if scaled: factor on all six components, as samples.axes define them */
@@ -432,6 +471,7 @@ typedef struct gough_control {
     bool feedforward;      /**< F^p from inverse dynamics along the program; false: F^p ≡ 0 */
     bool ignores_legs;     /**< F^p is that of legs without mass */
     bool ignores_friction; /**< F^p is that of legs without friction */
+    bool ignores_external; /**< F^p is that of a machine without external loads */
     double stiffness[GOUGH_LEGS]; /**< G, force per length, >= 0 */
     double damping[GOUGH_LEGS];   /**< D, force per speed, >= 0 */
 } gough_control;
@@ -458,7 +498,7 @@ typedef struct gough_disturbance {
     gough_noise noise;       /**< random part */
 } gough_disturbance;
 
-/** Where a run starts. Parts that are not given have the program's values at t = 0. */
+/** Where a run starts; angles in the order of the motion. Parts that are not given have the program's values at t = 0. */
 typedef struct gough_initial {
     double component
         [GOUGH_COMPONENTS]; /**< from home, of the point `about` of the motion; lengths, radians */

@@ -224,7 +224,8 @@ GOUGH_API void gough_model_flatten(const gough_model *model, const gough_simulat
                                    double *flat);
 
 /** Bytes of memory that gough_model_unflatten() needs in addition to the model, for moves or the spline of recorded motion; 0 if it
- *  needs none or the head of the array is damaged. Never more than twice the size of the array. */
+ *  needs none or the head of the array is damaged. Never more than twice the size of the array, besides the
+ *  external loads, of which there are at most GOUGH_EXTERNALS. */
 GOUGH_API size_t gough_model_flat_memory(const double *flat, size_t count);
 
 /** Reads a model and its options from such an array, which may come from an untrusted source.
@@ -281,6 +282,11 @@ typedef struct gough_summary {
     double position_deviation;         /**< largest distance from the program; NaN for forces */
     double angle_deviation;            /**< largest angle from the program; NaN for forces */
     double drift;                      /**< largest violation of (1.2) before projection */
+    gough_order order;                 /**< of the angles in the rows: GOUGH_ZYX unless set after
+                            gough_summary_begin(). A run that fills the summary sets that of its motion */
+    double
+        external_work; /**< work that the external loads of the machine did on it; of looks, not of
+                               rows alone */
     double
         between_rows; /**< greatest excess of a leg's length between two rows over both of them; 0 without looks
                               between rows */
@@ -293,7 +299,7 @@ typedef struct gough_summary {
     double window_
         [4][1 + 3 * GOUGH_LEGS]; /**< private: the last rows for the fourth-order time integrals */
     double square_[GOUGH_LEGS];  /**< private */
-    double look_[4][4 + 14 * GOUGH_LEGS]; /**< private: the last looks */
+    double look_[4][5 + 14 * GOUGH_LEGS]; /**< private: the last looks */
     size_t looks_;                        /**< private: looks since a corner */
     double origin_;                       /**< private: time of the first look */
     double span_;                         /**< private: time since then */

@@ -108,7 +108,8 @@ enum {
     GOUGH_SWEEP_DISTURBANCE = GOUGH_PART_DISTURBANCE, /**< the disturbances */
     GOUGH_SWEEP_CONTROL = GOUGH_PART_CONTROL,         /**< the control law */
     GOUGH_SWEEP_INITIAL = GOUGH_PART_INITIAL,         /**< where runs start */
-    GOUGH_SWEEP_SIMULATION = GOUGH_PART_SIMULATION    /**< how they are run */
+    GOUGH_SWEEP_SIMULATION = GOUGH_PART_SIMULATION,   /**< how they are run */
+    GOUGH_SWEEP_EXTERNAL = GOUGH_PART_EXTERNAL        /**< the external loads */
 };
 
 /** The flags of one key, or of all together for @p key at or beyond the last. */

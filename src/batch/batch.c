@@ -167,6 +167,17 @@ static bool legs_alike(const gough_batch_run *a, const gough_batch_run *b) {
            a->control->ignores_friction == b->control->ignores_friction;
 }
 
+/* and as many external loads, which act along the same axes and are known alike */
+static int loads_alike(const gough_batch_run *a, const gough_batch_run *b) {
+    if (a->machine->externals != b->machine->externals ||
+        a->control->ignores_external != b->control->ignores_external)
+        return 0;
+    for (size_t n = 0; n < a->machine->externals; n++) {
+        if (a->machine->external[n].turns != b->machine->external[n].turns) return 0;
+    }
+    return 1;
+}
+
 /* each run's machine, beside the first run's */
 static gough_status check_machines(const gough_simulation *simulation, const gough_batch_run *runs,
                                    size_t count, gough_error *error) {
@@ -174,6 +185,12 @@ static gough_status check_machines(const gough_simulation *simulation, const gou
 
     for (size_t i = 0; i < count && status == GOUGH_OK; i++) {
         status = simulate_check_legs(runs[i].machine, simulation, error);
+        if (status == GOUGH_OK && !loads_alike(&runs[0], &runs[i]))
+            return gough_fail(error, GOUGH_ERROR_INPUT,
+                              "run %zu has another number of external loads than run 0, other axes "
+                              "of them, or a controller that knows them differently; all runs of a "
+                              "batch must have the same",
+                              i);
         if (status != GOUGH_OK || legs_alike(&runs[0], &runs[i])) continue;
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "run %zu takes the mass or friction of its legs into account differently "
@@ -236,7 +253,9 @@ static int any_vertical(const gough_batch_run *runs, size_t count) {
 /* whether all runs divide their fixed steps alike, so that they may stand in lanes */
 static int appointments_all_same(const gough_batch_run *runs, size_t count) {
     for (size_t i = 1; i < count; i++) {
-        if (!appointments_same(runs[0].disturbance, runs[i].disturbance)) return 0;
+        if (!appointments_same(runs[0].disturbance, runs[i].disturbance) ||
+            !appointments_same_loads(runs[0].machine, runs[i].machine))
+            return 0;
     }
     return 1;
 }

@@ -44,6 +44,7 @@ static void listen_begin(listener *l, const batch_job *job, size_t which) {
     *l->outcome = (gough_outcome){.cause = GOUGH_END_DONE};
     gough_summary_begin(&l->summary);
     l->summary.brief_ = true; /* an outcome has neither */
+    l->summary.order = job->motion->order;
 }
 
 void batch_put_power(gough_outcome *outcome, double least, double greatest) {
@@ -160,7 +161,7 @@ void batch_last_row(const batch_job *job, size_t which, const double state[STATE
     hexapod h;
 
     hexapod_of_machine(&h, job->runs[which].machine);
-    row_pose(&h, &x, value, GOUGH_X, GOUGH_ROLL_ANGLE);
+    row_pose(&h, (int)job->motion->order, &x, value, GOUGH_X, GOUGH_ROLL_ANGLE);
     row_rates(&h, &x, &rate, value, GOUGH_VX, GOUGH_WX);
     for (int c = 0; c < 3; c++) {
         out->position[c] = value[GOUGH_X + c];
@@ -185,6 +186,7 @@ static void record_stage(stage_tape *tape, double t, tape_record *record) {
         record->component[c][2] = component[c].dd;
     }
     wanted_program(r, component, &s);
+    wanted_external(r, t, &s);
     record->vertical = r->share ? wanted_vertical(r, t) : 0;
     if (tape->machine_shared && r->solves) wanted_forces(r, record->vertical, &s);
     for (int v = 0; v < LEGS; v++) {

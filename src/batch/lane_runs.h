@@ -100,6 +100,7 @@ static inline void group_replay(struct system *r, real t) {
     const tape_record *record = tape_at(tape, t);
     wanted *s = &r->now;
 
+    wanted_external(r, t, s);
     if (tape->machine_shared) {
         for (int v = 0; v < LEGS; v++) {
             s->force[v] = number_of(record->force[v]);
@@ -174,8 +175,8 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
     g->r.provide = group_replay;
     g->r.provider = tape;
     g->r.now.push = g->r.now.turn = (vector){number_of(0), number_of(0), number_of(0)};
-    appointments_begin(&g->when, job->motion, lane[0].disturbance, 0, job->simulation->duration,
-                       job->simulation->output_step);
+    appointments_begin(&g->when, job->motion, lane[0].disturbance, lane[0].machine, 0,
+                       job->simulation->duration, job->simulation->output_step);
     g->rows = 0;
     g->watchful = 1;
     g->going_mask = g->determinant = g->drift = number_of(0);

@@ -3,6 +3,7 @@
 #include <lapacke.h>
 #include <math.h>
 
+#include "floquet/loads.h"
 #include "floquet/orbit.h"
 #include "floquet/spectrum.h"
 #include "linear/mode.h"
@@ -82,13 +83,15 @@ static gough_status find_drift(const monodromy *m, const spectrum *s, gough_floq
     return GOUGH_OK;
 }
 
-/* (floquet-5): without damping the determinant is 1 and multipliers come in pairs; with it Liouville's formula is left */
+/* (floquet-5): without damping the determinant is 1, and multipliers come in pairs if all forces have a potential; with it
+ * Liouville's formula is left */
 static void fill_defects(const monodromy *m, const spectrum *s, gough_floquet *floquet) {
     const bool damped = linear_is_damped(&m->loop);
 
     floquet->determinant = exp(s->log_determinant);
     floquet->determinant_defect = fabs(expm1(s->log_determinant - (damped ? m->trace : 0)));
-    floquet->pair_defect = damped ? NAN : spectrum_pair_defect(s);
+    floquet->pair_defect =
+        damped || machine_loads_follow(m->loop.machine) ? NAN : spectrum_pair_defect(s);
 }
 
 static gough_status go_round(monodromy *m, gough_state *state, gough_error *error) {
@@ -124,6 +127,7 @@ gough_status gough_floquet_multipliers(const gough_model *model, const gough_per
         period = &found;
     }
     status = check(period, asked, error);
+    if (status == GOUGH_OK) status = loads_check(&model->machine, period, false, error);
     if (status != GOUGH_OK) return status;
     monodromy_begin(&m, model, period, asked);
     status = go_round(&m, &floquet->state, error);

@@ -46,7 +46,7 @@ void monodromy_begin(monodromy *m, const gough_model *model, const gough_period 
     const double length = model->machine.base_radius, gravity = model->machine.gravity_magnitude;
     const double time = gravity > 0 ? sqrt(length / gravity) : period->period / (2 * REAL_PI);
 
-    m->loop = (linear_loop){&model->machine, &model->motion, &model->control, false};
+    m->loop = (linear_loop){&model->machine, &model->motion, &model->control, false, 0};
     m->start = period->start;
     m->period = period->period;
     m->tolerance = tolerance;
@@ -335,7 +335,7 @@ static gough_status go_round(passage *p, gough_error *error) {
     m->steps = 0;
     m->trace = 0;
     p->side = side_of_program(m);
-    appointments_begin(&p->when, m->loop.motion, NULL, m->start, m->period,
+    appointments_begin(&p->when, m->loop.motion, NULL, m->loop.machine, m->start, m->period,
                        m->period / MONODROMY_PARTS);
     if (check_pose(p, error) != GOUGH_OK) return GOUGH_ERROR_NUMERICAL;
     for (int part = 0; part < MONODROMY_PARTS; part++) {

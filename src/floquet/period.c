@@ -371,7 +371,7 @@ static gough_status period_of_record(const gough_motion *motion, gough_period *p
     const double T = motion->period, start = last - T;
     double a[GOUGH_COMPONENTS][ORDERS], b[GOUGH_COMPONENTS][ORDERS];
     windows w = {.motion = motion, .T = T};
-    const bool turned = motion_axes(motion) != NULL;
+    const bool turned = motion_frame(motion).axes != NULL;
 
     *period = (gough_period){.resting = record_rests(s), .start = fmax(first, 0)};
     if (period->resting) return GOUGH_OK;

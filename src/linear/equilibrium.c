@@ -92,10 +92,11 @@ static bool settle(const linear_loop *loop, gough_state *state) {
     return false;
 }
 
-/* (stab-14): gravity comes on from 0, when the pose asked for is the balance, to 1. Returns the share that the springs bear. */
+/* (stab-14): gravity and external loads come on from 0, when the pose asked for is the balance, to 1. Returns the share that the
+ * springs bear. */
 static double take_up_load(const linear_loop *loop, gough_state *state) {
     gough_machine lighter = *loop->machine;
-    const linear_loop part = {&lighter, loop->motion, loop->control, false};
+    linear_loop part = {&lighter, loop->motion, loop->control, false, 0};
     double borne = 0, more = first_share;
 
     while (borne < 1 && more >= least_share) {
@@ -103,6 +104,7 @@ static double take_up_load(const linear_loop *loop, gough_state *state) {
         gough_state there = *state;
 
         for (int r = 0; r < 3; r++) lighter.gravity[r] = share * loop->machine->gravity[r];
+        part.unloaded = 1 - share;
         if (settle(&part, &there)) {
             *state = there;
             borne = share;
@@ -129,7 +131,7 @@ static void stand(const gough_machine *machine, const gough_state *state, gough_
 }
 
 /* "home", or "surge 0.1, yaw 5°" */
-static const char *words_of(const double component[GOUGH_COMPONENTS], gough_error *words) {
+static void words_of(const double component[GOUGH_COMPONENTS], gough_error *words) {
     char text[sizeof words->message] = "";
 
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
@@ -141,7 +143,6 @@ static const char *words_of(const double component[GOUGH_COMPONENTS], gough_erro
         memcpy(text, words->message, sizeof text);
     }
     if (text[0] == '\0') gough_fail(words, GOUGH_OK, "home");
-    return words->message;
 }
 
 static gough_status check_pose(const gough_machine *machine, const gough_state *state,
@@ -159,15 +160,24 @@ static gough_status check_pose(const gough_machine *machine, const gough_state *
 
 /* whether what is fed forward at rest is less than holds the load */
 static bool falls_short(const gough_machine *machine, const gough_control *control) {
-    return !control->feedforward || (control->ignores_legs && machine->platform.legs_have_mass);
+    return !control->feedforward || (control->ignores_legs && machine->platform.legs_have_mass) ||
+           (control->ignores_external && machine->externals > 0);
 }
 
 static gough_status sag(const linear_loop *loop, const char *pose, double determinant,
                         gough_state *state, gough_error *error) {
-    const char *how = loop->control->feedforward ? "with feed-forward that ignores the legs' mass"
-                                                 : "without feed-forward";
-    const char *cure = loop->control->feedforward ? "control.model.legs to true"
-                                                  : "control.feedforward to program";
+    const gough_control *control = loop->control;
+    const bool legs = control->ignores_legs && loop->machine->platform.legs_have_mass;
+    const bool loads = control->ignores_external && loop->machine->externals > 0;
+    const char *how = !control->feedforward ? "without feed-forward"
+                      : !loads              ? "with feed-forward that ignores the legs' mass"
+                      : !legs
+                          ? "with feed-forward that ignores the external loads"
+                          : "with feed-forward that ignores the legs' mass and the external loads";
+    const char *cure = !control->feedforward ? "control.feedforward to program"
+                       : !loads              ? "control.model.legs to true"
+                       : !legs               ? "control.model.external to true"
+                               : "control.model.legs and control.model.external to true";
     const double borne = take_up_load(loop, state);
     gough_error what;
     double there;
@@ -176,7 +186,7 @@ static gough_status sag(const linear_loop *loop, const char *pose, double determ
     if (!(borne >= 1)) {
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                           "%s no equilibrium was found near the requested pose "
-                          "(%s): the stiffness of the legs carries only %.3g %% of the weight; "
+                          "(%s): the stiffness of the legs carries only %.3g %% of the load; "
                           "increase control.stiffness, or set %s",
                           how, pose, 100 * borne, cure);
     }
@@ -190,17 +200,11 @@ static gough_status sag(const linear_loop *loop, const char *pose, double determ
                       how, pose, cure);
 }
 
-gough_status equilibrium_find(const gough_model *model, const double *component, gough_motion *rest,
-                              gough_error *error) {
+gough_status equilibrium_ask(const gough_model *model, const double *component, gough_motion *rest,
+                             asked_pose *asked, gough_error *error) {
     static const double home[GOUGH_COMPONENTS];
-    const linear_loop loop = {&model->machine, rest, &model->control, false};
     const double *from = component != NULL ? component : home;
     gough_acceleration none;
-    gough_error words;
-    gough_state state;
-    double determinant;
-    gough_status status;
-    const char *pose;
 
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         if (isfinite(from[c])) continue;
@@ -209,14 +213,23 @@ gough_status equilibrium_find(const gough_model *model, const double *component,
     }
     memset(rest, 0, sizeof *rest);
     memcpy(rest->about, model->motion.about, sizeof rest->about);
+    rest->order = model->motion.order;
     for (int c = 0; c < GOUGH_COMPONENTS; c++) rest->formula[c] = gough_formula_constant(from[c]);
 
-    pose = words_of(from, &words);
-    gough_program(&model->machine, rest, 0, &state, &none);
-    status = check_pose(&model->machine, &state, "the requested pose", pose, &determinant, error);
-    if (status != GOUGH_OK || !falls_short(&model->machine, &model->control)) return status;
+    words_of(from, &asked->words);
+    gough_program(&model->machine, rest, 0, &asked->state, &none);
+    return check_pose(&model->machine, &asked->state, "the requested pose", asked->words.message,
+                      &asked->determinant, error);
+}
 
-    status = sag(&loop, pose, determinant, &state, error);
-    if (status == GOUGH_OK) stand(&model->machine, &state, rest);
+gough_status equilibrium_find(const gough_model *model, const double *component, gough_motion *rest,
+                              gough_error *error) {
+    const linear_loop loop = {&model->machine, rest, &model->control, false, 0};
+    asked_pose asked;
+    gough_status status = equilibrium_ask(model, component, rest, &asked, error);
+
+    if (status != GOUGH_OK || !falls_short(&model->machine, &model->control)) return status;
+    status = sag(&loop, asked.words.message, asked.determinant, &asked.state, error);
+    if (status == GOUGH_OK) stand(&model->machine, &asked.state, rest);
     return status;
 }

@@ -72,6 +72,18 @@ void linear_inertia(const gough_machine *machine, const gough_state *state, doub
     }
 }
 
+void linear_mass(const gough_machine *machine, const gough_state *state, double mass[6][6]) {
+    double inertia[3][3];
+
+    linear_inertia(machine, state, inertia);
+    memset(mass, 0, sizeof(double[6][6]));
+    for (int r = 0; r < 3; r++) {
+        mass[r][r] = machine->load.mass;
+        for (int c = 0; c < 3; c++) mass[3 + r][3 + c] = inertia[r][c];
+    }
+    if (machine->platform.legs_have_mass) linear_complex.mass(machine, state, mass);
+}
+
 gough_status linear_check(const linear_loop *loop, double t, const gough_state *state,
                           linear_matrix matrix, const char *wrong, gough_error *error) {
     const gough_machine *machine = loop->machine;
@@ -100,7 +112,7 @@ size_t gough_linear_size(const gough_model *model) {
 
 gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
                              size_t size, double *matrix, gough_error *error) {
-    const linear_loop loop = {&model->machine, &model->motion, &model->control, false};
+    const linear_loop loop = {&model->machine, &model->motion, &model->control, false, 0};
     gough_status status = motion_check(&model->motion, error);
     linear_matrix found;
     const char *wrong;

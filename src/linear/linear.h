@@ -12,6 +12,7 @@ typedef struct {
     const gough_control *control;
     bool
         undamped; /* without the viscous friction of the legs; the control's damping is as it says */
+    double unloaded; /* the part of the external loads that is left out, 0 … 1 */
 } linear_loop;
 
 /* whether the control or the legs damp */
@@ -49,6 +50,9 @@ extern const struct linear_complex linear_complex;
 
 /* J = Σ_a (I_b + I_c) e_a e_aᵀ in base axes, with e = R P and the second moments that the equations of motion use */
 void linear_inertia(const gough_machine *machine, const gough_state *state, double inertia[3][3]);
+
+/* the mass matrix on (δv, δω), of the centre of mass, base axes: M and J, and what the legs add to them */
+void linear_mass(const gough_machine *machine, const gough_state *state, double mass[6][6]);
 
 /* The sentence for a matrix that could not be found: `wrong` as returned above, a singular pose, a number not finite. */
 gough_status linear_check(const linear_loop *loop, double t, const gough_state *state,

@@ -16,6 +16,7 @@ static void begin(struct system *r, const linear_loop *loop, const gough_simulat
 
     system_begin(r, loop->motion, options, &lane);
     system_take_dry_friction_off(r);
+    r->external_share = number_of(1) - number_of(loop->unloaded);
     for (int v = 0; v < LEGS && loop->undamped; v++) r->h.dry[v].viscous = 0;
 }
 

@@ -35,20 +35,6 @@ typedef struct {
     double mass[FREEDOMS][FREEDOMS]; /* M, and the inertia about the centre of mass in base axes */
 } at_rest;
 
-/* the mass matrix on (δv, δω): M and J, and what the legs add to them */
-static void mass_matrix(const gough_machine *machine, const gough_state *state,
-                        double mass[FREEDOMS][FREEDOMS]) {
-    double inertia[3][3];
-
-    linear_inertia(machine, state, inertia);
-    memset(mass, 0, sizeof(double[FREEDOMS][FREEDOMS]));
-    for (int r = 0; r < 3; r++) {
-        mass[r][r] = machine->load.mass;
-        for (int c = 0; c < 3; c++) mass[3 + r][3 + c] = inertia[r][c];
-    }
-    if (machine->platform.legs_have_mass) linear_complex.mass(machine, state, mass);
-}
-
 /* largest |K − Kᵀ| and |K|, angles counted as lengths on the base radius */
 static void measure(double K[FREEDOMS][FREEDOMS], double radius, double *skew, double *size) {
     for (int i = 0; i < FREEDOMS; i++) {
@@ -98,8 +84,8 @@ static gough_status parts_of_stiffness(const at_rest *r, gough_rest *rest, gough
     const gough_control forces = {.feedforward = true},
                         springs = {.feedforward = true, .stiffness = {1, 1, 1, 1, 1, 1}};
     gough_machine weightless = *r->loop.machine;
-    const linear_loop constant = {r->loop.machine, r->loop.motion, &forces, false},
-                      elastic = {&weightless, r->loop.motion, &springs, false};
+    const linear_loop constant = {r->loop.machine, r->loop.motion, &forces, false, 0},
+                      elastic = {&weightless, r->loop.motion, &springs, false, 1};
     gough_status status = stiffness_of(r, &constant, NULL, rest->geometric, error);
 
     memset(weightless.gravity, 0, sizeof weightless.gravity);
@@ -289,7 +275,15 @@ static gough_status analyse(const at_rest *r, gough_rest *rest, gough_error *err
     gough_status status = linear_check(loop, 0, NULL, rest->matrix, wrong, error);
 
     if (status == GOUGH_OK) status = stiffness_of(r, loop, &rest->asymmetry, K, error);
-    if (status == GOUGH_OK && !(rest->asymmetry <= greatest_asymmetry)) {
+    if (status == GOUGH_OK && !(rest->asymmetry <= greatest_asymmetry) &&
+        machine_loads_follow(loop->machine)) {
+        status = gough_fail_key(error, GOUGH_ERROR_INPUT, "external",
+                                "external: load %d turns with the top or is a moment, so that its "
+                                "work depends on the way and the stiffness at rest is not "
+                                "symmetric; stability at rest is computed for forces with the axes "
+                                "of the base only. Simulate instead",
+                                machine_loads_follow(loop->machine));
+    } else if (status == GOUGH_OK && !(rest->asymmetry <= greatest_asymmetry)) {
         status = gough_fail(error, GOUGH_ERROR_NUMERICAL, "%s", no_eigenvalues);
     }
     if (status == GOUGH_OK) status = parts_of_stiffness(r, rest, error);
@@ -308,7 +302,7 @@ gough_status gough_stability_at_rest(const gough_model *model,
     gough_control control = model->control;
     gough_motion motion;
     gough_acceleration none;
-    at_rest r = {.loop = {&model->machine, &motion, &control, false}};
+    at_rest r = {.loop = {&model->machine, &motion, &control, false, 0}};
     gough_status status;
 
     memset(rest, 0, sizeof *rest);
@@ -318,9 +312,9 @@ gough_status gough_stability_at_rest(const gough_model *model,
     status = equilibrium_find(model, component, &motion, error);
     if (status != GOUGH_OK) return status;
     control.feedforward = true;
-    control.ignores_legs = control.ignores_friction = false;
+    control.ignores_legs = control.ignores_friction = control.ignores_external = false;
     gough_program(&model->machine, &motion, 0, &r.state, &none);
-    mass_matrix(&model->machine, &r.state, r.mass);
+    linear_mass(&model->machine, &r.state, r.mass);
     rest->state = r.state;
     return analyse(&r, rest, error);
 }

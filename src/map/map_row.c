@@ -6,7 +6,9 @@
 #include <string.h>
 
 #include "base/assert.h"
+#include "floquet/loads.h"
 #include "gough/floquet.h"
+#include "plant/can_move.h"
 
 /* phase of the fastest mode from one sample to the next */
 static const double sample_phase = 0.15;
@@ -53,7 +55,7 @@ static void set_motion(gough_motion *motion, double amplitude, double frequency)
 }
 
 static linear_loop loop_of(const map_worker *w) {
-    return (linear_loop){&w->model.machine, &w->model.motion, &w->model.control, false};
+    return (linear_loop){&w->model.machine, &w->model.motion, &w->model.control, false, 0};
 }
 
 gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
@@ -83,7 +85,14 @@ gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
         for (int c = 0; c < GOUGH_COMPONENTS; c++) w->component[c] = component[c][0];
         return GOUGH_OK;
     }
-    if (!control->feedforward) return GOUGH_OK;
+    status = loads_check(&w->model.machine, &w->period, true, error);
+    if (status == GOUGH_OK && machine_loads_follow(&w->model.machine))
+        status = gough_fail_key(error, GOUGH_ERROR_INPUT, "external",
+                                "external: load %d turns with the top or is a moment, so that "
+                                "multipliers do not come in pairs; maps are computed for forces "
+                                "with the axes of the base",
+                                machine_loads_follow(&w->model.machine));
+    if (status != GOUGH_OK || !control->feedforward) return status;
 
     status = transition_divide(&loop, &w->period, top, &w->d, error);
     if (status != GOUGH_OK) return status;
@@ -108,8 +117,8 @@ static gough_status find(map_worker *w, bool damped, double finer, transitions *
     if (!damped) memset(control.damping, 0, sizeof control.damping);
     d.steps = map_row_steps(w, finer) / d.parts;
     return transition_find(w->job->width,
-                           &(linear_loop){loop.machine, loop.motion, &control, !damped}, &w->period,
-                           w->job->options->stiffness.to, &d, t, w->scratch, error);
+                           &(linear_loop){loop.machine, loop.motion, &control, !damped, 0},
+                           &w->period, w->job->options->stiffness.to, &d, t, w->scratch, error);
 }
 
 gough_status map_row_accuracy(map_worker *w, double finer, double *change, gough_error *error) {

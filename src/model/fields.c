@@ -5,6 +5,7 @@
 
 #define TYPE_MAPPING "mapping"
 #define TYPE_MOVES "list of mappings"
+#define TYPE_LOADS "list of mappings"
 #define TYPE_TEXT "text"
 #define TYPE_FILE "file"
 #define TYPE_CHOICE "choice"
@@ -47,6 +48,8 @@
 #define BOUND_FEEDFORWARD WORDS("program, none")
 #define BOUND_KNOWN WORDS("false, true")
 #define BOUND_EFFICIENCY BOUND("> 0, <= 1", "greater than 0, and at most 1", 0, 1, true)
+#define BOUND_AXES WORDS("top, base")
+#define BOUND_ORDER WORDS("zyx, xyz")
 #define BOUND_METHOD WORDS("dop853, rk4, rattle2, rattle4, rattle6, rattle8")
 #define BOUND_CONSTRAINTS WORDS("projection, none")
 #define BOUND_SMOOTH WORDS("rounding, none")

@@ -14,8 +14,8 @@
 #include "program/program.h"
 
 enum {
-    FORMAT = 3, /* changes if the same fields are written in another way */
-    HEAD = 4,   /* format, doubles in all, moves, rows of recorded motion */
+    FORMAT = 4, /* changes if the same fields are written in another way */
+    HEAD = 5,   /* format, doubles in all, moves, rows of recorded motion, external loads */
     ROW = 1 + GOUGH_COMPONENTS
 };
 
@@ -41,11 +41,12 @@ typedef struct {
     gough_error *error;
 } pass;
 
-/* Moves and rows of recorded motion, and the memory of those read. */
+/* Moves, rows of recorded motion and external loads, and the memory of those read. */
 typedef struct {
-    size_t moves, rows;
+    size_t moves, rows, loads;
     gough_move *move;
     double *curvature;
+    gough_external *load;
 } extent;
 
 /* the number just read is not what it should be */
@@ -225,6 +226,19 @@ static void exchange_moves(pass *p, gough_motion *motion, size_t count, gough_mo
     if (p->from) motion->move = moves, motion->moves = count;
 }
 
+static void exchange_loads(pass *p, gough_machine *machine, size_t count, gough_external *loads) {
+    for (size_t i = 0; i < count && p->status == GOUGH_OK; i++) {
+        gough_external written = {.at_given = false}, *load = p->from ? &loads[i] : &written;
+        if (p->from)
+            *load = written;
+        else
+            *load = machine->external[i];
+        exchange_fields(p, GOUGH_OWNER_EXTERNAL, load);
+    }
+    if (p->from && p->status == GOUGH_OK)
+        p->status = gough_machine_set_external(machine, loads, count, p->error);
+}
+
 /* Those read stay in the array; their spline is made in `curvature`, with scratch memory behind it. */
 static void exchange_samples(pass *p, gough_samples *samples, size_t rows, double *curvature) {
     const size_t values = rows * GOUGH_COMPONENTS;
@@ -282,6 +296,7 @@ static void exchange_all(pass *p, gough_model *model, gough_simulation *simulati
         check_fields(p, model, simulation->duration, e);
         complete_machine(p, &model->machine);
     }
+    exchange_loads(p, &model->machine, e->loads, e->load);
     exchange_moves(p, &model->motion, e->moves, e->move);
     exchange_samples(p, &model->motion.samples, e->rows, e->curvature);
 }
@@ -289,8 +304,9 @@ static void exchange_all(pass *p, gough_model *model, gough_simulation *simulati
 /* ---- the public face ---- */
 
 /* only the moves or rows of the motion's own kind travel */
-static extent extent_of(const gough_motion *motion) {
-    extent e = {0, 0, NULL, NULL};
+static extent extent_of(const gough_model *model) {
+    const gough_motion *motion = &model->motion;
+    extent e = {.loads = model->machine.externals};
 
     if (motion->kind == GOUGH_MOTION_MOVES) e.moves = motion->moves;
     if (motion->kind == GOUGH_MOTION_SAMPLES) e.rows = motion->samples.count;
@@ -298,7 +314,7 @@ static extent extent_of(const gough_motion *motion) {
 }
 
 size_t gough_model_flat_size(const gough_model *model) {
-    const extent e = extent_of(&model->motion);
+    const extent e = extent_of(model);
     const gough_simulation any = gough_simulation_default();
     pass p = {.at = HEAD, .status = GOUGH_OK};
 
@@ -308,7 +324,7 @@ size_t gough_model_flat_size(const gough_model *model) {
 
 void gough_model_flatten(const gough_model *model, const gough_simulation *simulation,
                          double *flat) {
-    const extent e = extent_of(&model->motion);
+    const extent e = extent_of(model);
     pass p = {.to = flat, .at = HEAD, .status = GOUGH_OK};
 
     exchange_all(&p, (gough_model *)model, (gough_simulation *)simulation, &e);
@@ -316,6 +332,7 @@ void gough_model_flatten(const gough_model *model, const gough_simulation *simul
     flat[1] = (double)p.at;
     flat[2] = (double)e.moves;
     flat[3] = (double)e.rows;
+    flat[4] = (double)e.loads;
 }
 
 /* the head of an array to be read */
@@ -336,29 +353,31 @@ static gough_status read_head(const double *flat, size_t count, extent *e, gough
     }
     e->moves = (size_t)exchange_whole(&p, 0, floor((double)count / (double)move_size()));
     e->rows = (size_t)exchange_whole(&p, 0, floor((double)count / ROW));
+    e->loads = (size_t)exchange_whole(&p, 0, GOUGH_EXTERNALS);
     return p.status;
 }
 
 size_t gough_model_flat_memory(const double *flat, size_t count) {
-    extent e = {0, 0, NULL, NULL};
+    extent e = {.loads = 0};
 
     if (read_head(flat, count, &e, NULL) != GOUGH_OK) return 0;
-    return e.moves * sizeof(gough_move) +
+    return e.loads * sizeof(gough_external) + e.moves * sizeof(gough_move) +
            (e.rows * GOUGH_COMPONENTS + gough_samples_scratch(e.rows)) * sizeof(double);
 }
 
 gough_status gough_model_unflatten(gough_model *model, gough_simulation *simulation, void *memory,
                                    const double *flat, size_t count, gough_error *error) {
     pass p = {.from = flat, .at = HEAD, .count = count, .error = error};
-    extent e = {0, 0, NULL, NULL};
+    extent e = {.loads = 0};
 
     memset(model, 0, sizeof *model);
     *simulation = gough_simulation_default();
     p.status = read_head(flat, count, &e, error);
     if (p.status != GOUGH_OK) return p.status;
-    /* one of the two is missing, or the array is refused */
-    e.move = memory;
-    e.curvature = memory;
+    /* after the loads; one of these two is missing, or the array is refused */
+    e.load = memory;
+    e.move = (gough_move *)(void *)(e.load + e.loads);
+    e.curvature = (double *)(void *)(e.load + e.loads);
     exchange_all(&p, model, simulation, &e);
     assert_true(p.at <= count);
     if (p.status == GOUGH_OK && p.at != count) {

@@ -394,3 +394,22 @@ gough_status gough_machine_init(gough_machine *machine, const gough_platform *pl
     if (status == GOUGH_OK) *machine = m;
     return status;
 }
+
+gough_status gough_machine_set_external(gough_machine *machine, const gough_external *external,
+                                        size_t count, gough_error *error) {
+    static const char *const key[GOUGH_EXTERNALS] = {
+        "external.1.at", "external.2.at", "external.3.at", "external.4.at",
+        "external.5.at", "external.6.at", "external.7.at", "external.8.at"};
+
+    if (count > GOUGH_EXTERNALS)
+        return FAIL(error, "external", "there are %zu external loads; a machine has at most %d",
+                    count, GOUGH_EXTERNALS);
+    for (size_t n = 0; n < count; n++) {
+        const double *at = external[n].at;
+        if (!external[n].at_given || all_finite(at, 3)) continue;
+        return FAIL(error, key[n], "the point of external load %zu is not finite", n + 1);
+    }
+    machine->external = count > 0 ? external : NULL;
+    machine->externals = count;
+    return GOUGH_OK;
+}

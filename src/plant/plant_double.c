@@ -4,6 +4,7 @@
 
 #include "base/limits.h"
 #include "gough/sizes.h"
+#include "kernel/known_load.h"
 #include "kernel/law.h"
 #include "plant/can_move.h"
 #include "plant/forward.h"
@@ -88,7 +89,29 @@ gough_status gough_angles_from_rotation(double rotation[3][3], double angles[3])
     const triad R = {{rotation[0][0], rotation[1][0], rotation[2][0]},
                      {rotation[0][1], rotation[1][1], rotation[2][1]},
                      {rotation[0][2], rotation[1][2], rotation[2][2]}};
-    rotation_angles(&R, angles);
+    rotation_angles(GOUGH_ZYX, &R, angles);
+    return GOUGH_OK;
+}
+
+void gough_rotation_in_order(gough_order order, const double angles[3], double rotation[3][3]) {
+    const double opposite[3] = {0 - angles[0], 0 - angles[1], 0 - angles[2]};
+    double back[3][3];
+
+    gough_rotation_from_angles(order == GOUGH_XYZ ? opposite : angles, back);
+    for (int r = 0; r < 3; r++) {
+        for (int c = 0; c < 3; c++) {
+            rotation[r][c] = order == GOUGH_ZYX   ? back[r][c]
+                             : order == GOUGH_XYZ ? back[c][r]
+                                                  : (double)NAN;
+        }
+    }
+}
+
+gough_status gough_angles_in_order(gough_order order, double rotation[3][3], double angles[3]) {
+    if (order != GOUGH_ZYX && order != GOUGH_XYZ) return GOUGH_ERROR_INPUT;
+    if (!is_rotation((const double(*)[3])rotation)) return GOUGH_ERROR_INPUT;
+    const triad R = triad_of_rotation((const double(*)[3])rotation);
+    rotation_angles((int)order, &R, angles);
     return GOUGH_OK;
 }
 
@@ -266,6 +289,32 @@ gough_status gough_reactions(const gough_machine *machine, const gough_state *st
     }
     Q = push_generalised(&given, &p.x.q, external_moment(external));
     body_reactions(&p.h.load, &p.x.q, &p.rate.q, &Q, reactions);
+    return GOUGH_OK;
+}
+
+gough_status gough_external_wrench(const gough_machine *machine, const gough_state *state, double t,
+                                   gough_wrench *wrench) {
+    vector force = {0, 0, 0}, moment = {0, 0, 0};
+    known_load all = known_load_none();
+    pose p;
+
+    if (!pose_of_state(&p, machine, state)) return GOUGH_ERROR_INPUT;
+    for (size_t n = 0; n < machine->externals; n++) {
+        const gough_external *e = &machine->external[n];
+        vector arm = {0, 0, 0}, f[2];
+        if (e->at_given) arm = onto(&p.h.axes, subtract(vector_of(e->at), p.h.center));
+        for (int k = 0; k < 2; k++) {
+            const gough_formula *formula = k == 0 ? e->force : e->moment;
+            f[k] = (vector){formula_jet(&formula[0], t).v, formula_jet(&formula[1], t).v,
+                            formula_jet(&formula[2], t).v};
+        }
+        known_load_add(&all, &p.h, e->turns, arm, f[0], f[1]);
+    }
+    known_load_wrench(&all, &p.x.q, &force, &moment);
+    const double sum = force.x + force.y + force.z + moment.x + moment.y + moment.z;
+    if (!isfinite(sum)) return GOUGH_ERROR_INPUT;
+    vector_out(force, wrench->force);
+    vector_out(moment, wrench->moment);
     return GOUGH_OK;
 }
 

@@ -35,19 +35,19 @@ typedef struct {
     int still;
 } displacement;
 
-/* whether no angle moves, and R otherwise; `axes`: of motion_axes() */
-static inline int displacement_turn(const double *axes, const jet component[GOUGH_COMPONENTS],
+/* whether no angle moves, and R otherwise; */
+static inline int displacement_turn(angle_frame frame, const jet component[GOUGH_COMPONENTS],
                                     jet R[3][3]) {
     if (jet_vanishes(jet_size(component[GOUGH_ROLL]) + jet_size(component[GOUGH_PITCH]) +
                      jet_size(component[GOUGH_YAW]))) {
         return 1;
     }
-    motion_rotation(axes, component, R);
+    motion_rotation(frame, component, R);
     return 0;
 }
 
 /* the same in every lane */
-static inline void displacement_of(const double *axes, const jet component[GOUGH_COMPONENTS],
+static inline void displacement_of(angle_frame frame, const jet component[GOUGH_COMPONENTS],
                                    displacement *d) {
     jet R[3][3];
 
@@ -56,7 +56,7 @@ static inline void displacement_of(const double *axes, const jet component[GOUGH
                                    number_of_real(jet_order(component[GOUGH_SWAY], order)),
                                    number_of_real(jet_order(component[GOUGH_HEAVE], order))};
     }
-    d->still = displacement_turn(axes, component, R);
+    d->still = displacement_turn(frame, component, R);
     for (int order = 0; order < 3 && !d->still; order++) {
         number m[3][3];
         for (int r = 0; r < 3; r++) {
@@ -87,11 +87,11 @@ static inline void coordinates_of_displacement(const hexapod *h, double height,
 
 /* The same from the jets, evaluated once and broadcast to every lane. */
 static inline void coordinates_of_motion(const hexapod *h, double height, const double about[3],
-                                         const double *axes, const jet component[GOUGH_COMPONENTS],
+                                         angle_frame frame, const jet component[GOUGH_COMPONENTS],
                                          coordinates x[3]) {
     displacement d;
 
-    displacement_of(axes, component, &d);
+    displacement_of(frame, component, &d);
     coordinates_of_displacement(h, height, about, &d, x);
 }
 
@@ -100,7 +100,7 @@ static inline void program_at(const hexapod *h, double height, const gough_motio
     jet component[GOUGH_COMPONENTS];
 
     motion_components(motion, t, component);
-    coordinates_of_motion(h, height, motion->about, motion_axes(motion), component, x);
+    coordinates_of_motion(h, height, motion->about, motion_frame(motion), component, x);
 }
 
 #endif

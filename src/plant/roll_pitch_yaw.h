@@ -7,14 +7,16 @@
 #include "program/angles.h"
 
 /* (motion-1) inverted: the values alone */
-static inline void rotation_angles(const triad *R, real angles[3]) {
-    const jet zero = {0, 0, 0};
-    const jet m[3][3] = {{jet_constant(R->i.x), zero, zero},
-                         {jet_constant(R->i.y), zero, zero},
-                         {jet_constant(R->i.z), jet_constant(R->j.z), jet_constant(R->k.z)}};
-    jet angle[3];
+static inline void rotation_angles(int order, const triad *R, real angles[3]) {
+    const vector column[3] = {R->i, R->j, R->k};
+    jet angle[3], m[3][3];
 
-    rotation_angle_jets(m, angle);
+    for (int c = 0; c < 3; c++) {
+        m[0][c] = jet_constant(column[c].x);
+        m[1][c] = jet_constant(column[c].y);
+        m[2][c] = jet_constant(column[c].z);
+    }
+    angles_in_order(order, m, angle);
     for (int a = 0; a < 3; a++) angles[a] = angle[a].v;
 }
 

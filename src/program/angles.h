@@ -32,6 +32,35 @@ KERNEL_INLINE void rotation_angle_jets(const jet R[3][3], jet angle[3]) {
     angle[2] = jet_atan2(R[1][0], R[0][0]);
 }
 
+static inline void rotation_transpose(jet R[3][3]) {
+    for (int r = 0; r < 3; r++) {
+        for (int c = 0; c < r; c++) {
+            const jet x = R[r][c];
+            R[r][c] = R[c][r];
+            R[c][r] = x;
+        }
+    }
+}
+
+static inline jet jet_opposite(jet a) { return jet_subtract(jet_constant(0), a); } /* no -0 */
+
+/* (motion-1) in the other order: Rx Ry Rz of three angles is the transpose of Rz Ry Rx of the opposite ones */
+static inline void rotation_in_order(int order, const jet angle[3], jet R[3][3]) {
+    if (order != GOUGH_XYZ) {
+        rotation_jets(angle[0], angle[1], angle[2], R);
+        return;
+    }
+    rotation_jets(jet_opposite(angle[0]), jet_opposite(angle[1]), jet_opposite(angle[2]), R);
+    rotation_transpose(R);
+}
+
+/* the same inverted; R may change */
+static inline void angles_in_order(int order, jet R[3][3], jet angle[3]) {
+    if (order == GOUGH_XYZ) rotation_transpose(R);
+    rotation_angle_jets((const jet(*)[3])R, angle);
+    for (int a = 0; a < 3 && order == GOUGH_XYZ; a++) angle[a] = jet_opposite(angle[a]);
+}
+
 /* The matrix F of a quaternion of any length. Divided at the end, so that F is a rotation to all digits of real. */
 static inline void rotation_of_axes(const double axes[4], real F[3][3]) {
     const real w = (real)axes[0], x = (real)axes[1], y = (real)axes[2], z = (real)axes[3];
@@ -69,29 +98,36 @@ static inline void rotation_turn(const double axes[4], jet R[3][3]) {
     }
 }
 
-/* The axes about which the program's components GOUGH_ROLL … GOUGH_YAW are angles; NULL: those of the base. */
-static inline const double *motion_axes(const gough_motion *m) {
+/* What the program's components GOUGH_ROLL … GOUGH_YAW are: angles about these axes, NULL those of the base, in an order. */
+typedef struct {
+    const double *axes;
+    int order;
+} angle_frame;
+
+static inline angle_frame motion_frame(const gough_motion *m) {
     const double *axes = m->samples.axes;
-    if (m->kind != GOUGH_MOTION_SAMPLES) return NULL;
-    return axes[0] * axes[0] + axes[1] * axes[1] + axes[2] * axes[2] + axes[3] * axes[3] > 0 ? axes
-                                                                                             : NULL;
+    if (m->kind != GOUGH_MOTION_SAMPLES) axes = NULL;
+    if (axes &&
+        !(axes[0] * axes[0] + axes[1] * axes[1] + axes[2] * axes[2] + axes[3] * axes[3] > 0))
+        axes = NULL;
+    return (angle_frame){axes, (int)m->order};
 }
 
-/* R of the six components of a program whose angles are about these axes */
-static inline void motion_rotation(const double *axes, const jet component[GOUGH_COMPONENTS],
+/* R of the six components of a program whose angles are those of a frame */
+static inline void motion_rotation(angle_frame frame, const jet component[GOUGH_COMPONENTS],
                                    jet R[3][3]) {
-    rotation_jets(component[GOUGH_ROLL], component[GOUGH_PITCH], component[GOUGH_YAW], R);
-    if (axes) rotation_turn(axes, R);
+    rotation_in_order(frame.order, component + GOUGH_ROLL, R);
+    if (frame.axes) rotation_turn(frame.axes, R);
 }
 
 /* Angles about turned axes become roll, pitch and yaw: roll and yaw within ±180°, pitch within ±90°. At a pitch of exactly
  * 90° the derivatives are not finite. */
-static inline void motion_base_angles(const double *axes, jet component[GOUGH_COMPONENTS]) {
+static inline void motion_base_angles(angle_frame frame, jet component[GOUGH_COMPONENTS]) {
     jet R[3][3];
 
-    if (axes == NULL) return;
-    motion_rotation(axes, component, R);
-    rotation_angle_jets((const jet(*)[3])R, component + GOUGH_ROLL);
+    if (frame.axes == NULL) return;
+    motion_rotation(frame, component, R);
+    angles_in_order(frame.order, R, component + GOUGH_ROLL);
 }
 
 #endif

@@ -129,6 +129,14 @@ static const gough_formula *disturbing(const gough_disturbance *d, int i) {
 }
 enum { DISTURBING = GOUGH_LEGS + 7 };
 
+/* formula number i of a machine's external loads, six of each */
+static const gough_formula *loading(const gough_machine *m, int i) {
+    const gough_external *e = &m->external[i / 6];
+
+    return i % 6 < 3 ? &e->force[i % 6] : &e->moment[i % 6 - 3];
+}
+static int loadings(const gough_machine *m) { return m ? 6 * (int)m->externals : 0; }
+
 static void watch(appointments *a, const gough_formula *formula, double pace) {
     corner_search none = {0, 0};
 
@@ -155,25 +163,39 @@ static void watch_all(appointments *a) {
     for (int i = 0; a->disturbance && i < DISTURBING; i++) {
         watch(a, disturbing(a->disturbance, i), 1);
     }
+    for (int i = 0; i < loadings(a->machine); i++) watch(a, loading(a->machine, i), 1);
 }
 
 static bool noisy(const gough_noise *n) {
     return n->interval > 0 && (n->leg_force > 0 || n->force > 0 || n->moment > 0);
 }
 
+/* whether two formulas are the same, or both do not depend on time */
+static bool alike(const gough_formula *f, const gough_formula *g) {
+    corner_search none = {0, 0};
+    bool same = f->count == g->count;
+
+    for (int k = 0; same && k < f->count; k++) {
+        same = f->operation[k].code == g->operation[k].code &&
+               memcmp(&f->operation[k].value, &g->operation[k].value, sizeof(double)) == 0;
+    }
+    return same || (formula_form(f, &none) == CONSTANT && formula_form(g, &none) == CONSTANT);
+}
+
 bool appointments_same(const gough_disturbance *one, const gough_disturbance *two) {
     if (one == two) return true;
     if (noisy(&one->noise) != noisy(&two->noise)) return false;
     for (int i = 0; i < DISTURBING; i++) {
-        const gough_formula *f = disturbing(one, i), *g = disturbing(two, i);
-        corner_search none = {0, 0};
-        bool same = f->count == g->count;
-        for (int k = 0; same && k < f->count; k++) {
-            same = f->operation[k].code == g->operation[k].code &&
-                   memcmp(&f->operation[k].value, &g->operation[k].value, sizeof(double)) == 0;
-        }
-        if (same) continue;
-        if (formula_form(f, &none) != CONSTANT || formula_form(g, &none) != CONSTANT) return false;
+        if (!alike(disturbing(one, i), disturbing(two, i))) return false;
+    }
+    return true;
+}
+
+bool appointments_same_loads(const gough_machine *one, const gough_machine *two) {
+    if (one->external == two->external) return true;
+    if (one->externals != two->externals) return false;
+    for (int i = 0; i < loadings(one); i++) {
+        if (!alike(loading(one, i), loading(two, i))) return false;
     }
     return true;
 }
@@ -213,6 +235,7 @@ double appointments_corner(appointments *a, double t) {
         }
         offer_noise(&a->disturbance->noise, &c);
     }
+    for (int i = 0; i < loadings(a->machine); i++) (void)formula_form(loading(a->machine, i), &c);
     if (a->motion && a->pace > 0) {
         corner_search own = {after * a->pace, INFINITY};
         offer_program(a->motion, &own);
@@ -393,10 +416,11 @@ double appointments_part(appointments *a, double t, double end, double h) {
 }
 
 void appointments_begin(appointments *a, const gough_motion *motion,
-                        const gough_disturbance *disturbance, double from, double duration,
-                        double output_step) {
+                        const gough_disturbance *disturbance, const gough_machine *machine,
+                        double from, double duration, double output_step) {
     a->motion = motion;
     a->disturbance = disturbance;
+    a->machine = machine;
     a->duration = duration;
     a->least = least_part * output_step;
     a->slack = 1e-13 * duration;

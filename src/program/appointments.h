@@ -8,16 +8,16 @@
  * V. The supremum is a bound that holds for every time in the piece (interval.h), so a pulse cannot hide between the
  * samples: it would make f'' large. A step is then no longer than the pieces that it covers.
  *
- * Which pieces there are depends on program, disturbance and duration alone, not on the steps taken: all runs and lanes that
- * share them share their steps. In double precision for every number type. */
+ * Which pieces there are depends on program, disturbance, external loads and duration alone, not on the steps taken: all
+ * runs and lanes that share them share their steps. In double precision for every number type. */
 #ifndef GOUGH_PROGRAM_APPOINTMENTS_H
 #define GOUGH_PROGRAM_APPOINTMENTS_H
 
 #include "gough/model.h"
 
-/* formulas of program and disturbance; halvings of the duration; pieces looked at beyond the present one */
+/* formulas of program, disturbance and external loads; halvings of the duration; pieces looked at beyond the present one */
 enum {
-    APPOINTMENT_FUNCTIONS = GOUGH_COMPONENTS + GOUGH_LEGS + 7,
+    APPOINTMENT_FUNCTIONS = GOUGH_COMPONENTS + GOUGH_LEGS + 7 + 6 * GOUGH_EXTERNALS,
     APPOINTMENT_DEPTH = 48,
     APPOINTMENT_AHEAD = 16
 };
@@ -30,6 +30,7 @@ typedef struct {
 typedef struct {
     const gough_motion *motion;           /* NULL: without the program */
     const gough_disturbance *disturbance; /* NULL: without the disturbance */
+    const gough_machine *machine;         /* of whose external loads; NULL: of none */
     double duration, least, slack;        /* shortest piece; times that differ by less are one */
     double pace;                          /* the program's own time in a unit of time */
 
@@ -54,10 +55,10 @@ typedef struct {
 } appointments;
 
 /* Starts at a time. `duration`: of the run, whose halvings the pieces are. `output_step`: pulses down to a hundredth of it wide are
- * met. Program and disturbance must outlive it. */
+ * met. Program, disturbance and machine must outlive it. */
 void appointments_begin(appointments *a, const gough_motion *motion,
-                        const gough_disturbance *disturbance, double from, double duration,
-                        double output_step);
+                        const gough_disturbance *disturbance, const gough_machine *machine,
+                        double from, double duration, double output_step);
 
 /* The next corner after t, or INFINITY. Times may be asked for in rising order only, as below. */
 double appointments_corner(appointments *a, double t);
@@ -69,8 +70,9 @@ double appointments_step(appointments *a, double t, double h, double share);
 /* Where the part of a fixed step ends that begins at t; `end` is the end of the whole step, whose length is h */
 double appointments_part(appointments *a, double t, double end, double h);
 
-/* Whether two runs of one program have the same appointments whatever their other numbers: their disturbances are the same
- * formulas, or do not depend on time */
+/* Whether two runs of one program have the same appointments whatever their other numbers: their disturbances and external
+ * loads are the same formulas, or do not depend on time */
 bool appointments_same(const gough_disturbance *one, const gough_disturbance *two);
+bool appointments_same_loads(const gough_machine *one, const gough_machine *two);
 
 #endif

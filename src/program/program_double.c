@@ -18,7 +18,7 @@ void gough_motion_evaluate(const gough_motion *motion, double t,
                            double component[GOUGH_COMPONENTS][3]) {
     jet out[GOUGH_COMPONENTS];
     motion_components(motion, t, out);
-    motion_base_angles(motion_axes(motion), out);
+    motion_base_angles(motion_frame(motion), out);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) hand_out(out[c], component[c]);
 }
 

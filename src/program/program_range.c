@@ -26,8 +26,8 @@ static const double range_turn = 0.75;
 
 typedef struct {
     const gough_motion *motion;
-    const double *axes; /* of the motion: NULL, or those that its angles are about */
-    double angle[3];    /* roll, pitch, yaw at a time, for the whole turns of those nearby */
+    angle_frame frame; /* what the angles of the motion are */
+    double angle[3];   /* roll, pitch, yaw at a time, for the whole turns of those nearby */
     double *least, *greatest;
     double bad; /* a time at which a component is not finite; NAN: none so far */
     int component;
@@ -41,8 +41,8 @@ static void range_take(range *r, int c, double value) {
 
 /* about turned axes: roll, pitch and yaw, with the whole turns that are nearest to those in r->angle */
 static void range_turn_back(const range *r, jet component[GOUGH_COMPONENTS]) {
-    if (r->axes == NULL) return;
-    motion_base_angles(r->axes, component);
+    if (r->frame.axes == NULL) return;
+    motion_base_angles(r->frame, component);
     for (int a = 0; a < 3; a++) {
         double *angle = &component[GOUGH_ROLL + a].v;
         *angle -= 2 * REAL_PI * rint((*angle - r->angle[a]) / (2 * REAL_PI));
@@ -57,7 +57,7 @@ static void range_near(range *r, const jet component[GOUGH_COMPONENTS]) {
 static void range_note(range *r, double t, const jet component[GOUGH_COMPONENTS]) {
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         const jet *x = &component[c];
-        if (r->axes == NULL && (!isfinite(x->v) || !isfinite(x->d) || !isfinite(x->dd))) {
+        if (r->frame.axes == NULL && (!isfinite(x->v) || !isfinite(x->d) || !isfinite(x->dd))) {
             if (isfinite(r->bad)) return;
             r->bad = t;
             r->component = c;
@@ -123,7 +123,7 @@ static void range_between(range *r, int c, double t, jet x, double u, jet y) {
 
 /* whether roll and yaw change little from quarter to quarter; always of other motions than records about turned axes */
 static bool range_resolved(const range *r, jet component[RANGE_PARTS + 1][GOUGH_COMPONENTS]) {
-    for (int k = 0; r->axes && k < RANGE_PARTS; k++)
+    for (int k = 0; r->frame.axes && k < RANGE_PARTS; k++)
         for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++)
             if (fabs(component[k + 1][c].v - component[k][c].v) > range_turn) return false;
     return true;
@@ -163,7 +163,7 @@ gough_status gough_motion_range(const gough_motion *motion, double duration, dou
                                 double least[GOUGH_COMPONENTS], double greatest[GOUGH_COMPONENTS],
                                 gough_error *error) {
     range r = {.motion = motion,
-               .axes = motion_axes(motion),
+               .frame = motion_frame(motion),
                .least = least,
                .greatest = greatest,
                .bad = NAN};
@@ -173,7 +173,7 @@ gough_status gough_motion_range(const gough_motion *motion, double duration, dou
 
     for (int c = 0; c < GOUGH_COMPONENTS; c++) least[c] = INFINITY, greatest[c] = -INFINITY;
     if (checked != GOUGH_OK) return checked;
-    appointments_begin(&when, motion, NULL, 0, duration, output_step);
+    appointments_begin(&when, motion, NULL, NULL, 0, duration, output_step);
     for (long long row = 1; t < duration && !isfinite(r.bad);) {
         const double stop = fmin((double)row * output_step, duration);
         const double corner = fmin(appointments_corner(&when, t), stop);

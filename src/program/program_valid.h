@@ -50,6 +50,10 @@ static inline gough_status motion_check(const gough_motion *motion, gough_error 
             "motion: %d is not a kind of motion; there are formulas, moves and samples",
             (int)motion->kind);
     }
+    if (motion->order != GOUGH_ZYX && motion->order != GOUGH_XYZ)
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "motion.order",
+                              "motion.order: %d is not an order of angles; there are zyx and xyz",
+                              (int)motion->order);
     if (!isfinite(motion->about[0]) || !isfinite(motion->about[1]) || !isfinite(motion->about[2]))
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "motion.about",
                               "motion.about must be three finite numbers");

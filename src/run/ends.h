@@ -33,9 +33,9 @@ static inline limits_side limits_begin(const struct system *r, const wanted *s, 
 }
 
 /* the angles of the platform among its components, and their margins */
-static inline void limits_angles(const limit_set *s, measured *q, real margin[MARGINS]) {
+static inline void limits_angles(const limit_set *s, int order, measured *q, real margin[MARGINS]) {
     if (!limit_has(s, LIMIT_POSE_LOW)) return;
-    rotation_angles(&q->R, q->component[0] + 3);
+    rotation_angles(order, &q->R, q->component[0] + 3);
     for (int c = 3; c < GOUGH_COMPONENTS; c++)
         limits_component(s, 0, c, q->component[0][c], margin);
 }
@@ -46,7 +46,7 @@ static inline void limits_margins(const struct system *r, const wanted *s, const
                                   real margin[MARGINS]) {
     limits_measure(r, m, q);
     limits_fill(r, m, q, margin);
-    limits_angles(&r->limits, q, margin);
+    limits_angles(&r->limits, (int)r->motion->order, q, margin);
     margin[MARGIN_SINGULAR] = side->pose * determinant;
     margin[MARGIN_PROGRAM] = side->program * s->singularity.determinant;
 }

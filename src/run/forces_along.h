@@ -28,6 +28,8 @@ static const double walk_difference = 1e-6;
 static const double walk_surprise = 1e-5;
 /* pieces shorter than this part of the duration have no inside; corners so near each other are one (appointments.h) */
 static const double walk_least = 2e-13;
+/* a piece longer than the rest of a stretch by less than this is as long */
+static const double walk_near = 1e-9;
 /* what moves or speeds less than this, in base radii and durations, is at rest */
 static const double walk_rest = 1e-9;
 
@@ -489,15 +491,21 @@ static inline gough_status walk_stretch(walk *a, look *from, real until, int row
     a->cells = 0;
     while (from->t < until) {
         const real corner = walk_corner(a, from->t + least);
-        const int inside = corner < until - least;
+        real next = corner < until - least ? corner : until;
         look middle, to;
-        walk_look(a, inside ? corner : until, &to);
+        if (a->r.traits & EXTERNAL) { /* what walk_expected() does not know: changes of the loads */
+            const double most =
+                appointments_step(&a->when, (double)from->t, (double)(next - from->t), 1);
+            if ((real)most < (next - from->t) * (1 - (real)walk_near)) next = from->t + (real)most;
+        }
+        const int row_here = !(next < until), inside = !row_here;
+        const int bend = inside ? !(next < corner) : corner <= until + least;
+        walk_look(a, next, &to);
         walk_look(a, (from->t + to.t) / 2, &middle);
         walk_learn(a, &middle);
         walk_learn(a, &to);
-        to.row = row && !inside;
-        const gough_status status =
-            walk_cell(a, from, &middle, &to, 0, inside || corner <= until + least);
+        to.row = row && row_here;
+        const gough_status status = walk_cell(a, from, &middle, &to, 0, bend);
         if (status != GOUGH_OK) return status;
         *from = to;
     }
@@ -539,7 +547,8 @@ static inline gough_status walk_run(const gough_model *model, const gough_simula
 
     system_begin(&a.r, &model->motion, options, &lane);
     system_program_only(&a.r);
-    appointments_begin(&a.when, &model->motion, NULL, 0, options->duration, options->output_step);
+    appointments_begin(&a.when, &model->motion, NULL, &model->machine, 0, options->duration,
+                       options->output_step);
     a.sink = sink;
     a.context = context;
     a.crossings = crossings;

@@ -267,8 +267,8 @@ static inline void forward_open(forward *d, const simulate_parts *parts,
     d->prefetched = NULL;
     d->m = system_march(options, &d->when);
     d->statistics = (gough_statistics){.steps = 0};
-    appointments_begin(&d->when, parts->motion, parts->disturbance, 0, options->duration,
-                       options->output_step);
+    appointments_begin(&d->when, parts->motion, parts->disturbance, parts->machine, 0,
+                       options->duration, options->output_step);
 }
 
 static inline gough_status forward_run(const simulate_parts *parts, const gough_simulation *options,

@@ -70,26 +70,26 @@ static inline void forward_start(forward *d) {
     const gough_motion *motion = d->r.motion;
     const hexapod *h = &d->r.h;
     const vector about = vector_of(motion->about);
-    const double *axes = motion_axes(motion);
+    angle_frame frame = motion_frame(motion);
     jet component[GOUGH_COMPONENTS];
     coordinates x[3], rate;
     vector velocity, omega;
 
     motion_components(motion, 0, component);
-    coordinates_of_motion(h, d->r.height, motion->about, axes, component, x);
+    coordinates_of_motion(h, d->r.height, motion->about, frame, component, x);
     velocity = (vector){component[0].d, component[1].d, component[2].d};
     omega = triad_angular_velocity(&x[0].q, &x[1].q);
     if (initial->velocity_given) velocity = vector_of(initial->velocity);
     if (initial->angular_velocity_given) omega = vector_of(initial->angular_velocity);
 
     if (initial->given[GOUGH_ROLL] || initial->given[GOUGH_PITCH] || initial->given[GOUGH_YAW]) {
-        motion_base_angles(axes, component);
-        axes = NULL;
+        motion_base_angles(frame, component);
+        frame.axes = NULL;
     }
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         if (initial->given[c]) component[c] = jet_constant(initial->component[c]);
     }
-    coordinates_of_motion(h, d->r.height, motion->about, axes, component, x);
+    coordinates_of_motion(h, d->r.height, motion->about, frame, component, x);
     const vector arm = out_of(&x[0].q, onto(&h->axes, subtract(h->center, about)));
     rate = (coordinates){add(velocity, cross(omega, arm)), triad_rate(&x[0].q, omega)};
     coordinates_project(&x[0], &rate);

@@ -132,9 +132,17 @@ static inline void limits_angle(const limit_set *set, int a, number s, number c,
     low[LIMIT_SIX] = c * set->sine[a][1] - s * set->cosine[a][1] + given;
 }
 
-static inline void limits_angles_cheaply(const limit_set *s, const triad *R,
+static inline void limits_angles_cheaply(const limit_set *s, int order, const triad *R,
                                          number margin[MARGINS]) {
+    const number none = number_of(0);
+
     if (!limit_has(s, LIMIT_POSE_LOW)) return;
+    if (order == GOUGH_XYZ) {
+        limits_angle(s, 0, none - R->k.y, R->k.z, margin);
+        limits_angle(s, 1, R->k.x, number_root(R->i.x * R->i.x + R->j.x * R->j.x), margin);
+        limits_angle(s, 2, none - R->j.x, R->i.x, margin);
+        return;
+    }
     limits_angle(s, 0, R->j.z, R->k.z, margin);
     limits_angle(s, 1, -R->i.z, number_root(R->i.x * R->i.x + R->i.y * R->i.y), margin);
     limits_angle(s, 2, R->i.y, R->i.x, margin);
@@ -147,7 +155,7 @@ static inline number limits_least(const struct system *r, const signals *m) {
 
     limits_measure(r, m, &q);
     limits_fill(r, m, &q, margin);
-    limits_angles_cheaply(&r->limits, &q.R, margin);
+    limits_angles_cheaply(&r->limits, (int)r->motion->order, &q.R, margin);
     least = margin[0];
     for (int kind = 0; kind < LIMIT_KINDS; kind++) {
         if (!limit_has(&r->limits, kind)) continue;

@@ -7,7 +7,7 @@
 #include "plant/layout.h"
 
 /* times of a block; bytes for the lanes' own memory */
-enum { PREFETCH_TIMES = 16, PREFETCH_ROOM = 32 * 1024 };
+enum { PREFETCH_TIMES = 16, PREFETCH_ROOM = 48 * 1024 };
 
 typedef struct {
     int count, cursor;

@@ -36,7 +36,7 @@ static inline vector prefetch_vector(const double (*row)[PREFETCH_TIMES], int fi
 
 /* fills the rows: from the formulas up to the block's count, and beyond it by repeating the last time */
 static inline void prefetch_evaluate(struct system *r, prefetch_block *b, prefetch_program *p) {
-    const double *axes = motion_axes(r->motion);
+    const angle_frame frame = motion_frame(r->motion);
     jet component[GOUGH_COMPONENTS], R[3][3];
     double nothing[PREFETCH_TIMES] = {0}, size[PREFETCH_TIMES] = {0};
 
@@ -54,7 +54,7 @@ static inline void prefetch_evaluate(struct system *r, prefetch_block *b, prefet
         if (p->still[k] && jet_vanishes(nothing[k])) continue;
         motion_components_of(p->component, k, component);
         b->fault[k] = wanted_flaw(component);
-        p->still[k] = displacement_turn(axes, component, R);
+        p->still[k] = displacement_turn(frame, component, R);
         for (int i = 0; i < 9 && !p->still[k]; i++) {
             for (int order = 0; order < 3; order++)
                 p->turn[9 * order + i][k] = jet_order(R[i % 3][i / 3], order);
@@ -109,6 +109,12 @@ static inline int prefetch_pack(struct system *r, prefetch_block *b, int first,
 
     wanted_displacement(r, &d, &s);
     if (r->traits & NEEDS_RATES) legs_rates(&r->h, &s.x[1], &s.program);
+    if (r->feeds && r->knows & EXTERNAL) {
+        real times[NUMBER_WIDTH];
+        for (int i = 0; i < NUMBER_WIDTH; i++)
+            times[i] = b->time[first + i < b->count ? first + i : b->count - 1];
+        s.external = external_loads(r, times);
+    }
     if (r->solves) wanted_forces(r, vertical, &s);
     for (int v = 0; v < LEGS; v++) {
         prefetch_keep(&b->force[v][first], s.force[v]);

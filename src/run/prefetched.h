@@ -26,6 +26,7 @@ static inline void prefetched_take(struct system *r, real t, const prefetch_bloc
         if (r->traits & NEEDS_RATES) s->program.rate[v] = b->rate[v][at];
     }
     s->singularity = (elimination){b->determinant[at], b->pivot_ratio[at]};
+    wanted_external(r, t, s);
     wanted_disturb(r, t, s);
     if (r->noise.present) noise_add(r, t, s);
     r->partial = PARTIAL_UNPOSED;

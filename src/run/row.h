@@ -10,14 +10,14 @@ static inline void row_vector(vector v, real *value, int column) {
     value[column] = v.x, value[column + 1] = v.y, value[column + 2] = v.z;
 }
 
-static inline void row_pose(const hexapod *h, const coordinates *x, real *value, int position,
-                            int angles) {
+static inline void row_pose(const hexapod *h, int order, const coordinates *x, real *value,
+                            int position, int angles) {
     vector point;
     triad R;
 
     top_of_coordinates(h, x, &point, &R);
     row_vector(point, value, position);
-    rotation_angles(&R, value + angles);
+    rotation_angles(order, &R, value + angles);
 }
 
 /* velocities or accelerations of the top frame: of its origin, and angular */
@@ -41,7 +41,7 @@ static inline real row_wrapped(real angle) {
 static inline void row_deviation(const struct system *r, const wanted *s, real *value) {
     real program[6];
 
-    row_pose(&r->h, &s->x[0], program, 0, 3);
+    row_pose(&r->h, (int)r->motion->order, &s->x[0], program, 0, 3);
     for (int c = 0; c < 3; c++) {
         value[GOUGH_EX + c] = value[GOUGH_X + c] - program[c];
         value[GOUGH_EROLL + c] = row_wrapped(value[GOUGH_ROLL_ANGLE + c] - program[3 + c]);
@@ -51,10 +51,14 @@ static inline void row_deviation(const struct system *r, const wanted *s, real *
 static inline void row_reactions(const struct system *r, const wanted *s, const signals *m,
                                  int simulated, real *value) {
     const number zero = number_of(0);
-    const vector turn = simulated ? s->turn : (vector){zero, zero, zero};
-    const push p = r->traits & MOVING_MASS
-                       ? heavy_push(&r->h, &m->g, &m->rate, &m->acceleration, m->leg)
-                       : legs_push(&r->h, &m->g, m->leg);
+    vector turn = simulated ? s->turn : (vector){zero, zero, zero};
+    push p = r->traits & MOVING_MASS ? heavy_push(&r->h, &m->g, &m->rate, &m->acceleration, m->leg)
+                                     : legs_push(&r->h, &m->g, m->leg);
+    if (r->traits & EXTERNAL) {
+        const push q = known_load_push(&s->external, &m->x.q);
+        p = push_sum(&p, &q);
+        turn = add(turn, known_load_couple(&s->external, &m->x.q));
+    }
     const triad Q = push_generalised(&p, &m->x.q, turn);
 
     body_reactions(&r->h.load, &m->x.q, &m->rate.q, &Q, value + GOUGH_RXX);
@@ -85,7 +89,7 @@ static inline void row_fill(const struct system *r, const wanted *s, real t, con
                             int simulated, int much, real drift, real value[GOUGH_COLUMNS]) {
     for (int c = 0; c < GOUGH_COLUMNS; c++) value[c] = (real)NAN;
     value[GOUGH_T] = t;
-    row_pose(&r->h, &m->x, value, GOUGH_X, GOUGH_ROLL_ANGLE);
+    row_pose(&r->h, (int)r->motion->order, &m->x, value, GOUGH_X, GOUGH_ROLL_ANGLE);
     for (int c = GOUGH_VX; c < GOUGH_L && much == ROW_BRIEF; c++) value[c] = 0;
     if (much >= ROW_RATES) {
         row_rates(&r->h, &m->x, &m->rate, value, GOUGH_VX, GOUGH_WX);

@@ -232,6 +232,7 @@ const struct simulate_table *simulate_table_of(gough_precision precision) {
 
 static void begin_summary(const gough_model *model, gough_summary *summary) {
     gough_summary_begin(summary);
+    summary->order = model->motion.order;
     summary_limits_begin(summary, &model->machine, &model->motion);
 }
 

@@ -33,7 +33,8 @@ enum {
     LOOK_TOP = LOOK_BASE + GOUGH_LEGS,
     LOOK_CONDITION = LOOK_TOP + GOUGH_LEGS,
     LOOK_POSITION,
-    LOOK_HALF, /* sine of half the angle, which lanes follow too */
+    LOOK_HALF,     /* sine of half the angle, which lanes follow too */
+    LOOK_EXTERNAL, /* power of the external loads */
     LOOK_PLAIN,
     LOOK_TOP_LOAD = LOOK_PLAIN,
     LOOK_BASE_LOAD = LOOK_TOP_LOAD + GOUGH_LEGS,
@@ -84,13 +85,13 @@ static void leg_vector(const gough_machine *machine, const gough_state *state, i
     }
 }
 
-static void find_swing(const gough_machine *machine, const double *value,
+static void find_swing(const gough_machine *machine, gough_order order, const double *value,
                        double at_base[GOUGH_LEGS], double at_top[GOUGH_LEGS]) {
     const gough_state home = gough_state_home(machine);
     gough_state state = home;
 
     for (int c = 0; c < 3; c++) state.position[c] = value[GOUGH_X + c];
-    gough_rotation_from_angles(value + GOUGH_ROLL_ANGLE, state.rotation);
+    gough_rotation_in_order(order, value + GOUGH_ROLL_ANGLE, state.rotation);
     for (int v = 0; v < GOUGH_LEGS; v++) {
         double base[3], top[3], base_home[3], top_home[3];
         leg_vector(machine, &state, v, base, top);
@@ -101,7 +102,8 @@ static void find_swing(const gough_machine *machine, const double *value,
 }
 
 /* deviation in position, and in angle: the program's angles are those of the row less their deviation */
-static void find_deviation(const double *value, double *position, double *angle) {
+static void find_deviation(gough_order order, const double *value, double *position,
+                           double *angle) {
     double program[3], a[3][3], b[3][3], trace = 0, s[3] = {0, 0, 0};
 
     *position = *angle = NAN;
@@ -111,8 +113,8 @@ static void find_deviation(const double *value, double *position, double *angle)
     for (int c = 0; c < 3; c++) {
         program[c] = value[GOUGH_ROLL_ANGLE + c] - value[GOUGH_EROLL + c];
     }
-    gough_rotation_from_angles(value + GOUGH_ROLL_ANGLE, a);
-    gough_rotation_from_angles(program, b);
+    gough_rotation_in_order(order, value + GOUGH_ROLL_ANGLE, a);
+    gough_rotation_in_order(order, program, b);
     for (int c = 0; c < 3; c++) {
         for (int r = 0; r < 3; r++) trace += a[r][c] * b[r][c];
         s[0] += a[1][c] * b[2][c] - a[2][c] * b[1][c];
@@ -184,7 +186,7 @@ static void take_limits(gough_summary *summary, const gough_machine *machine, co
     double component[3][GOUGH_COMPONENTS], acceleration[GOUGH_LEGS];
 
     if (!summary->limited_ || isnan(value[GOUGH_X])) return;
-    summary_limits_row(machine, summary->about_, value, component, acceleration);
+    summary_limits_row(machine, summary->order, summary->about_, value, component, acceleration);
     for (int v = 0; v < GOUGH_LEGS; v++) {
         gough_leg_summary *leg = &summary->leg[v];
         leg->acceleration = fmax(leg->acceleration, fabs(acceleration[v]));
@@ -261,8 +263,8 @@ void gough_summary_add(gough_summary *summary, const gough_machine *machine, con
     count_row(summary, value[GOUGH_T]);
     summary->joints_ = has_joints(machine, value);
     if (summary->joints_) take_joints(summary, value, load);
-    find_swing(machine, value, at_base, at_top);
-    find_deviation(value, &position, &angle);
+    find_swing(machine, summary->order, value, at_base, at_top);
+    find_deviation(summary->order, value, &position, &angle);
     take_peaks(summary, value, at_base, at_top, position, angle);
     take_limits(summary, machine, value, NULL);
     add_to_window(summary, value);
@@ -351,6 +353,8 @@ static void integrate(gough_summary *summary, interval *f) {
         }
         if (whole) leg->returned_energy += returned_between(summary, f, v, net);
     }
+    for (int i = WINDOW - f->count; i < WINDOW; i++)
+        summary->external_work += weight[i] * summary->look_[i][LOOK_EXTERNAL];
 }
 
 /* The extreme of a column between the two looks, with its place in *s. A column that does not turn there has the value at look a
@@ -534,10 +538,13 @@ void gough_summary_look(gough_summary *summary, const gough_machine *machine, co
     }
     at_base = newest + LOOK_BASE;
     at_top = newest + LOOK_TOP;
-    if (!summary->brief_ && !isnan(value[GOUGH_X])) find_swing(machine, value, at_base, at_top);
+    if (!summary->brief_ && !isnan(value[GOUGH_X]))
+        find_swing(machine, summary->order, value, at_base, at_top);
     newest[LOOK_CONDITION] = value[GOUGH_CONDITION];
-    find_deviation(value, &newest[LOOK_POSITION], &angle);
+    find_deviation(summary->order, value, &newest[LOOK_POSITION], &angle);
     newest[LOOK_HALF] = sin(angle / 2);
+    newest[LOOK_EXTERNAL] =
+        summary->brief_ ? 0 : summary_external_power(machine, summary->order, value);
     take_peaks(summary, value, at_base, at_top, newest[LOOK_POSITION], angle);
     summary->joints_ = has_joints(machine, value);
     if (summary->joints_) take_joints(summary, value, newest + LOOK_TOP_LOAD);

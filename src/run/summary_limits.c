@@ -1,4 +1,5 @@
-/* The motion of the platform's point and the accelerations of the legs from the numbers of a row, (legs-6). */
+/* From the numbers of a row: the motion of the platform's point, the accelerations of the legs, (legs-6), and the power of
+ * external loads. */
 #include "run/summary_limits.h"
 
 #include <math.h>
@@ -49,11 +50,12 @@ static void follow_point(const double *value, const double R[3][3], const double
     }
 }
 
-void summary_limits_row(const gough_machine *machine, const double about[3], const double *value,
-                        double component[3][GOUGH_COMPONENTS], double acceleration[GOUGH_LEGS]) {
+void summary_limits_row(const gough_machine *machine, gough_order order, const double about[3],
+                        const double *value, double component[3][GOUGH_COMPONENTS],
+                        double acceleration[GOUGH_LEGS]) {
     double R[3][3], point[3], velocity[3], a[3], along[3];
 
-    gough_rotation_from_angles(value + GOUGH_ROLL_ANGLE, R);
+    gough_rotation_in_order(order, value + GOUGH_ROLL_ANGLE, R);
     follow_point(value, (const double(*)[3])R, about, point, velocity, a);
     for (int i = 0; i < 3; i++) {
         component[0][i] = point[i] - about[i] - (i == 2 ? machine->platform.height : 0);
@@ -71,4 +73,27 @@ void summary_limits_row(const gough_machine *machine, const double about[3], con
         const double length = sqrt(dot_of(along, along)), rate = dot_of(along, velocity) / length;
         acceleration[v] = (dot_of(along, a) + dot_of(velocity, velocity) - rate * rate) / length;
     }
+}
+
+double summary_external_power(const gough_machine *machine, gough_order order,
+                              const double *value) {
+    const double *c = machine->load.center_of_mass, *velocity = value + GOUGH_VX,
+                 *omega = value + GOUGH_WX;
+    gough_state state = gough_state_home(machine);
+    double arm[3], power = 0;
+    gough_wrench w;
+
+    if (machine->externals == 0 || isnan(value[GOUGH_X])) return 0;
+    for (int r = 0; r < 3; r++) state.position[r] = value[GOUGH_X + r];
+    gough_rotation_in_order(order, value + GOUGH_ROLL_ANGLE, state.rotation);
+    if (gough_external_wrench(machine, &state, value[GOUGH_T], &w) != GOUGH_OK) return 0;
+    for (int r = 0; r < 3; r++)
+        arm[r] =
+            state.rotation[r][0] * c[0] + state.rotation[r][1] * c[1] + state.rotation[r][2] * c[2];
+    for (int r = 0; r < 3; r++) {
+        const int s = (r + 1) % 3, t = (r + 2) % 3;
+        const double speed = velocity[r] + omega[s] * arm[t] - omega[t] * arm[s];
+        power += w.force[r] * speed + w.moment[r] * omega[r];
+    }
+    return power;
 }

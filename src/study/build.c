@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "study/fill.h"
@@ -183,6 +184,34 @@ static bool build_machine(study_build *build) {
     return false;
 }
 
+/* ---- external loads -------------------------------------------------------------------------------------------- */
+
+/* The loads, in memory that lasts: in a sweep their number stays. */
+static void read_external(study_build *build, const study_node *list) {
+    if (!list || list->kind != STUDY_LIST || list->wrong) return;
+    if (!build->external) build->external = calloc(list->count, sizeof *build->external);
+    if (!build->external) {
+        build->messages->arena->exhausted = true;
+        return;
+    }
+    size_t count = 0;
+    for (const study_node *item = list->first; item; item = item->next) {
+        build->external[count] = (gough_external){.at_given = false};
+        study_element_read(&build->external[count++], GOUGH_OWNER_EXTERNAL, item);
+    }
+}
+
+/* The machine's loads, which gough_machine_init() has taken away. */
+static void set_external(study_build *build) {
+    const study_node *list = study_node_child(build->root, "external");
+    const size_t count = build->external && list ? list->count : 0;
+    gough_error error = {.message = ""};
+    if (gough_machine_set_external(&build->study->model->machine, build->external, count, &error) !=
+        GOUGH_OK)
+        say_library(build, study_node_child(build->root, "external"),
+                    &error); /* unreachable: numbers are finite */
+}
+
 /* ---- how it is run --------------------------------------------------------------------------------------------- */
 
 /* Keys of the simulation that do not go together, or one that another needs. */
@@ -225,6 +254,9 @@ void study_model_rebuild(study_build *build, unsigned parts) {
     study_node *simulation = study_node_child(build->root, "simulation");
     const bool machine = !(parts & GOUGH_PART_MACHINE) || build_machine(build);
     const bool motion = !(parts & GOUGH_PART_MOTION) || study_motion_build(build);
+    if (parts & GOUGH_PART_EXTERNAL)
+        read_external(build, study_node_child(build->root, "external"));
+    if (parts & (GOUGH_PART_EXTERNAL | GOUGH_PART_MACHINE)) set_external(build);
     const unsigned simple[] = {GOUGH_PART_DISTURBANCE, GOUGH_PART_CONTROL, GOUGH_PART_INITIAL};
     for (size_t i = 0; i < sizeof simple / sizeof simple[0]; i++) {
         if (!(parts & simple[i])) continue;
@@ -243,5 +275,6 @@ void study_model_build(study_build *build) {
     const study_node *units = study_node_child(build->root, "units");
     build->study->dimensionless = units && strcmp(units->text, "dimensionless") == 0;
     study_model_rebuild(build, GOUGH_PART_MACHINE | GOUGH_PART_MOTION | GOUGH_PART_DISTURBANCE |
-                                   GOUGH_PART_CONTROL | GOUGH_PART_INITIAL | GOUGH_PART_SIMULATION);
+                                   GOUGH_PART_CONTROL | GOUGH_PART_INITIAL | GOUGH_PART_SIMULATION |
+                                   GOUGH_PART_EXTERNAL);
 }

@@ -13,7 +13,9 @@ typedef struct study_build {
     gough_move *moves; /* memory of the model, the caller's to free */
     void *samples;
     const char *samples_path; /* memory of the arena; NULL: none */
-    gough_record *record;     /* the study's memory for what is found out about recorded motion */
+    gough_external
+        *external;        /* memory of the external loads, likewise; used again where it is there */
+    gough_record *record; /* the study's memory for what is found out about recorded motion */
 } study_build;
 
 /* Fills these parts of the model, flags of gough_part, once more, from a tree in which only numbers have changed. */

@@ -161,17 +161,18 @@ static void check_formulas(study_messages *messages, study_node *node, size_t co
         study_check_formula(messages, item);
 }
 
-static void check_moves(study_messages *messages, study_node *node) {
-    if (node->kind != STUDY_LIST || node->count == 0) {
-        study_say_shape(messages, node, study_shape_phrase(GOUGH_SHAPE_MOVES));
+/* A list of mappings whose keys are those of the path `element`; an item such as `example`. */
+static void check_mappings(study_messages *messages, study_node *node, size_t most,
+                           const char *phrase, const char *element, const char *example) {
+    if (node->kind != STUDY_LIST || node->count == 0 || node->count > most) {
+        study_say_shape(messages, node, phrase);
         return;
     }
-    for (study_node *move = node->first; move; move = move->next)
-        if (move->kind == STUDY_MAPPING)
-            check_mapping(messages, move, "motion.moves.N");
+    for (study_node *item = node->first; item; item = item->next)
+        if (item->kind == STUDY_MAPPING)
+            check_mapping(messages, item, element);
         else
-            study_say_shape(messages, move,
-                            "a mapping such as {start: 1, duration: 2, heave: 0.1}");
+            study_say_shape(messages, item, example);
 }
 
 static void say_duplicate(study_messages *messages, study_node *node, const study_node *first);
@@ -250,7 +251,12 @@ static void check_value(study_messages *messages, study_node *node, const gough_
             study_say_shape(messages, node, phrase);
         break;
     case GOUGH_SHAPE_MOVES:
-        check_moves(messages, node);
+        check_mappings(messages, node, SIZE_MAX, phrase, "motion.moves.N",
+                       "a mapping such as {start: 1, duration: 2, heave: 0.1}");
+        break;
+    case GOUGH_SHAPE_LOADS:
+        check_mappings(messages, node, GOUGH_EXTERNALS, phrase, "external.N",
+                       "a mapping such as {force: [0, 0, 30]}");
         break;
     case GOUGH_SHAPE_TEXT:
     case GOUGH_SHAPE_FILE:

@@ -107,12 +107,12 @@ void study_part_read(gough_study *study, const study_node *root, unsigned part) 
     }
 }
 
-void study_move_read(gough_move *move, const study_node *node) {
+void study_element_read(void *element, gough_owner owner, const study_node *node) {
     size_t count;
     const gough_key *key = gough_study_keys(&count);
     for (size_t i = 0; i < count; i++) {
-        if (key[i].place.owner != GOUGH_OWNER_MOVE) continue;
+        if (key[i].place.owner != owner) continue;
         const study_node *value = study_node_child(node, strrchr(key[i].path, '.') + 1);
-        if (value) read_field(&key[i], value, move);
+        if (value && !value->wrong) read_field(&key[i], value, element);
     }
 }

@@ -12,8 +12,8 @@ void study_part_reset(gough_study *study, unsigned part);
  * gravity, inertia, and constraints given by a mapping. */
 void study_part_read(gough_study *study, const study_node *root, unsigned part);
 
-/* Reads one element of motion.moves into a move that is zero. */
-void study_move_read(gough_move *move, const study_node *node);
+/* Reads one element of motion.moves or of external into a gough_move or gough_external that is zero; `owner` tells which. */
+void study_element_read(void *element, gough_owner owner, const study_node *node);
 
 /* The numbers of a checked list, in order, and of the lists in it; nothing if it is NULL. */
 void study_numbers(const study_node *list, double *value);

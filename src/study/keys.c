@@ -19,6 +19,7 @@ const char *study_shape_phrase(gough_shape shape) {
     static const char *const phrases[] = {
         [GOUGH_SHAPE_MAPPING] = "a mapping of keys to values",
         [GOUGH_SHAPE_MOVES] = "a list of moves such as {start: 1, duration: 2, heave: 0.1}",
+        [GOUGH_SHAPE_LOADS] = "a list of 1 to 8 loads such as {force: [0, 0, 30]}",
         [GOUGH_SHAPE_TEXT] = "text",
         [GOUGH_SHAPE_FILE] = "the name of a file",
         [GOUGH_SHAPE_CHOICE] = "a word",

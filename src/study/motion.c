@@ -39,7 +39,7 @@ static bool find_kind(study_build *build, study_node *node, gough_motion_kind *k
 static void read_move(study_build *build, study_node *node, gough_move *move, double before) {
     study_node *start = study_node_child(node, "start");
     bool any = false;
-    study_move_read(move, node);
+    study_element_read(move, GOUGH_OWNER_MOVE, node);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) any = any || move->given[c];
     const char *path = study_node_path(build->messages->arena, node);
     if (!any)
@@ -89,6 +89,12 @@ static study_smoothing read_smoothing(const study_node *motion) {
     return how;
 }
 
+static gough_order read_order(const study_node *motion) {
+    const study_node *order = study_node_child(motion, "order");
+
+    return order && !order->wrong && strcmp(order->text, "xyz") == 0 ? GOUGH_XYZ : GOUGH_ZYX;
+}
+
 static void build_samples(study_build *build, const study_node *motion, study_node *file) {
     study_messages *messages = build->messages;
     const char *folder = file->text[0] == '/' ? "" : build->folder;
@@ -100,6 +106,7 @@ static void build_samples(study_build *build, const study_node *motion, study_no
     build->samples_path = path;
     study_recording recording = {.smoothing = read_smoothing(motion),
                                  .dimensionless = build->study->dimensionless,
+                                 .order = read_order(motion),
                                  .record = build->record,
                                  .samples = &build->study->model->motion.samples};
     study_samples_read(messages, study_node_place(file, false), path, &recording);

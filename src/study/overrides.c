@@ -109,12 +109,13 @@ static study_node *find(study_messages *messages, study_node *root, const study_
     return node;
 }
 
-/* The path of a node as the table of keys has it: with N for the number of a move. */
+/* The path of a node as the table of keys has it: with N for the number of a move or a load. */
 static bool is_known(study_arena *arena, const study_node *node) {
     const study_node *parent = node->parent;
     const char *path = !parent->parent ? ""
                        : parent->key   ? study_node_path(arena, parent)
-                                       : "motion.moves.N";
+                       : strcmp(parent->parent->key->text, "external") == 0 ? "external.N"
+                                                                            : "motion.moves.N";
     return study_key_find(path, node->key->text) != NULL;
 }
 

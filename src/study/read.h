@@ -8,6 +8,7 @@
 /* What a study has allocated besides its model. */
 typedef struct study_memory {
     gough_move *moves;
+    gough_external *external;
     void *samples;
     gough_record record;
     struct study_where *where; /* in `places` */

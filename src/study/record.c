@@ -170,6 +170,18 @@ static gough_status smooth_columns(const study_record_table *table,
     return GOUGH_OK;
 }
 
+/* Rx Ry Rz of three angles is the transpose of Rz Ry Rx of the opposite ones, (motion-1): a record in that order is treated as one
+ * in the usual order with opposite angles. */
+static void mirror(study_record_table *table, const study_recording *recording) {
+    if (recording->order != GOUGH_XYZ) return;
+    for (size_t i = 0; i < table->count; i++) {
+        for (size_t c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++) {
+            double *angle = &table->value[i * GOUGH_COMPONENTS + c];
+            *angle = 0 - *angle;
+        }
+    }
+}
+
 gough_status study_record_make(study_record_table *table, study_recording *recording,
                                gough_error *error) {
     gough_record *record = recording->record;
@@ -180,6 +192,7 @@ gough_status study_record_make(study_record_table *table, study_recording *recor
     for (int c = 0; c < GOUGH_COMPONENTS; c++)
         step[c] = study_quantum_find(&table->digits[c], table->value + c, GOUGH_COMPONENTS,
                                      table->count, table->scratch);
+    mirror(table, recording);
     record->unwrapped = gough_samples_unwrap(table->count, table->value, 180);
     study_record_turn(table, recording, step, copy);
     find_clock(table, recording);
@@ -201,5 +214,6 @@ gough_status study_record_make(study_record_table *table, study_recording *recor
     study_record_say_jumps(table, recording);
     uncover_motion(table, d, record, copy);
     study_record_say_rest(table, recording);
+    mirror(table, recording);
     return GOUGH_OK;
 }

@@ -22,6 +22,7 @@ typedef struct study_smoothing {
 typedef struct study_recording {
     study_smoothing smoothing;
     bool dimensionless;     /* the units of sentences */
+    gough_order order;      /* of the angles */
     gough_record *record;   /* receives what was found out */
     gough_samples *samples; /* receives the motion, angles in radians, its spline prepared */
     void *

@@ -23,6 +23,7 @@ void gough_study_free(gough_study *study) {
     study_memory *memory = study->memory_;
     if (memory) {
         free(memory->moves);
+        free(memory->external);
         free(memory->samples);
         study_arena_free(&memory->places);
     }
@@ -78,6 +79,7 @@ static void build_study(study_messages *messages, const study_node *root, gough_
                          .record = &memory->record};
     study_model_build(&build);
     memory->moves = build.moves;
+    memory->external = build.external;
     memory->samples = build.samples;
     if (messages->count == 0) memory->where = study_where_keep(&memory->places, root);
     if (memory->places.exhausted) messages->arena->exhausted = true;

@@ -229,8 +229,10 @@ static void rebuild(gough_sweep_maker *maker, study_messages *said) {
                          .root = maker->root,
                          .folder = maker->folder,
                          .study = study,
+                         .external = memory->external,
                          .record = &memory->record};
     study_model_rebuild(&build, maker->touches);
+    memory->external = build.external;
     if (!(maker->touches & GOUGH_PART_MOTION)) return;
     free(memory->moves);
     free(memory->samples);

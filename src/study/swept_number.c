@@ -47,7 +47,7 @@ static makeup makeup_of(gough_shape shape) {
 
 static bool is_mapping(gough_shape shape) {
     return shape == GOUGH_SHAPE_MAPPING || shape == GOUGH_SHAPE_CONSTRAINTS ||
-           shape == GOUGH_SHAPE_SMOOTH || shape == GOUGH_SHAPE_MOVES;
+           shape == GOUGH_SHAPE_SMOOTH || shape == GOUGH_SHAPE_MOVES || shape == GOUGH_SHAPE_LOADS;
 }
 
 /* The next part of a path, cut off; NULL at its end. */
@@ -86,9 +86,9 @@ static const gough_key *walk_keys(char **rest) {
     const char *parent = "";
     while (*rest && (!key || is_mapping(key->shape))) {
         char *part = take_part(rest);
-        if (key && key->shape == GOUGH_SHAPE_MOVES) {
+        if (key && (key->shape == GOUGH_SHAPE_MOVES || key->shape == GOUGH_SHAPE_LOADS)) {
             if (number_of(part) == 0) return NULL;
-            parent = "motion.moves.N";
+            parent = key->shape == GOUGH_SHAPE_MOVES ? "motion.moves.N" : "external.N";
             part = take_part(rest);
         }
         key = part ? study_key_find(parent, part) : NULL;
@@ -154,6 +154,7 @@ static bool check_place(study_messages *messages, study_node *root, study_node *
     char *copy = study_arena_copy(messages->arena, path, strlen(path)), *rest = copy, *missing;
     if (!copy) return false;
     const bool move = strncmp(path, "motion.moves.", 13) == 0;
+    const bool load = strncmp(path, "external.", 9) == 0;
     const study_node *found = walk_tree(root, &rest, &missing);
     if (!missing && found->kind != STUDY_SCALAR && depth > 0) {
         study_node_say(messages, node, study_node_place(node, true),
@@ -165,7 +166,11 @@ static bool check_place(study_messages *messages, study_node *root, study_node *
     if (depth == 0 && found->parent && !found->key && found->kind == STUDY_MAPPING) return true;
     study_node_say(messages, node, study_node_place(node, true),
                    "`%s`: the study has no list `%s` with such an element; add it to the study",
-                   path, move ? "motion.moves" : key->path);
+                   path,
+                   move                                                  ? "motion.moves"
+                   : load && found == study_node_child(root, "external") ? "external"
+                   : load && found == root                               ? "external"
+                                                                         : key->path);
     return false;
 }
 

@@ -65,9 +65,11 @@ gough_status gough_sweep_options_init(gough_sweep_options *options, size_t size)
 
 /* ---- the runs of a piece ----------------------------------------------------------------------------------------- */
 
-static const unsigned OF_A_KIND = GOUGH_SWEEP_HEIGHT | GOUGH_SWEEP_MOTION | GOUGH_SWEEP_SIMULATION;
+static const unsigned OF_A_KIND =
+    GOUGH_SWEEP_HEIGHT | GOUGH_SWEEP_MOTION | GOUGH_SWEEP_SIMULATION | GOUGH_SWEEP_EXTERNAL;
 
-/* Whether two runs share program, home and options, and so can stand in one batch. */
+/* Whether two runs share program, home, options and external loads, which the maker keeps in one place, and so can stand in one
+ * batch. */
 static bool same_kind(const hand *h, size_t a, size_t b) {
     size_t keys;
     gough_sweep_keys(h->all->sweep, &keys);

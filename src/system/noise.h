@@ -2,11 +2,7 @@
 #ifndef GOUGH_SYSTEM_NOISE_H
 #define GOUGH_SYSTEM_NOISE_H
 
-#include "system/parts.h"
-
-static inline void wanted_blame(struct system *r, const char *what, real t) {
-    if (r->fault.what == NULL || t < r->fault.time) r->fault = (wanted_fault){what, t};
-}
+#include "system/external.h"
 
 /* root of 315/151: over an interval the squares of the four weights below have the mean 151/315 */
 #define NOISE_SCALE REAL_LITERAL(1.44433123459675553728075145407450573874507)

@@ -7,6 +7,7 @@
 #include "base/limits.h"
 #include "gough/random.h"
 #include "gough/simulate.h"
+#include "kernel/known_load.h"
 #include "kernel/law.h"
 #include "kernel/real.h"
 #include "plant/forward.h"
@@ -23,6 +24,7 @@ typedef struct {
     legs program;            /* l^p, l̇^p */
     number force[LEGS];      /* F^p of the drives, if fed forward, and what disturbs the legs */
     number leg[LEGS];        /* F^p in the legs; only where the equations were solved for it */
+    known_load external;     /* only where there are external loads */
     vector push, turn;       /* force at the centre of mass and moment on the load, base axes */
     elimination singularity; /* of the six equations of F^p; determinant 1 where none were solved */
 } wanted;
@@ -55,7 +57,8 @@ enum {
     LINEAR_IN_RATES =
         2,           /* and fall in proportion to them: RATTLE's closing kick can be solved for */
     MOVING_MASS = 4, /* of legs */
-    FRICTION = 8
+    FRICTION = 8,
+    EXTERNAL = 16 /* loads besides the weight, which are known */
 };
 
 /* What was prefetched or recorded lacks the rates of the program and the directions of its legs, and without its pose that too. */
@@ -78,8 +81,13 @@ struct system {
     /* controller */
     number G[LEGS], D[LEGS];
     int feeds;  /* F^p is fed forward */
-    int knows;  /* MOVING_MASS and FRICTION where F^p counts with them */
+    int knows;  /* MOVING_MASS, FRICTION and EXTERNAL where F^p counts with them */
     int solves; /* the six equations of the program are needed */
+
+    /* external loads, in number and axes the same in all lanes; where each acts, central axes */
+    int externals, external_turns[GOUGH_EXTERNALS];
+    vector external_arm[GOUGH_EXTERNALS];
+    number external_share; /* of all of them: 1 but where a balance is sought step by step */
 
     /* disturbances */
     int share;        /* a vertical force is shared by the legs */
@@ -100,6 +108,28 @@ struct system {
 
     long long evaluations; /* of the equations of motion */
 };
+
+static inline void vector_put(vector *v, int lane, vector one) {
+    number_put(&v->x, lane, number_lane(one.x, lane));
+    number_put(&v->y, lane, number_lane(one.y, lane));
+    number_put(&v->z, lane, number_lane(one.z, lane));
+}
+
+/* where the external loads of a lane act */
+static inline void system_add_external(struct system *r, int lane) {
+    const gough_machine *m = r->lane[lane].machine;
+    const vector none = {number_of(0), number_of(0), number_of(0)};
+
+    r->externals = (int)m->externals;
+    if (r->externals > 0) r->traits |= EXTERNAL;
+    for (int n = 0; n < r->externals; n++) {
+        const gough_external *e = &m->external[n];
+        vector arm = none;
+        if (e->at_given) arm = onto(&r->h.axes, subtract(vector_of(e->at), r->h.center));
+        vector_put(&r->external_arm[n], lane, arm);
+        r->external_turns[n] = e->turns;
+    }
+}
 
 /* gains, limits and disturbances of a lane */
 static inline void system_add_lane(struct system *r, int lane) {
@@ -137,6 +167,7 @@ static inline void system_begin(struct system *r, const gough_motion *motion,
     r->options = options;
     r->height = lane[0].machine->platform.height;
     r->share = r->loaded = r->traits = 0;
+    r->external_share = number_of(1);
     r->pose = (slice){0, COORDINATES};
     r->rate = (slice){COORDINATES, COORDINATES};
     r->states = r->rate.at + r->rate.count;
@@ -147,11 +178,13 @@ static inline void system_begin(struct system *r, const gough_motion *motion,
         r->lane[i] = lane[i];
         hexapod_put_machine(&r->h, i, lane[i].machine);
         system_add_lane(r, i);
+        system_add_external(r, i);
     }
     limit_set_turn(&r->limits, &r->h);
     r->feeds = lane[0].control->feedforward;
     r->knows = r->traits & ((lane[0].control->ignores_legs ? 0 : MOVING_MASS) |
-                            (lane[0].control->ignores_friction ? 0 : FRICTION));
+                            (lane[0].control->ignores_friction ? 0 : FRICTION) |
+                            (lane[0].control->ignores_external ? 0 : EXTERNAL));
     r->solves = r->feeds || r->share;
     r->alpha = number_of(options->constraints == GOUGH_BAUMGARTE ? options->baumgarte[0] : 0);
     r->beta = number_of(options->constraints == GOUGH_BAUMGARTE ? options->baumgarte[1] : 0);

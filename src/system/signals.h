@@ -41,8 +41,12 @@ typedef struct {
 KERNEL_INLINE coordinates signals_acceleration(const struct system *r, const wanted *s,
                                                const coordinates *x, const coordinates *rate,
                                                const legs *g, const number F[LEGS]) {
-    coordinates a = forward_dynamics(&r->h, x, rate, g, r->traits & MOVING_MASS, F,
-                                     r->loaded ? &s->push : NULL, &s->turn);
+    vector force = s->push, moment = s->turn;
+    coordinates a;
+
+    if (r->traits & EXTERNAL) known_load_wrench(&s->external, &x->q, &force, &moment);
+    a = forward_dynamics(&r->h, x, rate, g, r->traits & MOVING_MASS, F,
+                         r->loaded || r->traits & EXTERNAL ? &force : NULL, &moment);
 
     if (r->options->constraints == GOUGH_BAUMGARTE) {
         triad_stabilise(&r->h.load, &x->q, &rate->q, r->alpha, r->beta, &a.q);

@@ -30,8 +30,8 @@ static inline void system_wrench(void *context, real t, const coordinates *x, nu
                                  number damping[6][6]) {
     struct system *r = context;
     const wanted *s = system_wanted(r, t);
+    vector F, L, pull = s->push, turn = s->turn;
     number u[LEGS];
-    vector F, L;
     legs g;
     push p;
 
@@ -44,8 +44,9 @@ static inline void system_wrench(void *context, real t, const coordinates *x, nu
         const push weight = heavy_weight(&r->h, &g);
         p = push_sum(&p, &weight);
     }
-    F = along(add(p.F, s->push), r->h.load.mass, r->h.gravity);
-    L = add(push_moment(&p, &x->q), onto(&x->q, s->turn));
+    if (r->traits & EXTERNAL) known_load_wrench(&s->external, &x->q, &pull, &turn);
+    F = along(add(p.F, pull), r->h.load.mass, r->h.gravity);
+    L = add(push_moment(&p, &x->q), onto(&x->q, turn));
     vector_store(F, wrench);
     vector_store(L, wrench + 3);
     if (!(r->traits & LINEAR_IN_RATES)) return;

@@ -41,13 +41,14 @@ static inline number wanted_disturbance(struct system *r, size_t place, const ch
 /* F^p, of the drives, and the share of each leg in a vertical force: solutions of the same six equations, (law-2) */
 static inline void wanted_forces(struct system *r, number vertical, wanted *s) {
     const number zero = number_of(0);
-    const vector none = {zero, zero, zero};
+    vector force = {zero, zero, zero}, moment = force;
     number wrench[2][6];
     int count = 0, program = -1, share = -1;
 
     if (r->feeds) {
         program = count++;
-        required_wrench(&r->h, &s->x[0], &s->x[1], &s->x[2], none, none, wrench[program]);
+        if (r->knows & EXTERNAL) known_load_wrench(&s->external, &s->x[0].q, &force, &moment);
+        required_wrench(&r->h, &s->x[0], &s->x[1], &s->x[2], force, moment, wrench[program]);
         if (r->knows & MOVING_MASS) {
             required_by_legs(&r->h, &s->x[0], &s->x[1], &s->x[2], &s->program, wrench[program]);
         }
@@ -101,7 +102,7 @@ static inline void wanted_program(struct system *r, const jet component[GOUGH_CO
                                   wanted *s) {
     displacement d;
 
-    displacement_of(motion_axes(r->motion), component, &d);
+    displacement_of(motion_frame(r->motion), component, &d);
     wanted_displacement(r, &d, s);
     legs_rates(&r->h, &s->x[1], &s->program);
 }
@@ -117,6 +118,7 @@ static inline void wanted_evaluate(struct system *r, real t, wanted *s) {
 
     wanted_components(r, t, component);
     wanted_program(r, component, s);
+    wanted_external(r, t, s);
     if (r->solves) wanted_forces(r, r->share ? wanted_vertical(r, t) : number_of(0), s);
     wanted_disturb(r, t, s);
     if (r->noise.present) noise_add(r, t, s);

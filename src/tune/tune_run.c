@@ -253,7 +253,7 @@ static void deviation_of(const gough_model *model, const double *value, double x
     gough_state program;
 
     gough_program(&model->machine, &model->motion, value[GOUGH_T], &program, &none);
-    gough_rotation_from_angles(value + GOUGH_ROLL_ANGLE, actual);
+    gough_rotation_in_order(model->motion.order, value + GOUGH_ROLL_ANGLE, actual);
     turn_between(actual, program.rotation, xi + 3);
     arm_of(&model->machine, actual, arm);
     arm_of(&model->machine, program.rotation, program_arm);

@@ -46,8 +46,10 @@ static double largest_force(const gough_model *model, double duration) {
         gough_state state;
 
         gough_program(&model->machine, &model->motion, t, &state, &acceleration);
-        if (gough_inverse_dynamics(&model->machine, &state, &acceleration, NULL, force, NULL) ==
-            GOUGH_OK)
+        gough_wrench known;
+        if (gough_external_wrench(&model->machine, &state, t, &known) == GOUGH_OK &&
+            gough_inverse_dynamics(&model->machine, &state, &acceleration, &known, force, NULL) ==
+                GOUGH_OK)
             program = largest_of(force);
         largest = fmax(largest, program + disturbance_at(model, t));
     }

@@ -93,6 +93,11 @@ static gough_status call_rest(void) {
     return gough_stability_at_rest(&model, NULL, &rest, &error);
 }
 
+static gough_status call_stiffness(void) {
+    static gough_stiffness stiffness;
+    return gough_stiffness_at_rest(&model, NULL, &stiffness, &error);
+}
+
 static gough_status call_floquet(void) {
     static gough_floquet floquet;
     return gough_floquet_multipliers(&model, NULL, 0, &floquet, &error);
@@ -135,6 +140,7 @@ static gough_status call_tune(void) {
     ck_assert_ptr_nonnull(good);
     *good = model;
     good->motion.kind = GOUGH_MOTION_FORMULAS;
+    good->motion.order = GOUGH_ZYX;
     ck_assert_int_eq(gough_tune_size(good, &o, &bytes, NULL), GOUGH_OK);
     free(good);
     void *memory = room(bytes);
@@ -181,6 +187,7 @@ static void set_method(int value) { simulation.method = (gough_method)value; }
 static void set_precision(int value) { simulation.precision = (gough_precision)value; }
 static void set_constraints(int value) { simulation.constraints = (gough_constraints)value; }
 static void set_motion(int value) { model.motion.kind = (gough_motion_kind)value; }
+static void set_order(int value) { model.motion.order = (gough_order)value; }
 static void set_axis(int value) { axes.axis = (gough_map_axis)value; }
 static void set_interval(int value) { map.interval[0].kind = (gough_interval_kind)value; }
 static void set_component(int value) { component = value; }
@@ -207,7 +214,12 @@ static const struct {
      "motion",
      set_motion,
      {call_check, call_simulate, call_forces, call_batch, call_range, call_period, call_linearise,
-      call_rest, call_floquet, call_tune, call_damping, call_flat}},
+      call_rest, call_stiffness, call_floquet, call_tune, call_damping, call_flat}},
+    {"order",
+     "motion.order",
+     set_order,
+     {call_check, call_simulate, call_forces, call_batch, call_range, call_period, call_linearise,
+      call_rest, call_stiffness, call_floquet, call_tune, call_damping, call_flat}},
     {"axis", NULL, set_axis, {call_map_size, call_map_find, call_map_draw}},
     {"interval", NULL, set_interval, {call_map_draw}},
     {"component", NULL, set_component, {call_low_pass, call_smooth}},
@@ -240,10 +252,16 @@ END_TEST
 START_TEST(functions_without_a_status_give_what_is_not_finite) {
     for (int i = 0; i < OUTSIDE; i++) {
         double jets[GOUGH_COMPONENTS][3];
+        double turned[3][3], angles[3] = {0.1, 0.2, 0.3};
         gough_acceleration a;
         gough_state s;
         size_t bytes;
         begin();
+        gough_rotation_in_order((gough_order)outside[i], angles, turned);
+        ck_assert(isnan(turned[0][0]) && isnan(turned[2][1]));
+        gough_rotation_from_angles(angles, turned);
+        ck_assert_int_eq(gough_angles_in_order((gough_order)outside[i], turned, angles),
+                         GOUGH_ERROR_INPUT);
         set_motion(outside[i]);
         gough_motion_evaluate(&model.motion, 1, jets);
         for (int c = 0; c < GOUGH_COMPONENTS; c++)

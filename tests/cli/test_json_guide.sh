@@ -48,7 +48,8 @@ json check-2.json check gain-sweep.yaml
 json check-3.json check flight-simulator.yaml
 printf 't,yaw\n0,0\n1,0\n2,359\n3,0\n' >jump.csv
 json check-4.json check own-machine.yaml --set 'motion={samples: jump.csv}' --set simulation.duration=3
-hold '## check' check-1.json check-2.json check-3.json check-4.json
+json check-5.json check own-machine.yaml --pose yaw=5 --set 'external=[{force: [0, 0, 30]}]'
+hold '## check' check-1.json check-2.json check-3.json check-4.json check-5.json
 
 json run-1.json forces own-machine.yaml
 json run-2.json forces own-machine.yaml --set platform.legs.max_speed=0.05

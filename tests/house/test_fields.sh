@@ -7,7 +7,7 @@ command -v perl >/dev/null || { echo "skipped: no perl"; exit 77; }
 perl -0777 -e '
     my @structs = (    # struct, place in the table, members that are no input: other structs, memory of the caller, derived numbers, sizes
         ["gough_model", "", "machine motion control disturbance initial"],
-        ["gough_machine", "MACHINE(", "platform load base_radius gravity_magnitude principal_axes second_moments home_length home_condition breakaway smoothing_speed"],
+        ["gough_machine", "MACHINE(", "platform load base_radius gravity_magnitude principal_axes second_moments home_length home_condition breakaway smoothing_speed external externals"],
         ["gough_platform", "MACHINE(platform.", "cylinder piston friction legs limits"],
         ["gough_leg_part", "MACHINE(platform.cylinder.", ""],
         ["gough_leg_part", "MACHINE(platform.piston.", ""],
@@ -18,6 +18,7 @@ perl -0777 -e '
         ["gough_motion", "MOTION(", "move moves samples"],
         ["gough_samples", "MOTION(samples.", "count time value curvature"],
         ["gough_move", "MOVE(", ""],
+        ["gough_external", "EXTERNAL(", ""],
         ["gough_control", "CONTROL(", ""],
         ["gough_disturbance", "DISTURBANCE(", "noise"],
         ["gough_noise", "DISTURBANCE(noise.", ""],

@@ -45,9 +45,8 @@ static void expect_covered(gough_owner owner, size_t size, const range none[3]) 
 
 /* Smaller members, which could hide in padding, are tested by tests/house/test_fields.sh. */
 START_TEST(fields_cover_their_structs_once) {
-    static const range of_model[3] = {
-        RANGE(gough_model, machine.base_radius, machine.smoothing_speed),
-        RANGE(gough_model, motion.move, motion.samples.curvature)};
+    static const range of_model[3] = {RANGE(gough_model, machine.base_radius, machine.externals),
+                                      RANGE(gough_model, motion.move, motion.samples.curvature)};
     static const range of_simulation[3] = {RANGE(gough_simulation, size, size),
                                            RANGE(gough_simulation, summary, statistics)};
     static const range of_move[3] = {{0, 0}};
@@ -55,6 +54,7 @@ START_TEST(fields_cover_their_structs_once) {
     expect_covered(GOUGH_OWNER_MODEL, sizeof(gough_model), of_model);
     expect_covered(GOUGH_OWNER_SIMULATION, sizeof(gough_simulation), of_simulation);
     expect_covered(GOUGH_OWNER_MOVE, sizeof(gough_move), of_move);
+    expect_covered(GOUGH_OWNER_EXTERNAL, sizeof(gough_external), of_move);
 }
 END_TEST
 
@@ -127,7 +127,7 @@ START_TEST(defaults_are_what_their_text_says) {
         }
     }
     ck_assert_uint_ge(numbers, 15);
-    ck_assert_uint_eq(words, 5);
+    ck_assert_uint_eq(words, 8);
 }
 END_TEST
 

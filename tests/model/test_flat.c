@@ -31,7 +31,7 @@ static unpacked pack(const gough_model *model, const gough_simulation *simulatio
 static gough_status unpack(unpacked *u, gough_error *error) {
     const size_t bytes = gough_model_flat_memory(u->flat, u->count);
 
-    ck_assert(bytes <= 2 * u->count * sizeof(double));
+    ck_assert(bytes <= 2 * u->count * sizeof(double) + GOUGH_EXTERNALS * sizeof(gough_external));
     u->model = malloc(sizeof *u->model);
     u->memory = bytes ? malloc(bytes) : NULL;
     return gough_model_unflatten(u->model, &u->simulation, u->memory, u->flat, u->count, error);
@@ -104,9 +104,16 @@ static gough_model *moving_model(void) {
     static const gough_move moves[2] = {
         {.start = 0.25, .duration = 1, .target = {0.05, 0, 0.1}, .given = {true, false, true}},
         {.start = 1.25, .duration = 0.5, .target = {0, 0, 0, 0.1}, .given = {[3] = true}}};
+    static gough_external load[2];
     gough_model *m = calloc(1, sizeof *m);
 
     paper_machine(&m->machine);
+    for (int n = 0; n < 2; n++) {
+        load[n] = (gough_external){.at = {0.1, 0.2, n}, .at_given = n == 1, .turns = n == 1};
+        set_formula(&load[n].force[n], "0.01*sin(t)");
+    }
+    ck_assert(gough_machine_set_external(&m->machine, load, 2, NULL) == GOUGH_OK);
+    m->motion.order = GOUGH_XYZ;
     m->motion.kind = GOUGH_MOTION_MOVES;
     m->motion.move = moves;
     m->motion.moves = 2;
@@ -140,7 +147,13 @@ static void same_fields(const gough_model *a, const gough_model *b) {
     const char *differs = field_differs(GOUGH_OWNER_MODEL, a, b);
 
     ck_assert_msg(differs == NULL, "%s", differs);
-    ck_assert(memcmp(&a->machine, &b->machine, sizeof a->machine) == 0);
+    ck_assert(memcmp(&a->machine, &b->machine, offsetof(gough_machine, external)) == 0);
+    ck_assert(a->machine.externals == b->machine.externals);
+    for (size_t i = 0; i < a->machine.externals; i++) {
+        differs =
+            field_differs(GOUGH_OWNER_EXTERNAL, &a->machine.external[i], &b->machine.external[i]);
+        ck_assert_msg(differs == NULL, "%s", differs);
+    }
     ck_assert(m->moves == n->moves && m->samples.count == n->samples.count);
     for (size_t i = 0; i < m->moves; i++) {
         differs = field_differs(GOUGH_OWNER_MOVE, &m->move[i], &n->move[i]);

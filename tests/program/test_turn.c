@@ -294,7 +294,7 @@ START_TEST(quad_rotations_have_all_digits) {
     static const double AXES[2][4] = {{1, 1, 1, 0}, {2, -1, 0, 1}};
     for (int k = 0; k < 2; k++) {
         jet R[3][3];
-        motion_rotation(AXES[k], component, R);
+        motion_rotation((angle_frame){AXES[k], GOUGH_ZYX}, component, R);
         for (int r = 0; r < 3; r++) {
             for (int s = 0; s < 3; s++) {
                 jet sum = jet_constant(0);

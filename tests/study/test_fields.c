@@ -20,6 +20,7 @@ static const char *const machine =
     "    piston: {center: 0.3, inertia: 0.01}\n"
     "    friction: {stribeck_speed: 0.5}\n"
     "load: {mass: 1, inertia: [0.08, 0.09, 0.15]}\n"
+    "external: [{force: [1, 0, 0]}]\n"
     "disturbance: {noise: {interval: 1}}\n"
     "simulation: {output_step: 0.1, step: 0.05}\n";
 
@@ -41,6 +42,8 @@ static const char *value_for(const gough_key *key, int which) {
         {"platform.legs.friction.efficiency", "[0.9, 0.8, 0.7, 0.95, 0.85, 0.75]", "0.7"},
         {"control.model.legs", "false"},
         {"control.model.friction", "false"},
+        {"control.model.external", "false"},
+        {"external.N.axes", "top"},
         {"simulation.output_step", "0.2"},
         {"simulation.step", "0.025"},
         {"simulation.method", "rk4"},
@@ -87,6 +90,8 @@ static const void *owner_in(const gough_field *field, const gough_model *model,
         return simulation;
     case GOUGH_OWNER_MOVE:
         return model->motion.moves ? model->motion.move : NULL;
+    case GOUGH_OWNER_EXTERNAL:
+        return model->machine.external;
     case GOUGH_OWNER_NONE:
         break;
     }
@@ -177,6 +182,9 @@ static void expect_flat(const gough_field *field, const gough_model *model,
     if (!differs) differs = field_differs(GOUGH_OWNER_SIMULATION, simulation, &options);
     for (size_t i = 0; !differs && i < model->motion.moves; i++)
         differs = field_differs(GOUGH_OWNER_MOVE, &model->motion.move[i], &back->motion.move[i]);
+    for (size_t i = 0; !differs && i < model->machine.externals; i++)
+        differs = field_differs(GOUGH_OWNER_EXTERNAL, &model->machine.external[i],
+                                &back->machine.external[i]);
     ck_assert_msg(!differs, "%s is lost in the flat model", differs);
     free(back);
     free(memory);
@@ -187,7 +195,8 @@ static void expect_round_trip(const gough_field *field, const char *value) {
     char path[60], setting[200];
     const char *const number = strstr(field->path, ".N.");
     if (number)
-        snprintf(path, sizeof path, "motion.moves.1.%s", number + 3);
+        snprintf(path, sizeof path, "%.*s.1.%s", (int)(number - field->path), field->path,
+                 number + 3);
     else
         snprintf(path, sizeof path, "%s", field->path);
     snprintf(setting, sizeof setting, "%s=%s", path, value);
@@ -251,6 +260,7 @@ START_TEST(every_member_is_of_the_part_that_its_key_names) {
     } sections[] = {{"platform", GOUGH_PART_MACHINE},
                     {"load", GOUGH_PART_MACHINE},
                     {"gravity", GOUGH_PART_MACHINE},
+                    {"external", GOUGH_PART_EXTERNAL},
                     {"motion", GOUGH_PART_MOTION},
                     {"disturbance", GOUGH_PART_DISTURBANCE},
                     {"control", GOUGH_PART_CONTROL},

@@ -76,7 +76,14 @@ START_TEST(examples_of_the_guide_are_right) {
     reading_free(&made);
     free(guide);
     guide = read_guide();
-    char *moves = block(guide, 2);
+    char *loads = block(guide, 2);
+    ck_assert_ptr_nonnull(strstr(loads, "external:"));
+    made = expect_good(loads, NULL);
+    ck_assert_uint_eq(made.study->model->machine.externals, 2);
+    reading_free(&made);
+    free(guide);
+    guide = read_guide();
+    char *moves = block(guide, 3);
     ck_assert_ptr_nonnull(strstr(moves, "moves:"));
     made = expect_good(moves, NULL);
     reading_free(&made);

@@ -292,6 +292,7 @@ START_TEST(hints_for_keys_in_the_wrong_place_are_true) {
                                           "load",
                                           "motion",
                                           "motion.moves.1",
+                                          "external.1",
                                           "disturbance",
                                           "disturbance.noise",
                                           "control",
@@ -307,6 +308,7 @@ START_TEST(hints_for_keys_in_the_wrong_place_are_true) {
         if (strcmp(name, "KEY") == 0 || strcmp(name, "N") == 0) continue;
         for (size_t p = 0; p < sizeof parents / sizeof parents[0]; p++) {
             const char *row = strcmp(parents[p], "motion.moves.1") == 0     ? "motion.moves.N"
+                              : strcmp(parents[p], "external.1") == 0       ? "external.N"
                               : strncmp(parents[p], "sweep.keys.", 11) == 0 ? "sweep.keys.KEY"
                                                                             : parents[p];
             char path[100], setting[120], quoted[110];
@@ -319,6 +321,7 @@ START_TEST(hints_for_keys_in_the_wrong_place_are_true) {
             else
                 snprintf(setting, sizeof setting, "%s%s%s=1", parents[p], *row ? "." : "", name);
             reading made = read_more("motion: {moves: [{start: 1, duration: 1}]}\n"
+                                     "external: [{force: [0, 0, 1]}]\n"
                                      "simulation: {constraints: {baumgarte: [1, 1]}}\n"
                                      "sweep: {keys: {load.mass: {from: 1, to: 2, steps: 2}}}\n",
                                      SETTINGS(setting));

@@ -127,9 +127,14 @@ test("a pose between rows goes straight, and angles turn the short way", () => {
   assert.equal(table.value("x", 99), 4);
 });
 
-test("legs have the lengths of the command's table in a pose of all six freedoms", () => {
+for (const order of ["zyx", "xyz"])
+  test(`legs have the lengths of the command's table in a pose of all six freedoms, ${order}`, () =>
+    holdLengths(order));
+
+function holdLengths(order) {
   const file = join(SOURCE, "examples/all-six.yaml");
-  const lines = execFileSync(GOUGH, ["simulate", file, "-q", "-o", "-"], {
+  const options = ["-q", "-o", "-", "--set", `motion.order=${order}`];
+  const lines = execFileSync(GOUGH, ["simulate", file, ...options], {
     encoding: "utf8",
     maxBuffer: 1 << 26,
   })
@@ -147,11 +152,11 @@ test("legs have the lengths of the command's table in a pose of all six freedoms
   const half = 6.4688478326275441;
   const base = ring(1, [10, 110, 130, 230, 250, 350]);
   const top = ring(0.6, [60 - half, 60 + half, 180 - half, 180 + half, 300 - half, 300 + half]);
-  const pose = poseOf(["x", "y", "z", "roll", "pitch", "yaw"].map(at));
+  const pose = poseOf(["x", "y", "z", "roll", "pitch", "yaw"].map(at), order);
   legsOf({ base, top }, pose).forEach(({ length }, leg) =>
     near(length, at(`l${leg + 1}`), 1e-13, `leg ${leg + 1}`),
   );
-});
+}
 
 test("the ellipsoid has the mass and inertia that it stands for", () => {
   const inertia = [

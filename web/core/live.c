@@ -100,6 +100,7 @@ static void live_stage(struct system *r, real t) {
         component[c] = jet_multiply(amplitude, jet_chain(clock, at->v, at->d, at->dd));
     }
     wanted_program(r, component, s);
+    wanted_external(r, t, s);
     if (r->solves) {
         wanted_forces(r, r->share ? factor * wanted_vertical(r, t) : number_of(0), s);
     }
@@ -282,10 +283,10 @@ static void start(void) {
     }
     forward_start(&live.d);
     *motion = given;
-    appointments_begin(&live.program, motion, NULL, 0, live.options.duration,
+    appointments_begin(&live.program, motion, NULL, NULL, 0, live.options.duration,
                        live.options.output_step);
-    appointments_begin(&live.disturbances, NULL, &live.model.disturbance, 0, live.options.duration,
-                       live.options.output_step);
+    appointments_begin(&live.disturbances, NULL, &live.model.disturbance, &live.model.machine, 0,
+                       live.options.duration, live.options.output_step);
     set_up_run();
 }
 
@@ -410,7 +411,8 @@ const double *live_program(void) {
     forward *d = &live.d;
 
     if (!live.begun) return NULL;
-    row_pose(&d->r.h, &system_wanted(&d->r, d->t)->x[0], live.pose, 0, 3);
+    row_pose(&d->r.h, (int)live.model.motion.order, &system_wanted(&d->r, d->t)->x[0], live.pose, 0,
+             3);
     return live.pose;
 }
 

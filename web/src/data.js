@@ -36,9 +36,10 @@ export function decode(text) {
   );
 }
 
-/** A table of columns, rows at equal steps of time. */
+/** A table of columns, rows at equal steps of time; order: of its angles. */
 export class Table {
-  constructor(columns) {
+  constructor(columns, order) {
+    this.order = order;
     this.info = new Map((columns ?? []).map((column) => [column.name, column]));
     this.decoded = new Map();
     this.t = this.column("t") ?? new Float64Array(0);
@@ -104,7 +105,10 @@ export class Table {
 
   /** Pose at a time. */
   pose(time) {
-    return poseOf(POSE.map((name) => this.value(name, time)));
+    return poseOf(
+      POSE.map((name) => this.value(name, time)),
+      this.order,
+    );
   }
 }
 
@@ -113,8 +117,8 @@ export class Study {
   constructor(raw, index) {
     Object.assign(this, raw);
     this.index = index;
-    this.run = new Table(raw.columns);
-    this.plan = new Table(raw.program);
+    this.run = new Table(raw.columns, raw.motion?.order);
+    this.plan = new Table(raw.program, raw.motion?.order);
     this.label = raw.title || raw.name || `study ${index + 1}`;
     this.complete = raw.end.status === "done";
     this.lastTime = this.run.rows ? this.run.t[this.run.rows - 1] : 0;

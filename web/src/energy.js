@@ -36,7 +36,7 @@ export function loadEnergy(table, machine) {
   const potential = new Float64Array(table.rows);
   for (let row = 0; row < table.rows; row++) {
     const [x, y, z, roll, pitch, yaw, vx, vy, vz, ...spin] = columns.map((column) => column[row]);
-    const r = rotation(roll * DEGREE, pitch * DEGREE, yaw * DEGREE);
+    const r = rotation(roll * DEGREE, pitch * DEGREE, yaw * DEGREE, table.order);
     const arm = turned(r, machine.center_of_mass);
     const [wx, wy, wz] = spin.map((rate) => rate * DEGREE);
     // velocity of the centre of mass: v + ω × R c

@@ -477,9 +477,10 @@ export class Live {
     if (!this.fresh) return;
     this.fresh = false;
     const at = (name) => this.row[this.place[name]];
+    const order = this.study.motion?.order;
     const pose = {
       position: [at("x"), at("y"), at("z")],
-      rotation: rotation(at("roll"), at("pitch"), at("yaw")),
+      rotation: rotation(at("roll"), at("pitch"), at("yaw"), order),
     };
     const [x, y, z, roll, pitch, yaw] = this.program;
     const forces = [1, 2, 3, 4, 5, 6].map((leg) => at(`f${leg}`));
@@ -488,9 +489,8 @@ export class Live {
     const { scene } = this.page;
     if (scene) {
       scene.machines[0].model.showTrail(this.trail);
-      scene.move([
-        { pose, forces, plan: { position: [x, y, z], rotation: rotation(roll, pitch, yaw) } },
-      ]);
+      const plan = { position: [x, y, z], rotation: rotation(roll, pitch, yaw, order) };
+      scene.move([{ pose, forces, plan }]);
     }
     const time = `t = ${fixed(at("t"), 2)}${unitAfter(this.study.unit("t"))}`;
     byId("clock").textContent = time;

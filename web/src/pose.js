@@ -1,9 +1,15 @@
-// Poses: position of the top frame's origin and its rotation R = Rz(yaw) Ry(pitch) Rx(roll), in the base frame.
+// Poses: position of the top frame's origin and its rotation in the base frame, R = Rz(yaw) Ry(pitch) Rx(roll), or in the order
+// "xyz" R = Rx(roll) Ry(pitch) Rz(yaw).
 
 const DEGREE = Math.PI / 180;
 
 /** R as nine numbers by rows, from angles in radians. */
-export function rotation(roll, pitch, yaw) {
+export function rotation(roll, pitch, yaw, order) {
+  // Rx Ry Rz of three angles is the transpose of Rz Ry Rx of the opposite ones
+  if (order === "xyz") {
+    const back = rotation(-roll, -pitch, -yaw);
+    return [0, 3, 6, 1, 4, 7, 2, 5, 8].map((place) => back[place]);
+  }
   const [cr, sr] = [Math.cos(roll), Math.sin(roll)];
   const [cp, sp] = [Math.cos(pitch), Math.sin(pitch)];
   const [cy, sy] = [Math.cos(yaw), Math.sin(yaw)];
@@ -34,9 +40,9 @@ export function placed(pose, point) {
 }
 
 /** Pose from x, y, z, roll, pitch, yaw; angles in degrees. */
-export const poseOf = ([x, y, z, roll, pitch, yaw]) => ({
+export const poseOf = ([x, y, z, roll, pitch, yaw], order) => ({
   position: [x, y, z],
-  rotation: rotation(roll * DEGREE, pitch * DEGREE, yaw * DEGREE),
+  rotation: rotation(roll * DEGREE, pitch * DEGREE, yaw * DEGREE, order),
 });
 
 /** Between two angles in degrees, the short way round. */

@@ -2,12 +2,14 @@
 #include <math.h>
 
 #include "cli/check/check_limits.h"
+#include "cli/check/check_pose.h"
 #include "cli/check/check_record.h"
 #include "cli/check/check_warnings.h"
 #include "cli/check/machine_view.h"
 #include "cli/common/in_and_out.h"
 #include "cli/common/json.h"
 #include "cli/common/leg_table.h"
+#include "cli/common/option_values.h"
 #include "cli/common/scale.h"
 #include "cli/common/study_fields.h"
 #include "cli/common/talk.h"
@@ -24,7 +26,33 @@ typedef struct check {
     machine_view view;
     const gough_units *unit;
     double least[GOUGH_COMPONENTS], greatest[GOUGH_COMPONENTS];
+    pose_view pose;
 } check;
+
+typedef struct check_line {
+    command_line line;
+    pose_view pose; /* `asked` and `pose` from the options */
+} check_line;
+
+static void read_pose_option(const struct argp_state *state, const option *o, const char *text,
+                             void *group) {
+    pose_view *view = group;
+    gough_error error = {.message = ""};
+    (void)o;
+    view->asked = true;
+    if (!read_pose(text, view->pose, &error)) usage_error(state, "%s", error.message);
+}
+
+static const option pose_option[] = {
+    {.name = "pose",
+     .value = "C=X,...",
+     .many = true,
+     .read = read_pose_option,
+     .text = "lengths, static forces, condition, stiffness and compliance in this pose, given by "
+             "its components from home (angles in degrees), as in surge=0.1,yaw=5"},
+    {0}};
+
+static const option_group pose_group = {pose_option, NULL, NULL};
 
 /* Words and the value of a key of the study. */
 static void print_part(const check *c, const char *words, const char *path) {
@@ -158,6 +186,49 @@ static void print_friction(const check *c) {
     printf("\n");
 }
 
+/* Whether a formula has other values later on. */
+static bool varies(const gough_formula *formula, double duration) {
+    double now[3], later[3];
+    gough_formula_evaluate(formula, 0, now);
+    for (int k = 1; k <= 16; k++) {
+        gough_formula_evaluate(formula, duration * k / 16.7, later);
+        if (!(fabs(later[0] - now[0]) <= 0)) return true;
+    }
+    return false;
+}
+
+/* Values of three formulas at t = 0, with a unit; whether they vary. */
+static bool print_formulas(const check *c, const gough_formula formula[3], gough_unit unit) {
+    bool any = false;
+    for (int i = 0; i < 3; i++) {
+        double now[3];
+        gough_formula_evaluate(&formula[i], 0, now);
+        any |= varies(&formula[i], c->study->simulation.duration);
+        printf("%s%.6g", i ? ", " : "", now[0] + 0.0);
+    }
+    printf("%s", unit_word(c->unit, unit));
+    return any;
+}
+
+static void print_external(const check *c) {
+    const gough_machine *m = c->machine;
+    if (m->externals == 0) return;
+    printf("\nExternal loads (%s the program forces)\n",
+           c->model->control.ignores_external ? "left out of" : "part of");
+    for (size_t n = 0; n < m->externals; n++) {
+        const gough_external *e = &m->external[n];
+        const double *at = e->at_given ? e->at : m->load.center_of_mass;
+        printf("  %zu                    force ", n + 1);
+        bool changes = print_formulas(c, e->force, GOUGH_UNIT_FORCE);
+        printf(", moment ");
+        changes |= print_formulas(c, e->moment, GOUGH_UNIT_MOMENT);
+        printf(
+            "%s\n                       at %.6g, %.6g, %.6g%s in the top frame, axes of the %s\n",
+            changes ? " at t = 0" : "", at[0], at[1], at[2], unit_word(c->unit, GOUGH_UNIT_LENGTH),
+            e->turns ? "top" : "base");
+    }
+}
+
 static void print_groups(const check *c) {
     const gough_machine *m = c->machine;
     const double R = m->base_radius, M = m->load.mass, g = m->gravity_magnitude;
@@ -195,6 +266,8 @@ static void print_program(const check *c) {
                unit_word(c->unit, GOUGH_UNIT_TIME));
     else
         printf("  formulas in t\n");
+    if (motion->order != GOUGH_ZYX)
+        printf("  angles               R = Rx(roll) Ry(pitch) Rz(yaw)\n");
     int moving = 0;
     for (int k = 0; k < GOUGH_COMPONENTS; k++) {
         if (!(fabs(c->least[k]) > 0) && !(fabs(c->greatest[k]) > 0)) continue;
@@ -256,6 +329,8 @@ static void print_check(const check *c) {
     print_load(c);
     print_leg_mass(c);
     print_friction(c);
+    print_external(c);
+    if (c->pose.asked) pose_view_print(stdout, c->model, c->unit, &c->pose);
     print_groups(c);
     print_program(c);
     print_control(c);
@@ -286,6 +361,7 @@ static json_t *program_object(const check *c) {
     const gough_motion *motion = &c->model->motion;
     json_t *program = json_object();
     json_object_set_new(program, "kind", json_string(kinds[motion->kind]));
+    json_object_set_new(program, "order", json_field(c->study, "motion.order"));
     if (motion->kind == GOUGH_MOTION_SAMPLES) {
         const double span[2] = {motion->samples.time[0],
                                 motion->samples.time[motion->samples.count - 1]};
@@ -299,6 +375,27 @@ static json_t *program_object(const check *c) {
         json_object_set_new(program, gough_component_name(k),
                             json_numbers((double[]){c->least[k], c->greatest[k]}, 2));
     return program;
+}
+
+static json_t *external_array(const gough_machine *m) {
+    json_t *array = json_array();
+    for (size_t n = 0; n < m->externals; n++) {
+        const gough_external *e = &m->external[n];
+        double value[6];
+        for (int i = 0; i < 6; i++) {
+            double now[3];
+            gough_formula_evaluate(i < 3 ? &e->force[i] : &e->moment[i - 3], 0, now);
+            value[i] = now[0];
+        }
+        json_t *object = json_object();
+        json_object_set_new(object, "force", json_numbers(value, 3));
+        json_object_set_new(object, "moment", json_numbers(value + 3, 3));
+        json_object_set_new(object, "at",
+                            json_numbers(e->at_given ? e->at : m->load.center_of_mass, 3));
+        json_object_set_new(object, "axes", json_string(e->turns ? "top" : "base"));
+        json_array_append_new(array, object);
+    }
+    return array;
 }
 
 static int print_check_json(const check *c) {
@@ -331,6 +428,8 @@ static int print_check_json(const check *c) {
     json_object_set_new(object, "principal_axes", axes);
     json_object_set_new(object, "leg_mass", json_number(c->view.leg_mass));
     json_object_set_new(object, "leg_mass_on_top", json_number(c->view.hanging));
+    json_object_set_new(object, "external", external_array(m));
+    json_object_set_new(object, "pose", pose_view_object(c->model, &c->pose));
     json_object_set_new(object, "base_radius", json_number(m->base_radius));
     json_object_set_new(object, "time_unit", json_number(c->view.time_unit));
     json_object_set_new(object, "groups", groups_object(c));
@@ -340,8 +439,8 @@ static int print_check_json(const check *c) {
     return json_print(object);
 }
 
-static gough_status check_study(const command_line *line, const gough_study *study,
-                                const gough_sweep *sweep) {
+static gough_status check_study(const command_line *line, const pose_view *pose,
+                                const gough_study *study, const gough_sweep *sweep) {
     static const gough_units own[2] = {{.dimensionless = false, .length = 1, .mass = 1, .time = 1},
                                        {.dimensionless = true, .length = 1, .mass = 1, .time = 1}};
     check c = {.study = study,
@@ -349,7 +448,8 @@ static gough_status check_study(const command_line *line, const gough_study *stu
                .model = study->model,
                .machine = &study->model->machine,
                .view = machine_view_of(&study->model->machine),
-               .unit = &own[study->dimensionless]};
+               .unit = &own[study->dimensionless],
+               .pose = *pose};
     gough_error error = {0};
     gough_status status = gough_simulation_check(study->model, &study->simulation, &error);
     if (!status)
@@ -361,6 +461,7 @@ static gough_status check_study(const command_line *line, const gough_study *stu
     }
     for (int k = GOUGH_ROLL; k < GOUGH_COMPONENTS; k++)
         c.least[k] *= DEGREES, c.greatest[k] *= DEGREES;
+    pose_view_find(c.model, &c.pose);
     check_warnings(line->verb, study, c.unit);
     if (line->json) return print_check_json(&c) ? GOUGH_ERROR_FILE : GOUGH_OK;
     if (!line->quiet) print_check(&c);
@@ -368,31 +469,35 @@ static gough_status check_study(const command_line *line, const gough_study *stu
 }
 
 static gough_status run(const void *given) {
-    const command_line *line = given;
+    const check_line *asked = given;
+    const command_line *line = &asked->line;
     gough_study *study = NULL;
     gough_sweep *sweep = NULL;
     gough_status status = read_study(line, line->file.word[0], &study);
     if (!status && study->swept) status = read_sweep(line, study, &sweep);
-    if (!status) status = check_study(line, study, sweep);
+    if (!status) status = check_study(line, &asked->pose, study, sweep);
     gough_sweep_free(sweep);
     gough_study_free(study);
     return status;
 }
 
-static const group_use groups[] = {USES_JSON, USES_SETTINGS, {0}};
+static const group_use groups[] = {
+    USES_JSON, USES_SETTINGS, USES(pose_group, check_line, pose, NULL), {0}};
 
 extern const command_verb check_verb;
 const command_verb check_verb = {
     .name = "check",
     .arguments = "STUDY",
     .sentence = "validate a study and describe its machine",
-    .text = "Validate a study and describe its machine: leg lengths, condition and least singular "
-            "value at home, principal moments of inertia, dimensionless groups, range of the "
-            "program, control and simulation settings. Suspicious values are reported as "
-            "warnings.\vSTUDY is a study file, or - for standard input.",
+    .text =
+        "Validate a study and describe its machine: leg lengths, condition and least singular "
+        "value at home, principal moments of inertia, external loads, stiffness and compliance at "
+        "home or in --pose, dimensionless groups, range of the program, control and simulation "
+        "settings. Suspicious values are reported as "
+        "warnings.\vSTUDY is a study file, or - for standard input.",
     .endings = "yaml yml",
     .least_files = 1,
     .most_files = 1,
     .groups = groups,
-    .size = sizeof(command_line),
+    .size = sizeof(check_line),
     .run = run};

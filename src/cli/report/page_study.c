@@ -224,6 +224,7 @@ gough_status page_study(const command_line *line, gough_study *study, json_t **o
     json_object_set_new(page, "units", json_string(study->dimensionless ? "dimensionless" : "si"));
     json_object_set_new(page, "machine", machine_object(study));
     json_object_set_new(motion, "about", json_field(study, "motion.about"));
+    json_object_set_new(motion, "order", json_field(study, "motion.order"));
     json_object_set_new(page, "motion", motion);
     json_object_set_new(page, "control", json_section(study, "control"));
     json_object_set_new(page, "simulation", simulation_object(study));

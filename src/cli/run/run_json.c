@@ -80,6 +80,9 @@ json_t *run_report_json(const run_report *report) {
     json_object_set_new(object, "condition", json_number(s->condition));
     json_object_set_new(object, "deviation", deviation);
     json_object_set_new(object, "drift", json_number(report->simulated ? s->drift : NAN));
+    json_object_set_new(
+        object, "external_work",
+        json_number(report->study->model->machine.externals > 0 ? s->external_work : NAN));
     json_object_set_new(object, "limits", limits_array(report));
     json_object_set_new(object, "statistics",
                         report->simulated ? statistics_object(&report->statistics) : json_null());

@@ -12,11 +12,14 @@
 /* a step of the stepper may be this long for a decay of rate 1, (step-8) */
 static const double stiff_reach = 6.1;
 
-static const scaled_member summary_members[] = {
-    SCALED(gough_summary, first_time, TIME),      SCALED(gough_summary, last_time, TIME),
-    SCALED(gough_summary, condition_time, TIME),  SCALED(gough_summary, between_rows, LENGTH),
-    SCALED(gough_summary, drawing_step, TIME),    SCALED(gough_summary, position_deviation, LENGTH),
-    SCALED(gough_summary, angle_deviation, ANGLE)};
+static const scaled_member summary_members[] = {SCALED(gough_summary, first_time, TIME),
+                                                SCALED(gough_summary, last_time, TIME),
+                                                SCALED(gough_summary, condition_time, TIME),
+                                                SCALED(gough_summary, between_rows, LENGTH),
+                                                SCALED(gough_summary, drawing_step, TIME),
+                                                SCALED(gough_summary, position_deviation, LENGTH),
+                                                SCALED(gough_summary, angle_deviation, ANGLE),
+                                                SCALED(gough_summary, external_work, ENERGY)};
 
 static const scaled_member crossing_members[] = {SCALED(gough_crossing, enter, TIME),
                                                  SCALED(gough_crossing, leave, TIME),
@@ -84,16 +87,18 @@ static void leave_blank(gough_summary *s) {
     const size_t count = GOUGH_LEGS * (sizeof s->leg[0] / sizeof(double));
     for (size_t i = 0; i < count; i++) value[i] = NAN;
     s->condition = s->condition_time = s->drift = NAN;
-    s->position_deviation = s->angle_deviation = NAN;
+    s->position_deviation = s->angle_deviation = s->external_work = NAN;
 }
 
-/* What holds the legs at rest at home. */
+/* What holds the legs at rest at home, under the external loads as they are at t = 0. */
 static void find_holding(run_report *report) {
     const gough_machine *machine = &report->study->model->machine;
     const gough_state home = gough_state_home(machine);
+    gough_wrench known;
     double force[GOUGH_LEGS];
-    if (gough_holding_forces(machine, &home, NULL, force, report->holds_from, report->holds_to) ==
-        GOUGH_OK)
+    if (gough_external_wrench(machine, &home, 0, &known) == GOUGH_OK &&
+        gough_holding_forces(machine, &home, &known, force, report->holds_from, report->holds_to) ==
+            GOUGH_OK)
         return;
     for (int i = 0; i < GOUGH_LEGS; i++) report->holds_from[i] = report->holds_to[i] = NAN;
 }
@@ -276,6 +281,9 @@ void run_report_print(FILE *stream, const run_report *report) {
                 report->study->model->machine.gravity_magnitude > 0
                     ? "the forces of their own weight and inertia"
                     : "the forces of their own inertia");
+    if (report->study->model->machine.externals > 0 && s->rows > 0)
+        fprintf(stream, "  external    the external loads did %.5g%s of work\n", s->external_work,
+                unit_word(unit, GOUGH_UNIT_ENERGY));
     print_between(stream, s, unit);
     if (!report->simulated) print_left_out(stream, &report->study->model->disturbance);
     if (report->simulated)

@@ -351,20 +351,24 @@ static void print_pose(FILE *stream, const double pose[GOUGH_COMPONENTS], const 
 /* Whether the springs carry some of the load: what is fed forward does not. */
 static bool sags(const stability_report *report) {
     const gough_control *control = &report->study->model->control;
-    return !control->feedforward || (control->ignores_legs && legs_have_mass(report));
+    return !control->feedforward || (control->ignores_legs && legs_have_mass(report)) ||
+           (control->ignores_external && report->study->model->machine.externals > 0);
 }
 
 /* Where the springs carry the load. */
 static void print_sag(FILE *stream, const stability_report *report, const double position[3]) {
+    const gough_control *control = &report->study->model->control;
     double shown[3];
     for (int k = 0; k < 3; k++)
         shown[k] = fabs(position[k]) < 1e-12 * report->arm ? 0.0 : position[k];
     fprintf(stream,
             "  %s the loop rests where springs and load balance, with the top at\n"
             "  %.6g, %.6g, %.6g%s\n",
-            report->study->model->control.feedforward
-                ? "Without the legs' weight in the feed-forward"
-                : "Without feed-forward",
+            !control->feedforward        ? "Without feed-forward"
+            : !control->ignores_external ? "Without the legs' weight in the feed-forward"
+            : !control->ignores_legs
+                ? "Without the external loads in the feed-forward"
+                : "Without legs' weight and external loads in the feed-forward",
             shown[0], shown[1], shown[2], unit_word(&report->units, GOUGH_UNIT_LENGTH));
 }
 

@@ -102,7 +102,7 @@ class Check:
         bound = lambda x, d: Q(x, d, eps * abs(x))
         each = lambda values, d, scale: [Q(x, d, eps * scale) for x in values]
         gains = lambda values: [None if math.isnan(x) else Q(x, None, eps * max(values)) for x in values]
-        program = {"kind": "moves" if meaning.moves is not None else "formulas"}
+        program = {"kind": "moves" if meaning.moves is not None else "formulas", "order": "zyx"}
         for c, name in enumerate(COMPONENTS):
             program[name] = each(self.ranges[c], "length" if c < 3 else "angle", s["length"] if c < 3 else 1.0)
         fixed = meaning.step is not None
@@ -118,7 +118,8 @@ class Check:
             "weakest_motion": self.weakest_allowed(),
             "principal_moments": [Q(x, "inertia", eps * top) for x in self.moments],
             "principal_axes": Skip("compared as axes of the tensor of inertia"),
-            "leg_mass": Q(0, "mass", 0), "leg_mass_on_top": Q(0, "mass", 0),
+            "leg_mass": Q(0, "mass", 0), "leg_mass_on_top": Q(0, "mass", 0), "external": [],
+            "pose": Skip("held by tests/linear/test_stiffness.c"),
             "base_radius": bound(machine.base_radius, "length"),
             "time_unit": None if math.isnan(T) else bound(T, "time"),
             "groups": {"height": Q(groups["h"], None, eps), "top_radius": Q(groups["r"], None, eps),
@@ -349,7 +350,7 @@ class Run:
                         "limit": limits.sentence_facts(self.end).get("end_limit"), "component": None, "least": False},
                 "legs": [self.leg_json(leg, hold) for leg, hold in zip(self.legs, self.holding())],
                 "condition": Q(self.condition, None, self.condition_slack),
-                "deviation": {"position": None, "angle": None}, "drift": None, "statistics": None, "limits": limits.json(self)}
+                "deviation": {"position": None, "angle": None}, "drift": None, "external_work": None, "statistics": None, "limits": limits.json(self)}
 
     def limit_lines(self, units):
         return limits.lines(self, units)

@@ -1,0 +1,12 @@
+/* External loads of a periodic motion. */
+#ifndef GOUGH_FLOQUET_LOADS_H
+#define GOUGH_FLOQUET_LOADS_H
+
+#include "gough/floquet.h"
+
+/* Fails, with a sentence, if an external load does not repeat with the period; `constant`: if it varies at all. Compared at
+ * moments spread over the period. */
+gough_status loads_check(const gough_machine *machine, const gough_period *period, bool constant,
+                         gough_error *error);
+
+#endif
