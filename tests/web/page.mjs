@@ -23,6 +23,8 @@ import {
 } from "./browser.mjs";
 
 const paper = () => report(example("paper-perturbed"));
+/** What a test does not look at need not be drawn: pixels of the scene take most of the time here. */
+const UNSEEN = { webgl: false };
 
 /** What the scene draws now, as a short word. */
 const pixels = async (page) => {
@@ -151,7 +153,7 @@ test("pointing into a curve moves the scene to that moment", async () => {
 
 test("the saved table has the bits of the command's", async () => {
   const { names, rows } = table("simulate", example("paper-perturbed"));
-  const page = await open(paper());
+  const page = await open(paper(), UNSEEN);
   const { name, bytes } = await saved(page, "save-run-0");
   assert.equal(name, "the-paper-s-heave-with-disturbed-leg-forces-run.csv");
   const [head, ...lines] = bytes.toString().trim().split("\n");
@@ -193,7 +195,7 @@ test("each figure is saved as PNG and as SVG, and the scene as PNG", async () =>
 });
 
 test("figures 3 and 4 stand on the paper's study, and on no other", async () => {
-  const page = await open(paper());
+  const page = await open(paper(), UNSEEN);
   // the force of the program at t = 5 and 15, and η* there
   for (const [row, force] of [
     [100, 0.255489804668],
@@ -215,7 +217,7 @@ test("figures 3 and 4 stand on the paper's study, and on no other", async () => 
   );
   await picture(page, "figures-3-and-4");
   await page.close();
-  const other = await open(report(example("all-six")));
+  const other = await open(report(example("all-six")), UNSEEN);
   assert.equal(
     (await byName(other, "curve-figure-3").count()) +
       (await byName(other, "curve-figure-4").count()),
@@ -437,7 +439,7 @@ test("several studies stand side by side, and each by itself", async () => {
 });
 
 test("studies of different units are not mixed up", async () => {
-  const page = await open(report(example("own-machine"), example("paper-heave")));
+  const page = await open(report(example("own-machine"), example("paper-heave")), UNSEEN);
   await scrubTo(page, 100);
   assert.ok(!(await byName(page, "clock").textContent()).includes("s"));
   assert.match(await byName(page, "curve-all-height").textContent(), /own units/);
@@ -460,7 +462,7 @@ simulation: {duration: 2, output_step: 0.05}
 `;
   const said = JSON.parse(JSON.stringify(hostile).replace("\\\\u2028", "\\\\u2028"));
   const file = study("hostile.yaml", text);
-  const page = await open(report(file, example("own-machine")));
+  const page = await open(report(file, example("own-machine")), UNSEEN);
   await page.waitForTimeout(200);
   await byName(page, "tab-0").click();
   assert.equal(await byName(page, "title").textContent(), said);
@@ -490,7 +492,7 @@ test("a run that ended early says where and why", async () => {
 
 test("stability and peaks stand as the command finds them", async () => {
   const found = JSON.parse(gough("stability", example("paper-perturbed"), "--json", "-q"));
-  const page = await open(paper());
+  const page = await open(paper(), UNSEEN);
   const shown = async (name, column) => {
     const cells = byName(page, name).locator(`tbody td:nth-child(${column})`);
     return (await cells.allTextContents()).map(read);
