@@ -42,6 +42,7 @@ typedef enum gough_shape {
     GOUGH_SHAPE_FORMULA_VECTOR, /**< three formulas */
     GOUGH_SHAPE_CONSTRAINTS,    /**< one of the words in the range, or a mapping */
     GOUGH_SHAPE_SMOOTH,         /**< likewise */
+    GOUGH_SHAPE_UNITS,          /**< likewise */
     GOUGH_SHAPE_SWEPT           /**< a mapping of paths to the values they take */
 } gough_shape;
 
@@ -104,7 +105,8 @@ typedef struct gough_field {
         path; /**< "platform.base.radius"; "motion.moves.N.start" for each element of a list; unique */
     const char *type; /**< of a key: "number", "formula", "choice", … */
     const char *
-        unit; /**< "length", "force/length", "" …; "angle [degrees]": degrees in the file, radians in the struct */
+        unit; /**< "length", "force/length", "" …; "angle [degrees]": degrees in the file unless its units name another angle,
+                 radians in the struct */
     const char *range;    /**< "> 0" …; words of a choice, separated by ", " */
     const char *fallback; /**< default as text, "required", or "" */
     const char *sentence; /**< what it is */

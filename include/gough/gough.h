@@ -22,6 +22,7 @@
 #include "gough/sweep.h"
 #include "gough/text.h"
 #include "gough/tune.h"
+#include "gough/units.h"
 #include "gough/version.h"
 
 #endif

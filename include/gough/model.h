@@ -227,6 +227,13 @@ typedef struct gough_formula {
 GOUGH_API gough_status gough_formula_compile(gough_formula *formula, const char *text,
                                              size_t length, size_t *offset, gough_error *error);
 
+/** Makes a compiled formula f(t) to size·f(rate·t), as a change of units needs; factors of 1 change nothing.
+ *  @param size,rate  finite, not 0
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with a sentence if it then has too many operations or pending values; it is then
+ *  unchanged. Does not allocate. */
+GOUGH_API gough_status gough_formula_scale(gough_formula *formula, double size, double rate,
+                                           gough_error *error);
+
 /** Fills in a formula with a constant value, which must be finite.
  *  @param size  sizeof(gough_formula)
  *  @return as gough_platform_init() */

@@ -13,65 +13,20 @@
 
 #include "gough/simulate.h"
 #include "gough/study.h"
+#include "gough/units.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Rows in memory, in the units of the output (angles in degrees, dimensionless on request). Opaque. */
+/** Rows in memory, in the units of the output: the study's, dimensionless on request. Opaque. */
 typedef struct gough_result gough_result;
-
-/** Units of the numbers in a table. */
-typedef struct gough_units {
-    bool dimensionless; /**< unit labels "1", else SI labels */
-    double length;      /**< one unit of length of the output in units of the run: 1, or R_b */
-    double mass;        /**< of mass: 1, or M */
-    double time;        /**< of time: 1, or √(R_b/g) */
-} gough_units;
-
-/** What a number measures. Numbers of one kind are scaled by one factor, and have one name for their unit. */
-typedef enum gough_unit {
-    GOUGH_UNIT_NONE, /**< a pure number */
-    GOUGH_UNIT_LENGTH,
-    GOUGH_UNIT_MASS,
-    GOUGH_UNIT_TIME,
-    GOUGH_UNIT_ANGLE, /**< radians in a run, degrees in an output */
-    GOUGH_UNIT_RATE,  /**< 1/time */
-    GOUGH_UNIT_SPEED,
-    GOUGH_UNIT_ANGULAR_SPEED,
-    GOUGH_UNIT_ACCELERATION,
-    GOUGH_UNIT_ANGULAR_ACCELERATION,
-    GOUGH_UNIT_FORCE,
-    GOUGH_UNIT_MOMENT,
-    GOUGH_UNIT_POWER,
-    GOUGH_UNIT_ENERGY,
-    GOUGH_UNIT_STIFFNESS, /**< force/length */
-    GOUGH_UNIT_DAMPING,   /**< force/speed */
-    GOUGH_UNIT_INERTIA
-} gough_unit;
-
-/** One unit of the output in units of the run; of angles 1, as for pure numbers. Accurate to a few roundings. */
-GOUGH_API double gough_unit_size(const gough_units *units, gough_unit unit);
-
-/** What a number of the run is multiplied by to be in the units of the output; radians become degrees. Accurate to a few
- *  roundings. */
-GOUGH_API double gough_unit_factor(const gough_units *units, gough_unit unit);
-
-/** Name of a unit in tables: "m/s2", "N m", "degree", "1"; without dimensions "degree" for all angles and else "1". */
-GOUGH_API const char *gough_unit_label(gough_unit unit, bool dimensionless);
-
-/** Name of a unit in text, with the space that stands between a number and it: " m/s^2", " N m", " deg", and "" for pure numbers;
- *  without dimensions " deg" for all angles and else "". */
-GOUGH_API const char *gough_unit_word(gough_unit unit, bool dimensionless);
 
 /** The unit of a column. @param column  GOUGH_T … GOUGH_RZX; GOUGH_UNIT_NONE for any other */
 GOUGH_API gough_unit gough_unit_of_column(int column);
 
-/** The unit that the table of fields calls so: "force/length", "angle [degrees]" …; GOUGH_UNIT_NONE for "" and any other. */
-GOUGH_API gough_unit gough_unit_of_field(const char *unit);
-
-/** Units of a study's output: its own, or with @p dimensionless R_b, M and √(R_b/g) (for a dimensionless study with
- *  R_b = M = g = 1 these are the same).
+/** Units of a study's output: its own (SI if it was made without), or with @p dimensionless R_b, M and √(R_b/g), angles in
+ *  degrees (for a dimensionless study with R_b = M = g = 1 these are the same).
  *  @return GOUGH_ERROR_INPUT if gravity is 0, which leaves no unit of time. */
 GOUGH_API gough_status gough_units_of_study(const gough_study *study, bool dimensionless,
                                             gough_units *units, gough_error *error);

@@ -40,12 +40,26 @@ typedef enum gough_status {
     GOUGH_ERROR_FILE = 3   /**< reading, writing or memory failed */
 } gough_status;
 
+enum { GOUGH_ERROR_QUANTITIES = 6 /**< numbers with a unit that an error keeps */ };
+
+/** A number in the sentence of an error that has a unit, in units of the run. */
+typedef struct gough_quantity {
+    int unit;     /**< a gough_unit (units.h) */
+    int at;       /**< byte offset of its digits in the message */
+    int length;   /**< number of these bytes */
+    int digits;   /**< significant digits that are printed */
+    double value; /**< the number */
+} gough_quantity;
+
 /** The error, as one sentence that the user can act on. The message is empty if there was no error. */
 typedef struct gough_error {
     gough_status status; /**< what the function returned */
     char message[500];   /**< the sentence, UTF-8, terminated, without a line end */
     const char *
         key; /**< the key of a study file that it is about, such as "load.mass", if the library knows it; else NULL */
+    int quantities; /**< how many of `quantity` are set */
+    gough_quantity quantity
+        [GOUGH_ERROR_QUANTITIES]; /**< numbers that gough_error_say() (units.h) writes in other units */
 } gough_error;
 
 /** Fills @p error (which may be NULL) with a printf-style sentence, as gough_sentence() formats it.

@@ -1,7 +1,7 @@
 /** @file study.h
  *  Study files: reads YAML and returns a validated model, or every error with its place. These functions allocate and read files.
  *
- *  Accuracy: numbers of a file are read to the nearest double; angles are then converted to radians.
+ *  Accuracy: numbers of a file are read to the nearest double and then converted to SI and radians, which costs a few roundings.
  *  Overlap: nothing that a study owns may be passed where it is written.
  *  Threads: functions may be called from several threads at once, on distinct studies; a study that is not changed may be shared.
  */
@@ -11,6 +11,7 @@
 #include "gough/fields.h"
 #include "gough/model.h"
 #include "gough/simulate.h"
+#include "gough/units.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -27,7 +28,7 @@ typedef struct gough_remark {
     char sentence[GOUGH_REMARK_TEXT]; /**< UTF-8, in the study's units, without a full stop */
 } gough_remark;
 
-/** One column of recorded motion. Lengths and times are in the study's units, angles in degrees. */
+/** One column of recorded motion, in the study's units. */
 typedef struct gough_record_column {
     bool given; /**< the file has it */
     double
@@ -50,7 +51,7 @@ typedef struct gough_record {
     gough_unwrapping unwrapped; /**< what was done to the angles */
     bool turned; /**< roll, pitch, yaw below are angles about turned axes, gough_samples.axes */
     double
-        pole_distance; /**< if so, the least distance of a row from the pole of these, in degrees */
+        pole_distance; /**< if so, the least distance of a row from the pole of these, in the study's unit of angle */
     gough_record_column column[GOUGH_COMPONENTS]; /**< surge … yaw */
     size_t remarks;                               /**< how many sentences follow */
     gough_remark remark[GOUGH_REMARKS];           /**< in the order of what they are about */
@@ -58,10 +59,12 @@ typedef struct gough_record {
 
 /** A study as read. All memory belongs to it; free it with gough_study_free(). */
 typedef struct gough_study {
-    char *title;                 /**< UTF-8, never NULL; "" if none */
-    char *text;                  /**< the file's text as read, terminated */
-    char *name;                  /**< the path it was read from, for messages */
-    bool dimensionless;          /**< units: dimensionless; else SI */
+    char *title;        /**< UTF-8, never NULL; "" if none */
+    char *text;         /**< the file's text as read, terminated */
+    char *name;         /**< the path it was read from, for messages */
+    bool dimensionless; /**< units: dimensionless */
+    gough_units
+        units; /**< in which its numbers are written and read; the model is in SI, or dimensionless */
     gough_model *model;          /**< validated */
     gough_simulation simulation; /**< how to run it */
     const gough_record *record;  /**< analysis of its recorded motion; NULL: it has none */

@@ -15,6 +15,7 @@
 #include "gough/batch.h"
 #include "gough/floquet.h"
 #include "gough/map.h"
+#include "gough/units.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -43,11 +44,8 @@ typedef struct gough_tuning_options {
      *  result is the least G known to meet the deviation (0: none yet), and `fails` the greatest G below it known not to meet it
      *  (NaN: none). */
     int (*progress)(void *context, double part);
-    void *context; /**< passed to progress */
-    const char
-        *length_unit;      /**< unit printed after a length in sentences, such as " m"; "": none */
-    const char *time_unit; /**< unit printed after a time */
-    const char *stiffness_unit; /**< unit printed after a stiffness */
+    void *context;            /**< passed to progress */
+    const gough_units *units; /**< of numbers in sentences; NULL: those of the run, without names */
 } gough_tuning_options;
 
 /** Fills in the defaults: a margin of 0.02, the model's damping, any angle, no units; `deviation` is 0 and must be set.

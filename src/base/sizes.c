@@ -65,6 +65,7 @@ static const struct {
     SIZE_OF(gough_record_column),
     SIZE_OF(gough_remark),
     SIZE_OF(gough_rest),
+    SIZE_OF(gough_quantity),
     SIZE_OF(gough_result_column),
     SIZE_OF(gough_row),
     SIZE_OF(gough_samples),

@@ -1,17 +1,22 @@
 /* Sentences for errors and words for the ends of runs. A sentence is the same in every locale:
- * numbers have a point. */
+ * numbers have a point. Marks behind numbers (base/quantity.h) are taken out, and kept with errors. */
 #include "gough/status.h"
 
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "base/quantity.h"
 
 /* A text that is cut where it is full. */
 typedef struct sentence {
     char *text;
     size_t size, used;
+    gough_quantity last; /* the number that was printed last */
+    gough_error *error;  /* receives marked numbers; NULL: nothing does */
 } sentence;
 
 static void append(sentence *s, const char *text, size_t length) {
@@ -34,6 +39,17 @@ static void append_number(sentence *s, const char *number) {
             point = true;
         }
     }
+}
+
+/* Keeps the number before a mark with the error; `behind`: bytes of the text that follows in place of a unit. */
+static void keep_quantity(const sentence *s, char letter, size_t behind) {
+    gough_error *error = s->error;
+    if (error == NULL || error->quantities == GOUGH_ERROR_QUANTITIES) return;
+    gough_quantity *kept = &error->quantity[error->quantities++];
+    *kept = s->last;
+    kept->length += (int)behind;
+    kept->unit = letter - (letter < QUANTITY_DEGREES ? QUANTITY_PLAIN : QUANTITY_DEGREES);
+    if (letter >= QUANTITY_DEGREES) kept->value *= 3.14159265358979323846 / 180;
 }
 
 /* One conversion, "%-10.3g" and the like; returns the first character after it. The format
@@ -67,6 +83,9 @@ static const char *append_conversion(sentence *s, const char *format, va_list *a
         /* with a precision the text need not be terminated, which snprintf respects */
         if (strchr(spec, '.') == NULL && n == 1) {
             const char *text = va_arg(*arguments, const char *);
+            const bool marked = text[0] == QUANTITY_MARK;
+            if (marked) text += 2;
+            if (marked) keep_quantity(s, text[-1], strlen(text));
             append(s, text, strlen(text));
         } else {
             snprintf(out, sizeof out, spec, va_arg(*arguments, const char *));
@@ -75,8 +94,11 @@ static const char *append_conversion(sentence *s, const char *format, va_list *a
     case 'e':
     case 'f':
     case 'g':
-        snprintf(out, sizeof out, spec, va_arg(*arguments, double));
+        s->last = (gough_quantity){.at = (int)s->used, .value = va_arg(*arguments, double)};
+        s->last.digits = strchr(spec, '.') ? atoi(strchr(spec, '.') + 1) : 6;
+        snprintf(out, sizeof out, spec, s->last.value);
         append_number(s, out);
+        s->last.length = (int)s->used - s->last.at;
         return at + 1;
     default:
         if (length == 'l')
@@ -90,14 +112,18 @@ static const char *append_conversion(sentence *s, const char *format, va_list *a
     return at + 1;
 }
 
-void gough_sentence(char *text, size_t size, const char *format, va_list list) {
-    sentence s = {text, size, 0};
+static void write_sentence(sentence *whole, const char *format, va_list list) {
+    sentence s = *whole;
+    char *const text = s.text;
     va_list arguments;
     text[0] = '\0';
     va_copy(arguments, list);
     while (*format != '\0') {
         if (*format == '%') {
             format = append_conversion(&s, format, &arguments);
+        } else if (*format == QUANTITY_MARK) {
+            keep_quantity(&s, format[1], 0);
+            format += 2;
         } else {
             append(&s, format, 1);
             format++;
@@ -113,13 +139,24 @@ void gough_sentence(char *text, size_t size, const char *format, va_list list) {
     }
 }
 
+void gough_sentence(char *text, size_t size, const char *format, va_list arguments) {
+    sentence s = {.text = text, .size = size};
+    write_sentence(&s, format, arguments);
+}
+
+static void write_error(gough_error *error, const char *format, va_list arguments) {
+    sentence s = {.text = error->message, .size = sizeof error->message, .error = error};
+    error->quantities = 0;
+    write_sentence(&s, format, arguments);
+}
+
 gough_status gough_fail(gough_error *error, gough_status status, const char *format, ...) {
     if (error == NULL) return status;
     va_list arguments;
     error->status = status;
     error->key = NULL;
     va_start(arguments, format);
-    gough_sentence(error->message, sizeof error->message, format, arguments);
+    write_error(error, format, arguments);
     va_end(arguments);
     return status;
 }
@@ -131,7 +168,7 @@ gough_status gough_fail_key(gough_error *error, gough_status status, const char 
     error->status = status;
     error->key = key;
     va_start(arguments, format);
-    gough_sentence(error->message, sizeof error->message, format, arguments);
+    write_error(error, format, arguments);
     va_end(arguments);
     return status;
 }

@@ -71,13 +71,7 @@ const char *builder_unit(const builder *b, const char *name) {
         if (found[0] != '\0' && unit[0] != '\0' && strcmp(found, unit) != 0) return "";
         if (unit[0] != '\0') found = unit;
     }
-    if (found[0] != '\0') return found;
-    /* CSV brings no units, but angles are in degrees in every table */
-    for (int c = 0; c < GOUGH_COLUMNS; c++) {
-        const gough_column_info *info = gough_column(c);
-        if (strcmp(info->name, name) == 0 && info->angle != 0 && info->time == 0) return "degree";
-    }
-    return "";
+    return found; /* CSV brings none */
 }
 
 panel *builder_panel(builder *b, const char *heading, const char *unit, bool logarithmic) {

@@ -71,7 +71,9 @@ static void append_unit(char *label, size_t size, const char *unit) {
 void sheet_unit_label(char *label, size_t size, const char *unit, int power) {
     static const char *const prefix[] = {"n", "µ", "m", "", "k", "M", "G"};
     const bool plain = unit[0] == '\0' || strcmp(unit, "1") == 0;
-    const bool takes_prefix = !plain && strchr("mNWs", unit[0]) != NULL;
+    /* of "mm", "ms" and "mrad" the first letter is a prefix */
+    const bool letter = !plain && unit[1] >= 'a' && unit[1] <= 'z';
+    const bool takes_prefix = !plain && strchr("mNWs", unit[0]) != NULL && !letter;
     label[0] = '\0';
     if (plain && power == 0) return;
 

@@ -114,12 +114,16 @@ void stability_write_margins(const stability_pen *pen, int top, int height) {
             stability_screen_y(pen, top), stability_screen_y(pen, top + height));
 }
 
-const char *stability_unit(const stability_pen *pen, const char *si, const char *own_units) {
+stability_words stability_unit(const stability_pen *pen, gough_unit unit, const char *own_units) {
     const gough_units *units = &pen->figure->units;
+    stability_words words;
     const bool own =
         fabs(units->length - 1) > 0 || fabs(units->mass - 1) > 0 || fabs(units->time - 1) > 0;
-    if (!units->dimensionless) return si;
-    return own ? own_units : ", dimensionless";
+    if (!units->dimensionless)
+        snprintf(words.text, sizeof words.text, " (%s)", gough_unit_label(units, unit));
+    else
+        snprintf(words.text, sizeof words.text, "%s", own ? own_units : ", dimensionless");
+    return words;
 }
 
 void stability_write_abscissa(const stability_pen *pen, bool titled) {
@@ -135,7 +139,7 @@ void stability_write_abscissa(const stability_pen *pen, bool titled) {
         fprintf(pen->file,
                 "set xlabel 'stiffness of the feedback G%s' noenhanced offset character "
                 "0,character 0.4\n",
-                stability_unit(pen, " (N/m)", " (Mg/R_b)"));
+                stability_unit(pen, GOUGH_UNIT_STIFFNESS, " (Mg/R_b)").text);
     else
         fprintf(pen->file, "unset xlabel\n");
 }

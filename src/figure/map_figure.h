@@ -37,7 +37,10 @@ void stability_write_margins(const stability_pen *pen, int top, int height);
 void stability_write_abscissa(const stability_pen *pen, bool titled);
 
 /* How a title names the unit of a stiffness or a damping: numbers without one may still be in units of the machine. */
-const char *stability_unit(const stability_pen *pen, const char *si, const char *own);
+typedef struct stability_words {
+    char text[48];
+} stability_words;
+stability_words stability_unit(const stability_pen *pen, gough_unit unit, const char *own);
 
 /* Dashed lines at the thresholds at rest, from the panel's top by so many pixels, their names above it. */
 void stability_write_thresholds(const stability_pen *pen, int height);

@@ -64,7 +64,7 @@ static void write_ordinate(const stability_pen *pen) {
         fprintf(pen->file, "%s'%s' %.6f", i ? ", " : "", tic[i].text, tic[i].shade);
     fprintf(pen->file, ")\nset ylabel '%s%s' noenhanced offset character 0.2,character 0\n",
             f->resting ? "growth rate" : "growth in each period",
-            f->resting ? stability_unit(pen, " (1/s)", " (√(g/R_b))") : "");
+            f->resting ? stability_unit(pen, GOUGH_UNIT_RATE, " (√(g/R_b))").text : "");
 }
 
 /* Behind the line a band for every interval. */

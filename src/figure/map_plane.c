@@ -81,7 +81,7 @@ static void write_scale_numbers(const stability_pen *pen) {
         "set label '%s%s' at screen %.6f,screen %.6f right noenhanced font ',%.4g' textcolor rgb "
         "'%s'\n",
         pen->field->resting ? "growth rate" : "growth per period",
-        pen->field->resting ? stability_unit(pen, " (1/s)", " (√(g/R_b))") : "",
+        pen->field->resting ? stability_unit(pen, GOUGH_UNIT_RATE, " (√(g/R_b))").text : "",
         stability_screen_x(STABILITY_WIDTH - 12), stability_screen_y(pen, pen->top - 12),
         stability_size(pen, STABILITY_SMALL), stability_ink);
     for (int i = 0; i < tics; i++) write_scale_number(pen, tic[i].shade, tic[i].text);
@@ -314,8 +314,8 @@ static void write_ordinate(const stability_pen *pen) {
     if (o->axis == GOUGH_MAP_AMPLITUDE) title = "amplitude of the motion, factor on the study’s";
     if (o->axis == GOUGH_MAP_FREQUENCY) title = "frequency of the motion, factor on the study’s";
     if (o->axis == GOUGH_MAP_DAMPING) title = "damping of the feedback D";
-    const char *unit =
-        o->axis == GOUGH_MAP_DAMPING ? stability_unit(pen, " (N s/m)", " (M√(g/R_b))") : "";
+    const stability_words damping = stability_unit(pen, GOUGH_UNIT_DAMPING, " (M√(g/R_b))");
+    const char *unit = o->axis == GOUGH_MAP_DAMPING ? damping.text : "";
     axis_write(pen->file, &(axis){.name = "y",
                                   .logarithmic = o->second.logarithmic,
                                   .low = pen->view.low_y,

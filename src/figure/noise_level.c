@@ -11,7 +11,7 @@
  * studies. The share has bounds, so that neither rounding is drawn as a signal nor a signal of a coarse run as nothing. */
 static const double errors = 100.0, usual_tolerance = 1e-10, least_share = 1e-12,
                     greatest_share = 1e-6;
-static const double degree = 57.29577951308232, earth = 9.80665;
+static const double earth = 9.80665;
 /* Sweeps do not say how large the machine is: as small a one as is built, in metres, so that no motion is taken for noise. */
 static const double least_length = 0.05;
 
@@ -44,34 +44,58 @@ static double share_of(const builder *b) {
     return fmin(fmax(errors * tolerance, least_share), greatest_share);
 }
 
+/* The units that the columns name; SI and degrees for those that name none. */
+static gough_units units_of(const builder *b) {
+    static const struct {
+        gough_base_unit base;
+        const char *column[2]; /* of a run, of a sweep */
+    } named[] = {{GOUGH_BASE_LENGTH, {"l1", "position_deviation"}},
+                 {GOUGH_BASE_FORCE, {"f1", "force"}},
+                 {GOUGH_BASE_ANGLE, {"roll", "angle_deviation"}},
+                 {GOUGH_BASE_TIME, {"t", "end_time"}}};
+    gough_units units = gough_units_si();
+    for (size_t i = 0; i < sizeof named / sizeof named[0]; i++)
+        for (int k = 0; k < 2; k++)
+            gough_units_choose(&units, named[i].base, builder_unit(b, named[i].column[k]));
+    return units;
+}
+
+/* Of a machine's size, in the units of the table. */
 typedef struct scales {
-    double length, time, force;
+    double length, time, force, power, angle;
 } scales;
 
 static scales scales_of(const builder *b, const char *unit) {
-    const bool metres = unit[0] == 'm' || unit[0] == 'W' || unit[0] == 'N';
-    scales s = {.length = greatest_of_legs(b, "l"), .force = greatest_of_legs(b, "f")};
-    if (!(s.length > 0.0)) s.length = metres ? least_length : 1.0;
-    s.time = sqrt(s.length / (metres ? earth : 1.0));
+    const gough_units units = units_of(b);
+    const bool dimensions =
+        unit[0] != '\0' && strcmp(unit, "1") != 0 && strncmp(unit, "deg", 3) != 0;
+    scales s = {.length = greatest_of_legs(b, "l"),
+                .force = greatest_of_legs(b, "f"),
+                .angle = gough_unit_factor(&units, GOUGH_UNIT_ANGLE)};
+    if (!(s.length > 0.0))
+        s.length = dimensions ? least_length * gough_unit_factor(&units, GOUGH_UNIT_LENGTH) : 1.0;
+    const double length = gough_unit_read(&units, GOUGH_UNIT_LENGTH, s.length),
+                 time = sqrt(length / (dimensions ? earth : 1.0));
+    s.time = gough_unit_factor(&units, GOUGH_UNIT_TIME) * time;
+    s.power = gough_unit_read(&units, GOUGH_UNIT_FORCE, s.force) * length / time;
     return s;
 }
 
 double builder_noise(const builder *b, const char *column) {
     const double share = share_of(b);
-    if (strcmp(column, "angle_deviation") == 0) return share * degree;
-    if (strcmp(column, "position_deviation") == 0)
-        return share * scales_of(b, builder_unit(b, column)).length;
+    const scales own = scales_of(b, builder_unit(b, column));
+    if (strcmp(column, "angle_deviation") == 0) return share * own.angle;
+    if (strcmp(column, "position_deviation") == 0) return share * own.length;
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
         const gough_column_info *info = gough_column(c);
         if (strcmp(info->name, column) != 0 || strcmp(column, "t") == 0) continue;
-        const scales s = scales_of(b, builder_unit(b, column));
-        if (info->mass != 0) /* a force, or a power, which is force · length / time */
-            return info->length == 1 && info->time == -2   ? share * s.force
-                   : info->length == 2 && info->time == -3 ? share * s.force * s.length / s.time
+        if (info->mass != 0)
+            return info->length == 1 && info->time == -2   ? share * own.force
+                   : info->length == 2 && info->time == -3 ? share * own.power
                                                            : 0.0;
         if (info->angle == 0 && info->length == 0) return 0.0;
-        return share * (info->angle != 0 ? degree : 1.0) * pow(s.length, info->length) *
-               pow(s.time, info->time);
+        return share * (info->angle != 0 ? own.angle : 1.0) * pow(own.length, info->length) *
+               pow(own.time, info->time);
     }
     return 0.0;
 }

@@ -94,15 +94,9 @@ static const char *heading_of(const char *name) {
     return name;
 }
 
-/* CSV brings no units, but angles are in degrees in every table. */
-static const char *unit_of(const builder *b, const char *name) {
-    const char *unit = builder_unit(b, name);
-    return *unit == '\0' && strcmp(name, "angle_deviation") == 0 ? "degree" : unit;
-}
-
 static void name_axis(builder *b, char *label, size_t size, const char *name, const char *said) {
     char unit[48];
-    sheet_unit_label(unit, sizeof unit, unit_of(b, name), 0);
+    sheet_unit_label(unit, sizeof unit, builder_unit(b, name), 0);
     snprintf(label, size, "%.100s%s", said, unit);
 }
 
@@ -187,7 +181,7 @@ static void fill_lines(builder *b, size_t key) {
             const double *column = builder_column(b, t, names[i]);
             if (column != NULL) wide = wide || spans_decades(b->tables[t], column);
         }
-        panel *p = builder_panel(b, heading_of(names[i]), unit_of(b, names[i]), wide);
+        panel *p = builder_panel(b, heading_of(names[i]), builder_unit(b, names[i]), wide);
         if (p != NULL) p->noise = builder_noise(b, names[i]);
         for (size_t t = 0; t < b->table_count; t++) add_line(b, p, t, path, names[i]);
     }
@@ -219,7 +213,7 @@ static void add_map(builder *b, const map *grid, const size_t key[2], const char
         if (cause[r] > 0.5) snprintf(b->sheet->note, sizeof b->sheet->note, "grey: ended early");
     }
     const bool wide = b->figure->logarithmic || spans_decades(t, cells);
-    panel *p = builder_panel(b, heading_of(name), unit_of(b, name), wide);
+    panel *p = builder_panel(b, heading_of(name), builder_unit(b, name), wide);
     if (p == NULL) return;
     p->noise = builder_noise(b, name);
     p->mapped = true;

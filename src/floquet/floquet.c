@@ -3,6 +3,7 @@
 #include <lapacke.h>
 #include <math.h>
 
+#include "base/quantity.h"
 #include "floquet/loads.h"
 #include "floquet/orbit.h"
 #include "floquet/spectrum.h"
@@ -20,14 +21,14 @@ enum { WORK = 34 * GOUGH_LINEAR };
 
 static gough_status check(const gough_period *period, double tolerance, gough_error *error) {
     if (period->resting)
-        return gough_fail(
-            error, GOUGH_ERROR_INPUT,
-            "the program is at rest from t = %.9g, so it has no period and no multipliers; compute "
-            "the stability at rest in that pose (gough_stability_at_rest())",
-            period->start);
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the program is at rest from t = %.9g" IN_TIME
+                          ", so it has no period and no multipliers; compute "
+                          "the stability at rest in that pose (gough_stability_at_rest())",
+                          period->start);
     if (!(period->period > 0 && isfinite(period->period) && isfinite(period->start)))
-        return gough_fail(error, GOUGH_ERROR_INPUT, "a period must be positive and finite, not %g",
-                          period->period);
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "a period must be positive and finite, not %g" IN_TIME, period->period);
     if (!(tolerance >= least_tolerance && tolerance <= greatest_tolerance))
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "the tolerance of the steps must be between %g and %g, not %g",

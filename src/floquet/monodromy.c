@@ -2,6 +2,7 @@
  * steps at the times of its stages. Theory: docs/theory/floquet.md. */
 #define NUMBER_DOUBLE
 #include "floquet/monodromy.h"
+#include "base/quantity.h"
 
 #include <string.h>
 
@@ -214,7 +215,8 @@ static double condition_now(const passage *p, double *determinant) {
 
 static gough_status say_singular(const passage *p, double condition, gough_error *error) {
     return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                      "by t = %.9g the %s has reached a singular or nearly singular pose "
+                      "by t = %.9g" IN_TIME
+                      " the %s has reached a singular or nearly singular pose "
                       "(condition %.3g); choose a motion that avoids it",
                       p->t, p->moving ? "platform" : "program", condition);
 }
@@ -253,8 +255,8 @@ static gough_status settle(passage *p, double t, double h, const double *phi, co
 
 static gough_status stuck(const passage *p, gough_error *error) {
     if (p->wrong != NULL)
-        return gough_fail(error, GOUGH_ERROR_INPUT, "%s is not finite near t = %.9g", p->wrong,
-                          p->t);
+        return gough_fail(error, GOUGH_ERROR_INPUT, "%s is not finite near t = %.9g" IN_TIME,
+                          p->wrong, p->t);
     if (!(condition_now(p, NULL) <= hindering_condition))
         return say_singular(p, condition_now(p, NULL), error);
     if (p->m->steps >= MOST_STEPS)
@@ -264,7 +266,8 @@ static gough_status stuck(const passage *p, gough_error *error) {
             "the platform oscillates very often in it; shorten the period or reduce the stiffness",
             MOST_STEPS);
     return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                      "at t = %.9g no step meets the tolerance: the motion is not smooth there, or "
+                      "at t = %.9g" IN_TIME
+                      " no step meets the tolerance: the motion is not smooth there, or "
                       "a leg has no length; a larger tolerance may help",
                       p->t);
 }

@@ -3,6 +3,7 @@
 #define NUMBER_DOUBLE
 #include <math.h>
 
+#include "base/quantity.h"
 #include "floquet/formula_rates.h"
 #include "gough/floquet.h"
 #include "kernel/real.h"
@@ -217,7 +218,11 @@ static double shown(const difference *d) {
     return d->component >= GOUGH_ROLL ? d->by * 180 / REAL_PI : d->by;
 }
 static const char *unit(const difference *d) {
-    return d->component >= GOUGH_ROLL ? " (degrees)" : "";
+    static const char *const of_length[ORDERS] = {IN_LENGTH, IN_SPEED, IN_ACCELERATION};
+    static const char *const of_angle[ORDERS] = {IN_DEGREES " (degrees)",
+                                                 IN_DEGREES_PER_TIME " (degrees)",
+                                                 IN_DEGREES_PER_TIME_SQUARED " (degrees)"};
+    return d->component >= GOUGH_ROLL ? of_angle[d->order] : of_length[d->order];
 }
 
 static gough_status check_finite(const windows *w, gough_error *error) {
@@ -229,10 +234,10 @@ static gough_status check_finite(const windows *w, gough_error *error) {
             gough_motion_evaluate(w->motion, t, c);
             for (int component = 0; component < GOUGH_COMPONENTS; component++) {
                 if (isfinite(c[component][0] + c[component][1] + c[component][2])) continue;
-                return gough_fail(
-                    error, GOUGH_ERROR_INPUT,
-                    "motion.%s is not finite at t = %.9g, so its stability cannot be computed",
-                    gough_component_name(component), t);
+                return gough_fail(error, GOUGH_ERROR_INPUT,
+                                  "motion.%s is not finite at t = %.9g" IN_TIME
+                                  ", so its stability cannot be computed",
+                                  gough_component_name(component), t);
             }
         }
     }
@@ -240,11 +245,12 @@ static gough_status check_finite(const windows *w, gough_error *error) {
 }
 
 static gough_status too_late(const windows *w, gough_error *error) {
-    return gough_fail(error, GOUGH_ERROR_INPUT,
-                      "the motion would have to be followed to t = %.3g to check that it repeats "
-                      "with the period %.9g; at such times its fastest sine, of angular frequency "
-                      "%.9g, has no accurate digits left",
-                      w->far * w->T, w->T, w->fastest);
+    return gough_fail(
+        error, GOUGH_ERROR_INPUT,
+        "the motion would have to be followed to t = %.3g" IN_TIME " to check that it repeats "
+        "with the period %.9g" IN_TIME "; at such times its fastest sine, of angular frequency "
+        "%.9g" IN_RATE ", has no accurate digits left",
+        w->far * w->T, w->T, w->fastest);
 }
 
 static gough_status not_periodic(const windows *w, const difference *d, bool proposed,
@@ -253,24 +259,28 @@ static gough_status not_periodic(const windows *w, const difference *d, bool pro
     if (!proposed)
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "motion.%s neither comes to rest nor repeats: it has no sine or cosine "
-                          "of a multiple of t, and from t = %.6g to %.6g its %s changes by %.3g%s; "
+                          "of a multiple of t, and from t = %.6g" IN_TIME " to %.6g" IN_TIME
+                          " its %s changes by %.3g%s; "
                           "write it with sines or cosines, or give motion.period",
                           gough_component_name(d->component), d->t, d->later, order_name[d->order],
                           shown(d), unit(d));
     return gough_fail(error, GOUGH_ERROR_INPUT,
-                      "motion.%s does not repeat: its sines have the common period %.9g, but from "
-                      "t = %.6g to %.6g, a whole number of periods later, its %s changes by "
+                      "motion.%s does not repeat: its sines have the common period %.9g" IN_TIME
+                      ", but from "
+                      "t = %.6g" IN_TIME " to %.6g" IN_TIME
+                      ", a whole number of periods later, its %s changes by "
                       "%.3g%s; remove trends and terms that die out too slowly",
                       gough_component_name(d->component), w->T, d->t, d->later,
                       order_name[d->order], shown(d), unit(d));
 }
 
 static gough_status no_common_period(const double apart[2], gough_error *error) {
-    return gough_fail(error, GOUGH_ERROR_INPUT,
-                      "the motion has no period: the ratio of its angular frequencies %.9g and "
-                      "%.9g is not one of whole numbers up to 1000; choose frequencies in a simple "
-                      "ratio or, if one of them dies out, give motion.period",
-                      apart[0], apart[1]);
+    return gough_fail(
+        error, GOUGH_ERROR_INPUT,
+        "the motion has no period: the ratio of its angular frequencies %.9g" IN_RATE " and "
+        "%.9g" IN_RATE " is not one of whole numbers up to 1000; choose frequencies in a simple "
+        "ratio or, if one of them dies out, give motion.period",
+        apart[0], apart[1]);
 }
 
 /* by how much the program misses after the period given, from `start` on */
@@ -282,17 +292,19 @@ static gough_status wrong_period(const windows *given, double start, const gough
     for (int i = 0; i < MOMENTS; i++)
         compare(given, start + moment(given, 0, i), start + moment(given, 0, i) + T, &d);
     if (right != NULL)
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "motion.period = %.16g is not a period of motion.%s: after it, the %s "
-                          "differs by %.3g%s (at t = %.6g); the period found from the formulas is "
-                          "%.16g: give that, or omit motion.period",
-                          T, gough_component_name(d.component), order_name[d.order], shown(&d),
-                          unit(&d), d.t, right->period);
-    return gough_fail(
-        error, GOUGH_ERROR_INPUT,
-        "motion.period = %.16g is not a period of motion.%s: after it, the %s differs by %.3g%s "
-        "(at t = %.6g); no other period was found from its formulas",
-        T, gough_component_name(d.component), order_name[d.order], shown(&d), unit(&d), d.t);
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "motion.period = %.16g" IN_TIME " is not a period of motion.%s: after it, the %s "
+            "differs by %.3g%s (at t = %.6g" IN_TIME "); the period found from the formulas is "
+            "%.16g" IN_TIME ": give that, or omit motion.period",
+            T, gough_component_name(d.component), order_name[d.order], shown(&d), unit(&d), d.t,
+            right->period);
+    return gough_fail(error, GOUGH_ERROR_INPUT,
+                      "motion.period = %.16g" IN_TIME
+                      " is not a period of motion.%s: after it, the %s differs by %.3g%s "
+                      "(at t = %.6g" IN_TIME "); no other period was found from its formulas",
+                      T, gough_component_name(d.component), order_name[d.order], shown(&d),
+                      unit(&d), d.t);
 }
 
 /* ---- the kinds of motion ---- */
@@ -380,10 +392,11 @@ static gough_status period_of_record(const gough_motion *motion, gough_period *p
                           "the period of recorded motion cannot be found from formulas; give "
                           "motion.period, and a record whose last period ends as it begins");
     if (start < fmax(first, 0) - 1e-9 * T)
-        return gough_fail(
-            error, GOUGH_ERROR_INPUT,
-            "motion.period = %.9g is longer than the record, which extends from t = %.9g to %.9g",
-            T, first, last);
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "motion.period = %.9g" IN_TIME
+                          " is longer than the record, which extends from t = %.9g" IN_TIME
+                          " to %.9g" IN_TIME,
+                          T, first, last);
     *period = (gough_period){.start = fmax(start, fmax(first, 0)), .period = T};
     w.far = 0;
     for (int i = 0; i < MOMENTS; i++) {
@@ -398,13 +411,13 @@ static gough_status period_of_record(const gough_motion *motion, gough_period *p
         for (int o = 0; o < ORDERS; o++) {
             const difference d = {0, fabs(a[k][o] - b[k][o]), period->start, last, k, o};
             if (d.by <= same_record[o] * w.scale[k >= GOUGH_ROLL][o]) continue;
-            return gough_fail(error, GOUGH_ERROR_INPUT,
-                              "the record does not repeat: at its end, t = %.9g, the %s of %s "
-                              "%sdiffers by %.3g%s from that a period of %.9g earlier; give a "
-                              "record that closes, or the correct period",
-                              last, order_name[o], gough_component_name(k),
-                              turned && k >= GOUGH_ROLL ? "about turned axes " : "", shown(&d),
-                              unit(&d), T);
+            return gough_fail(
+                error, GOUGH_ERROR_INPUT,
+                "the record does not repeat: at its end, t = %.9g" IN_TIME ", the %s of %s "
+                "%sdiffers by %.3g%s from that a period of %.9g" IN_TIME " earlier; give a "
+                "record that closes, or the correct period",
+                last, order_name[o], gough_component_name(k),
+                turned && k >= GOUGH_ROLL ? "about turned axes " : "", shown(&d), unit(&d), T);
         }
     }
     return GOUGH_OK;

@@ -1,6 +1,7 @@
 /* Equilibrium of a loop: the pose asked for, or, where no forces are fed forward, what it sags to as its load comes on.
  * Theory: docs/theory/stability.md. */
 #include "linear/equilibrium.h"
+#include "base/quantity.h"
 
 #include <lapacke.h>
 #include <math.h>
@@ -138,8 +139,10 @@ static void words_of(const double component[GOUGH_COMPONENTS], gough_error *word
         const bool angle = c >= GOUGH_ROLL;
         const double value = component[c] * (angle ? degrees : 1);
         if (!(fabs(value) > 0)) continue;
+        const gough_error before = *words;
         gough_fail(words, GOUGH_OK, "%s%s%s %.6g%s", text, text[0] ? ", " : "",
-                   gough_component_name(c), value, angle ? "°" : "");
+                   gough_component_name(c), value, angle ? IN_DEGREES "°" : IN_LENGTH);
+        if (text[0]) quantity_carry(words, &before);
         memcpy(text, words->message, sizeof text);
     }
     if (text[0] == '\0') gough_fail(words, GOUGH_OK, "home");
@@ -218,8 +221,10 @@ gough_status equilibrium_ask(const gough_model *model, const double *component, 
 
     words_of(from, &asked->words);
     gough_program(&model->machine, rest, 0, &asked->state, &none);
-    return check_pose(&model->machine, &asked->state, "the requested pose", asked->words.message,
-                      &asked->determinant, error);
+    const gough_status status = check_pose(&model->machine, &asked->state, "the requested pose",
+                                           asked->words.message, &asked->determinant, error);
+    if (status != GOUGH_OK) quantity_carry(error, &asked->words);
+    return status;
 }
 
 gough_status equilibrium_find(const gough_model *model, const double *component, gough_motion *rest,
@@ -230,6 +235,10 @@ gough_status equilibrium_find(const gough_model *model, const double *component,
 
     if (status != GOUGH_OK || !falls_short(&model->machine, &model->control)) return status;
     status = sag(&loop, asked.words.message, asked.determinant, &asked.state, error);
-    if (status == GOUGH_OK) stand(&model->machine, &asked.state, rest);
+    if (status == GOUGH_OK) {
+        stand(&model->machine, &asked.state, rest);
+    } else {
+        quantity_carry(error, &asked.words);
+    }
     return status;
 }

@@ -1,5 +1,6 @@
 /* Linearisation for callers: checks around the complex equations. Theory: docs/theory/stability.md. */
 #include "linear/linear.h"
+#include "base/quantity.h"
 
 #include "base/limits.h"
 #include "plant/can_move.h"
@@ -15,11 +16,11 @@ static gough_status check_condition(const gough_machine *machine, double t,
 
     gough_conditioning(machine, program, &condition, NULL);
     if (condition <= greatest_condition) return GOUGH_OK;
-    return gough_fail(
-        error, GOUGH_ERROR_NUMERICAL,
-        "at t = %.9g the program is in a singular pose or nearly so (condition %.3g): no leg "
-        "forces can hold the load there; choose a motion that avoids it",
-        t, fabs(condition));
+    return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                      "at t = %.9g" IN_TIME
+                      " the program is in a singular pose or nearly so (condition %.3g): no leg "
+                      "forces can hold the load there; choose a motion that avoids it",
+                      t, fabs(condition));
 }
 
 static gough_status check_legs(const gough_machine *machine, double t, const gough_state *state,
@@ -29,10 +30,10 @@ static gough_status check_legs(const gough_machine *machine, double t, const gou
     gough_leg_kinematics(machine, state, NULL, length, NULL, NULL);
     for (int v = 0; v < GOUGH_LEGS; v++) {
         if (length[v] > leg_no_length * machine->base_radius) continue;
-        return gough_fail(
-            error, GOUGH_ERROR_NUMERICAL,
-            "at t = %.9g leg %d of the %s has no length, so the motion has no derivative there", t,
-            v + 1, whose);
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "at t = %.9g" IN_TIME
+                          " leg %d of the %s has no length, so the motion has no derivative there",
+                          t, v + 1, whose);
     }
     return GOUGH_OK;
 }
@@ -42,7 +43,8 @@ static gough_status check_matrix(double t, linear_matrix matrix, gough_error *er
         for (int j = 0; j < GOUGH_LINEAR; j++) {
             if (isfinite(matrix[i][j])) continue;
             return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                              "at t = %.9g the derivatives of the motion are not finite", t);
+                              "at t = %.9g" IN_TIME " the derivatives of the motion are not finite",
+                              t);
         }
     }
     return GOUGH_OK;
@@ -92,7 +94,8 @@ gough_status linear_check(const linear_loop *loop, double t, const gough_state *
     gough_status status;
 
     if (wrong != NULL) {
-        return gough_fail(error, GOUGH_ERROR_INPUT, "%s is not finite at t = %.9g", wrong, t);
+        return gough_fail(error, GOUGH_ERROR_INPUT, "%s is not finite at t = %.9g" IN_TIME, wrong,
+                          t);
     }
     gough_program(machine, loop->motion, t, &program, &none);
     status = check_legs(machine, t, &program, "program", error);

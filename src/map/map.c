@@ -9,6 +9,7 @@
 
 #include "base/assert.h"
 #include "base/crew.h"
+#include "base/quantity.h"
 #include "gough/batch.h"
 #include "gough/sizes.h"
 #include "map/map_row.h"
@@ -49,24 +50,25 @@ size_t gough_map_rows(const gough_map_options *options) {
 
 /* ---- checks ---- */
 
-static gough_status check_range(const gough_map_range *range, const char *what, bool positive,
-                                gough_error *error) {
+static gough_status check_range(const gough_map_range *range, const char *what, const char *mark,
+                                bool positive, gough_error *error) {
     if (range->count < 1) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "the %s axis of the map has no values: its count is 0", what);
     }
     if (!isfinite(range->from) || !isfinite(range->to) || range->from < 0 ||
         ((positive || range->logarithmic) && !(range->from > 0))) {
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the %s axis of the map goes from %.9g to %.9g; it must be finite and %s",
-                          what, range->from, range->to,
-                          positive || range->logarithmic ? "above 0" : "not below 0");
-    }
-    if (range->count > 1 && !(range->to > range->from)) {
         return gough_fail(
             error, GOUGH_ERROR_INPUT,
-            "the %s axis of the map goes from %.9g to %.9g; its end must be greater than its start",
-            what, range->from, range->to);
+            "the %s axis of the map goes from %.9g%s to %.9g%s; it must be finite and %s", what,
+            range->from, mark, range->to, mark,
+            positive || range->logarithmic ? "above 0" : "not below 0");
+    }
+    if (range->count > 1 && !(range->to > range->from)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the %s axis of the map goes from %.9g%s to %.9g%s; its end must be "
+                          "greater than its start",
+                          what, range->from, mark, range->to, mark);
     }
     return GOUGH_OK;
 }
@@ -120,9 +122,11 @@ static gough_status check(const gough_map_options *given, gough_map_options *o,
                           "%d lanes: this processor can run 1%s%s or %d lanes", o->lanes,
                           widest > 2 ? ", 2" : "", widest > 4 ? ", 4" : "", widest);
     }
-    status = check_range(&o->stiffness, "stiffness", false, error);
+    status = check_range(&o->stiffness, "stiffness", IN_STIFFNESS, false, error);
     if (status == GOUGH_OK && o->axis != GOUGH_MAP_NONE)
-        status = check_range(&o->second, second[o->axis], o->axis == GOUGH_MAP_FREQUENCY, error);
+        status =
+            check_range(&o->second, second[o->axis], o->axis == GOUGH_MAP_DAMPING ? IN_DAMPING : "",
+                        o->axis == GOUGH_MAP_FREQUENCY, error);
     if (status != GOUGH_OK) return status;
     if (!(o->stiffness.to > 0))
         return gough_fail(error, GOUGH_ERROR_INPUT,

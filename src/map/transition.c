@@ -1,6 +1,7 @@
 /* Transition matrices of the parts of a period at the Chebyshev points of the stiffness. Theory: docs/theory/floquet.md. */
 #define NUMBER_DOUBLE
 #include "map/transition.h"
+#include "base/quantity.h"
 
 #include <lapacke.h>
 #include <math.h>
@@ -64,7 +65,8 @@ static gough_status check_side(const linear_loop *loop, const gough_period *peri
         if (i == 0) first = side;
         if (side * first > 0) continue;
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "by t = %.9g the program has reached or passed a singular pose; choose a "
+                          "by t = %.9g" IN_TIME
+                          " the program has reached or passed a singular pose; choose a "
                           "motion that avoids it",
                           t);
     }
@@ -94,11 +96,11 @@ gough_status transition_divide(const linear_loop *loop, const gough_period *peri
     parts = fmax(1, ceil(T * fmax(growth[LOOSE] / part_growth, size[STIFF] / part_phase)));
     steps = ceil(T * fmax(size[STIFF] / step_phase, size[DAMPED] / step_decay) / parts);
     if (!(parts <= most_parts && parts * steps <= most_steps)) {
-        return gough_fail(
-            error, GOUGH_ERROR_INPUT,
-            "at a stiffness of %.9g the fastest mode turns or decays by %.3g rad in a period, "
-            "which is too much; choose a smaller range of stiffness or damping",
-            top, T * fmax(size[STIFF], size[DAMPED]));
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "at a stiffness of %.9g" IN_STIFFNESS
+                          " the fastest mode turns or decays by %.3g rad in a period, "
+                          "which is too much; choose a smaller range of stiffness or damping",
+                          top, T * fmax(size[STIFF], size[DAMPED]));
     }
     if (steps * parts < LEAST_STEPS) steps = ceil(LEAST_STEPS / parts);
     *d = (division){(size_t)parts, (size_t)steps, T * size[STIFF]};

@@ -1,4 +1,5 @@
 /* The table of fields: each line of fields.def with its words. */
+#include "base/unit_words.h"
 #include "model/places.h"
 
 /* ---- shapes and bounds by name ---- */
@@ -23,6 +24,7 @@
 #define TYPE_FORMULA_VECTOR "three formulas"
 #define TYPE_CONSTRAINTS "choice or mapping"
 #define TYPE_SMOOTH "choice or mapping"
+#define TYPE_UNITS "choice or mapping"
 #define TYPE_WHOLE "whole number"
 #define TYPE_SWEPT "mapping of paths"
 
@@ -45,6 +47,11 @@
 #define BOUND_RUNS BOUND("1 to 100000000", "a whole number from 1 to 100000000", 1, 1e8, false)
 #define BOUND_STEPS BOUND("2 to 100000000", "a whole number from 2 to 100000000", 2, 1e8, false)
 #define BOUND_UNITS WORDS("si, dimensionless")
+#define BOUND_LENGTHS WORDS(WORDS_OF(LENGTHS))
+#define BOUND_FORCES WORDS(WORDS_OF(FORCES))
+#define BOUND_MASSES WORDS(WORDS_OF(MASSES))
+#define BOUND_ANGLES WORDS(WORDS_OF(ANGLES))
+#define BOUND_TIMES WORDS(WORDS_OF(TIMES))
 #define BOUND_FEEDFORWARD WORDS("program, none")
 #define BOUND_KNOWN WORDS("false, true")
 #define BOUND_EFFICIENCY BOUND("> 0, <= 1", "greater than 0, and at most 1", 0, 1, true)

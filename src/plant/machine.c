@@ -3,6 +3,7 @@
 #define NUMBER_DOUBLE
 #include <string.h>
 
+#include "base/quantity.h"
 #include "gough/model.h"
 #include "kernel/legs.h"
 #include "kernel/principal.h"
@@ -56,24 +57,25 @@ static gough_status check_numbers(const gough_platform *p, const gough_load *loa
     if (!real_finite(p->height))
         return FAIL(error, "platform.height", "the platform's height is not finite");
     if (!(real_finite(p->base_radius) && p->base_radius >= 0))
-        return FAIL(error, "platform.base", "the base radius must be positive and finite, not %g",
+        return FAIL(error, "platform.base",
+                    "the base radius must be positive and finite, not %g" IN_LENGTH,
                     p->base_radius);
     if (!(p->length_min >= 0 && real_finite(p->length_min)))
         return FAIL(error, "platform.legs.length",
-                    "the least leg length must be 0 or positive, not %g", p->length_min);
+                    "the least leg length must be 0 or positive, not %g" IN_LENGTH, p->length_min);
     if (!(p->length_max > p->length_min))
         return FAIL(error, "platform.legs.length",
-                    "the greatest leg length, %g, must exceed the least, %g", p->length_max,
-                    p->length_min);
+                    "the greatest leg length, %g" IN_LENGTH ", must exceed the least, %g" IN_LENGTH,
+                    p->length_max, p->length_min);
     if (!(p->speed_max > 0))
         return FAIL(error, "platform.legs.max_speed",
-                    "the greatest leg speed must be positive, not %g", p->speed_max);
+                    "the greatest leg speed must be positive, not %g" IN_SPEED, p->speed_max);
     if (!(p->force_max > 0))
         return FAIL(error, "platform.legs.max_force",
-                    "the greatest leg force must be positive, not %g", p->force_max);
+                    "the greatest leg force must be positive, not %g" IN_FORCE, p->force_max);
     if (!(load->mass > 0 && real_finite(load->mass)))
-        return FAIL(error, "load.mass", "the mass of the load must be positive and finite, not %g",
-                    load->mass);
+        return FAIL(error, "load.mass",
+                    "the mass of the load must be positive and finite, not %g" IN_MASS, load->mass);
     if (!all_finite(load->center_of_mass, 3))
         return FAIL(error, "load.center_of_mass", "the load's centre of mass is not finite");
     if (!all_finite(load->inertia[0], 3) || !all_finite(load->inertia[1], 3) ||
@@ -151,11 +153,11 @@ static gough_status set_friction(gough_machine *m, int v, gough_error *error) {
 
     m->breakaway[v] = f->breakaway[v] > 0 ? f->breakaway[v] : coulomb;
     if (m->breakaway[v] < coulomb)
-        return FAIL(
-            error, "platform.legs.friction.breakaway",
-            "the breakaway friction, %g, must not be below the Coulomb friction, %g, in leg "
-            "%d",
-            m->breakaway[v], coulomb, v + 1);
+        return FAIL(error, "platform.legs.friction.breakaway",
+                    "the breakaway friction, %g" IN_FORCE
+                    ", must not be below the Coulomb friction, %g" IN_FORCE ", in leg "
+                    "%d",
+                    m->breakaway[v], coulomb, v + 1);
     if (m->breakaway[v] > coulomb && !(stribeck > 0))
         return FAIL(error, "platform.legs.friction.breakaway",
                     "breakaway friction above Coulomb friction needs a stribeck_speed, in leg %d",
@@ -283,7 +285,8 @@ static gough_status set_inertia(gough_machine *m, gough_error *error) {
     for (int a = 0; a < 3; a++) {
         if (!(moment[a] > NO_MOMENT * greatest)) /* nor where they are not finite */
             return FAIL(error, "load.inertia",
-                        "no body has this inertia: its principal moments are %.6g, %.6g, %.6g, and "
+                        "no body has this inertia: its principal moments are %.6g" IN_INERTIA
+                        ", %.6g" IN_INERTIA ", %.6g" IN_INERTIA ", and "
                         "each must be positive",
                         moment[0], moment[1], moment[2]);
     }
@@ -293,7 +296,8 @@ static gough_status set_inertia(gough_machine *m, gough_error *error) {
         if (fabs(m->second_moments[a]) <= NO_MOMENT * greatest) m->second_moments[a] = 0;
         if (m->second_moments[a] < 0)
             return FAIL(error, "load.inertia",
-                        "no body has this inertia: of its principal moments %.6g, %.6g, %.6g the "
+                        "no body has this inertia: of its principal moments %.6g" IN_INERTIA
+                        ", %.6g" IN_INERTIA ", %.6g" IN_INERTIA " the "
                         "greatest exceeds the sum of the other two",
                         moment[0], moment[1], moment[2]);
     }

@@ -297,6 +297,62 @@ gough_status gough_formula_compile(gough_formula *formula, const char *text, siz
     return status;
 }
 
+/* ---- in other units ---- */
+
+static bool is_one(double x) { return !(x < 1) && !(x > 1); }
+
+/* Most values that wait on the stack at once, if each t takes one more while it is made. */
+static int depth_of(const gough_formula *f, bool retimed) {
+    int depth = 0, deepest = 0;
+    for (int i = 0; i < f->count; i++) {
+        const int code = f->operation[i].code;
+        if (code >= FORMULA_ADD) depth--;
+        if (code >= FORMULA_NEGATE) continue;
+        depth++;
+        const int here = depth + (retimed && code == FORMULA_TIME ? 1 : 0);
+        if (here > deepest) deepest = here;
+    }
+    return deepest;
+}
+
+static void put(gough_formula *f, int code, int constant, double value) {
+    f->operation[f->count].code = code;
+    f->operation[f->count].constant = constant;
+    f->operation[f->count].value = value;
+    f->count++;
+}
+
+gough_status gough_formula_scale(gough_formula *formula, double size, double rate,
+                                 gough_error *error) {
+    const bool sized = !is_one(size) && !gough_formula_is_zero(formula), retimed = !is_one(rate);
+    bool moving = false;
+    int count = formula->count + (sized ? 2 : 0);
+    for (int i = 0; i < formula->count; i++) {
+        const bool time = formula->operation[i].code == FORMULA_TIME;
+        moving = moving || time;
+        if (time && retimed) count += 2;
+    }
+    if (count > GOUGH_FORMULA_OPERATIONS || depth_of(formula, retimed) > GOUGH_FORMULA_DEPTH)
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the formula is too long to be converted from the study's units: at most "
+                          "%d numbers and operations, and %d pending values",
+                          GOUGH_FORMULA_OPERATIONS, GOUGH_FORMULA_DEPTH);
+    const gough_formula plain = *formula;
+    formula->count = 0;
+    for (int i = 0; i < plain.count; i++) {
+        const bool time = retimed && plain.operation[i].code == FORMULA_TIME;
+        if (time) put(formula, FORMULA_NUMBER, 0, rate);
+        put(formula, plain.operation[i].code, plain.operation[i].constant,
+            plain.operation[i].value);
+        if (time) put(formula, FORMULA_MULTIPLY, FORMULA_FIRST_CONSTANT, 0);
+    }
+    if (!sized) return GOUGH_OK;
+    put(formula, FORMULA_NUMBER, 0, size);
+    put(formula, FORMULA_MULTIPLY, FORMULA_SECOND_CONSTANT | (moving ? 0 : FORMULA_FIRST_CONSTANT),
+        0);
+    return GOUGH_OK;
+}
+
 gough_status gough_formula_init(gough_formula *formula, size_t size, double value) {
     if (size != sizeof *formula) return gough_size_refuse(formula, size);
     *formula = (gough_formula){.count = 1};

@@ -8,6 +8,7 @@
 #define NUMBER_DOUBLE
 #include <string.h>
 
+#include "base/quantity.h"
 #include "program/angles.h"
 #include "program/appointments.h"
 #include "program/program.h"
@@ -185,6 +186,6 @@ gough_status gough_motion_range(const gough_motion *motion, double duration, dou
     }
     if (!isfinite(r.bad)) return GOUGH_OK;
     return gough_fail(error, GOUGH_ERROR_INPUT,
-                      "motion.%s (value or derivatives) is not finite at t = %.9g",
+                      "motion.%s (value or derivatives) is not finite at t = %.9g" IN_TIME,
                       gough_component_name(r.component), r.bad);
 }

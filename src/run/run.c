@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/quantity.h"
 #include "gough/sizes.h"
 #include "model/places.h"
 #include "plant/can_move.h"
@@ -46,13 +47,13 @@ static bool positive(double x) { return x > 0 && isfinite(x); }
 static gough_status check_times(const gough_simulation *s, gough_error *error) {
     if (!positive(s->duration)) {
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.duration",
-                              "simulation.duration must be a finite number > 0, not %.9g",
+                              "simulation.duration must be a finite number > 0, not %.9g" IN_TIME,
                               s->duration);
     }
     if (!positive(s->output_step)) {
-        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.output_step",
-                              "simulation.output_step must be a finite number > 0, not %.9g",
-                              s->output_step);
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "simulation.output_step",
+            "simulation.output_step must be a finite number > 0, not %.9g" IN_TIME, s->output_step);
     }
     if (!(s->max_step >= 0) || !isfinite(s->max_step)) {
         return gough_fail_key(
@@ -63,8 +64,9 @@ static gough_status check_times(const gough_simulation *s, gough_error *error) {
     }
     if (s->duration / s->output_step > most_rows) {
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.output_step",
-                              "simulation.output_step %.9g gives more than 1e8 rows in a duration "
-                              "of %.9g; choose a longer one",
+                              "simulation.output_step %.9g" IN_TIME
+                              " gives more than 1e8 rows in a duration "
+                              "of %.9g" IN_TIME "; choose a longer one",
                               s->output_step, s->duration);
     }
     return GOUGH_OK;
@@ -75,7 +77,8 @@ static gough_status check_step(const gough_simulation *s, gough_error *error) {
 
     if (s->max_step > 0 && s->step > s->max_step * (1 + division_slack)) {
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.step",
-                              "simulation.step %.9g is longer than simulation.max_step %.9g",
+                              "simulation.step %.9g" IN_TIME
+                              " is longer than simulation.max_step %.9g" IN_TIME,
                               s->step, s->max_step);
     }
 
@@ -85,16 +88,17 @@ static gough_status check_step(const gough_simulation *s, gough_error *error) {
                               gough_method_name((int)s->method));
     }
     if (ratio < 1 - division_slack || fabs(ratio - round(ratio)) > division_slack * ratio) {
-        return gough_fail_key(
-            error, GOUGH_ERROR_INPUT, "simulation.step",
-            "simulation.step %.9g does not divide simulation.output_step %.9g; the "
-            "nearest that does is %.17g",
-            s->step, s->output_step, s->output_step / fmax(1, round(ratio)));
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.step",
+                              "simulation.step %.9g" IN_TIME
+                              " does not divide simulation.output_step %.9g" IN_TIME "; the "
+                              "nearest that does is %.17g" IN_TIME,
+                              s->step, s->output_step, s->output_step / fmax(1, round(ratio)));
     }
     if (!(s->duration / s->step <= most_steps)) {
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.step",
-                              "simulation.step %.9g gives more than 1e12 steps in a duration of "
-                              "%.9g; choose a longer one",
+                              "simulation.step %.9g" IN_TIME
+                              " gives more than 1e12 steps in a duration of "
+                              "%.9g" IN_TIME "; choose a longer one",
                               s->step, s->duration);
     }
     return GOUGH_OK;
@@ -142,8 +146,9 @@ static gough_status check_samples(const gough_motion *motion, const gough_simula
     if (motion->scaled) first /= motion->frequency, last /= motion->frequency;
     if (first > 0 || last < s->duration * (1 - division_slack)) {
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.duration",
-                              "simulation.duration: the run from 0 to %.9g extends beyond the "
-                              "recorded motion, which covers %.9g to %.9g",
+                              "simulation.duration: the run from 0 to %.9g" IN_TIME
+                              " extends beyond the "
+                              "recorded motion, which covers %.9g" IN_TIME " to %.9g" IN_TIME,
                               s->duration, first, last);
     }
     return GOUGH_OK;
@@ -176,8 +181,9 @@ gough_status gough_simulation_check(const gough_model *model, const gough_simula
     if (status != GOUGH_OK) return status;
     if (noisy && !(simulation->duration / noise->interval <= most_knots)) {
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "disturbance.noise.interval",
-                              "disturbance.noise.interval %.9g gives more than 1e12 knots in a run "
-                              "of %.9g; choose a longer one",
+                              "disturbance.noise.interval %.9g" IN_TIME
+                              " gives more than 1e12 knots in a run "
+                              "of %.9g" IN_TIME "; choose a longer one",
                               noise->interval, simulation->duration);
     }
     return GOUGH_OK;

@@ -1,5 +1,5 @@
 /* From a checked tree to the model: by the table of fields (fill.h), and by the rules between fields: rings of joints, inertia,
- * gravity, method and constraints. Angles are in degrees in the file and in radians in the model. */
+ * gravity, method and constraints. */
 #include "study/build.h"
 
 #include <math.h>
@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/chosen_units.h"
 #include "study/fill.h"
 #include "study/motion.h"
 #include "study/value.h"
@@ -45,18 +46,22 @@ static bool check_ring(study_build *build, study_node *ring) {
 }
 
 /* Both rings by radius and half angle; one given by joints is made of unit size, to be replaced. */
-static gough_platform read_rings(const study_node *platform) {
+static gough_platform read_rings(const study_node *platform, const gough_units *units) {
     const study_node *base = study_node_child(platform, "base");
     const study_node *top = study_node_child(platform, "top");
     const bool base_joints = study_node_child(base, "joints") != NULL;
     const bool top_joints = study_node_child(top, "joints") != NULL;
-    const double base_radius = study_number(study_node_child(base, "radius"));
-    const double base_angle = study_number(study_node_child(base, "half_angle")) * STUDY_DEGREE;
-    const double top_radius = study_number(study_node_child(top, "radius"));
-    const double top_angle = study_number(study_node_child(top, "half_angle")) * STUDY_DEGREE;
+    double radius[2], angle[2];
+    for (int ring = 0; ring < 2; ring++) {
+        const study_node *node = ring ? top : base;
+        radius[ring] = gough_unit_read(units, GOUGH_UNIT_LENGTH,
+                                       study_number(study_node_child(node, "radius")));
+        angle[ring] = gough_unit_read(units, GOUGH_UNIT_ANGLE,
+                                      study_number(study_node_child(node, "half_angle")));
+    }
     gough_platform made =
-        gough_platform_symmetric(base_joints ? 1 : base_radius, base_joints ? 0 : base_angle,
-                                 top_joints ? 1 : top_radius, top_joints ? 0 : top_angle, 0);
+        gough_platform_symmetric(base_joints ? 1 : radius[0], base_joints ? 0 : angle[0],
+                                 top_joints ? 1 : radius[1], top_joints ? 0 : angle[1], 0);
     if (base_joints) made.base_radius = 0;
     return made;
 }
@@ -78,7 +83,7 @@ static void check_part(study_build *build, const study_node *legs, const char *n
     if (!mass || mass->wrong) return;
     double number[GOUGH_LEGS] = {0};
     bool heavy = false;
-    study_numbers(mass, number);
+    study_numbers(mass, &build->study->units, GOUGH_UNIT_MASS, number);
     for (int v = 0; v < GOUGH_LEGS; v++) heavy = heavy || number[v] > 0;
     for (size_t i = 0; heavy && i < sizeof needed / sizeof needed[0]; i++) {
         if (study_node_child(part, needed[i]) || study_node_meant(part, needed[i])) continue;
@@ -97,10 +102,10 @@ static void check_breakaway(study_build *build, const study_node *legs) {
     const study_node *coulomb = study_node_child(friction, "coulomb");
     double most = 0, least = INFINITY, number[GOUGH_LEGS] = {0};
     if (!breakaway || !coulomb || breakaway->wrong || coulomb->wrong) return;
-    study_numbers(coulomb, number);
+    study_numbers(coulomb, &build->study->units, GOUGH_UNIT_FORCE, number);
     for (int v = 0; v < GOUGH_LEGS; v++) most = fmax(most, number[v]);
     const size_t count = breakaway->kind == STUDY_LIST ? GOUGH_LEGS : 1;
-    study_numbers(breakaway, number);
+    study_numbers(breakaway, &build->study->units, GOUGH_UNIT_FORCE, number);
     for (size_t v = 0; v < count; v++) least = fmin(least, number[v]);
     if (least > 0 || !(most > 0)) return;
     study_node_say(build->messages, breakaway, study_node_place(breakaway, false),
@@ -117,7 +122,7 @@ static void check_legs(study_build *build, study_node *legs) {
 
 static bool read_inertia(study_build *build, study_node *node, double inertia[3][3]) {
     double number[9], largest = 0;
-    study_numbers(node, number);
+    study_numbers(node, &build->study->units, GOUGH_UNIT_INERTIA, number);
     if (node->first->kind == STUDY_SCALAR) {
         for (int i = 0; i < 3; i++) inertia[i][i] = number[i];
         return true;
@@ -141,8 +146,9 @@ static bool read_inertia(study_build *build, study_node *node, double inertia[3]
 }
 
 /* an error of the library, at the key that it is about if the study has it, else at the nearest one around it */
-static void say_library(study_build *build, study_node *otherwise, const gough_error *error) {
+static void say_library(study_build *build, study_node *otherwise, gough_error *error) {
     const char *rest;
+    gough_error_say(error, &build->study->units);
     study_node *node = study_node_follow(build->root, error->key ? error->key : "", &rest);
     if (!node) node = otherwise;
     study_node_say(build->messages, node, study_node_place(node, true), "%s",
@@ -153,9 +159,9 @@ static void say_library(study_build *build, study_node *otherwise, const gough_e
 static void read_gravity(const gough_study *study, const study_node *node, double gravity[3]) {
     gravity[2] = study->dimensionless ? -1 : -9.80665;
     if (node && node->kind == STUDY_LIST)
-        study_numbers(node, gravity);
+        study_numbers(node, &study->units, GOUGH_UNIT_ACCELERATION, gravity);
     else if (node)
-        gravity[2] = -study_number(node);
+        gravity[2] = -gough_unit_read(&study->units, GOUGH_UNIT_ACCELERATION, study_number(node));
 }
 
 static bool build_machine(study_build *build) {
@@ -173,7 +179,7 @@ static bool build_machine(study_build *build) {
     if (legs && legs->kind == STUDY_MAPPING && !legs->wrong) check_legs(build, legs);
     const bool rings = base_right && top_right && !platform->wrong;
     if (!rings || !load || load->wrong || !is_right(gravity)) return false;
-    machine->platform = read_rings(platform);
+    machine->platform = read_rings(platform, &build->study->units);
     study_part_read(build->study, build->root, GOUGH_PART_MACHINE);
     read_gravity(build->study, gravity, machine->gravity);
     const gough_machine read = *machine;
@@ -197,7 +203,8 @@ static void read_external(study_build *build, const study_node *list) {
     size_t count = 0;
     for (const study_node *item = list->first; item; item = item->next) {
         build->external[count] = (gough_external){.at_given = false};
-        study_element_read(&build->external[count++], GOUGH_OWNER_EXTERNAL, item);
+        study_element_read(&build->external[count++], GOUGH_OWNER_EXTERNAL, &build->study->units,
+                           item);
     }
 }
 
@@ -272,8 +279,8 @@ void study_model_rebuild(study_build *build, unsigned parts) {
 }
 
 void study_model_build(study_build *build) {
-    const study_node *units = study_node_child(build->root, "units");
-    build->study->dimensionless = units && strcmp(units->text, "dimensionless") == 0;
+    build->study->units = study_units_of(build->root);
+    build->study->dimensionless = build->study->units.dimensionless;
     study_model_rebuild(build, GOUGH_PART_MACHINE | GOUGH_PART_MOTION | GOUGH_PART_DISTURBANCE |
                                    GOUGH_PART_CONTROL | GOUGH_PART_INITIAL | GOUGH_PART_SIMULATION |
                                    GOUGH_PART_EXTERNAL);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "study/chosen_units.h"
 #include "study/value.h"
 
 static void check_mapping(study_messages *messages, study_node *node, const char *parent);
@@ -213,11 +214,13 @@ static void check_numeric(study_messages *messages, study_node *node, const goug
     const char *phrase = study_shape_phrase(key->shape);
     const bool single = node->kind == STUDY_SCALAR && node->length > 0;
     const gough_shape shape = key->shape;
+    char rule[STUDY_RULE];
+    const gough_bound bound = study_units_bound(node, key, rule);
     if (shape == GOUGH_SHAPE_WHOLE) {
         check_whole(messages, node, &key->bound);
     } else if (shape == GOUGH_SHAPE_NUMBER ||
                (single && (shape == GOUGH_SHAPE_GRAVITY || shape == GOUGH_SHAPE_NUMBER_OR_SIX))) {
-        study_check_number(messages, node, &key->bound);
+        study_check_number(messages, node, &bound);
     } else if (shape == GOUGH_SHAPE_PAIR_OR_SIX) {
         check_pairs(messages, node, key);
     } else if (shape == GOUGH_SHAPE_RANGE) {
@@ -232,8 +235,19 @@ static void check_numeric(study_messages *messages, study_node *node, const goug
         const size_t count = shape == GOUGH_SHAPE_PAIR     ? 2
                              : shape == GOUGH_SHAPE_VECTOR ? 3
                                                            : GOUGH_LEGS;
-        check_numbers(messages, node, count, &key->bound, phrase);
+        check_numbers(messages, node, count, &bound, phrase);
     }
+}
+
+/* A mapping, or for some keys a word in its place. */
+static void check_mapping_or_word(study_messages *messages, study_node *node,
+                                  const gough_key *key) {
+    if (node->kind == STUDY_MAPPING)
+        check_mapping(messages, node, key->path);
+    else if (node->kind == STUDY_SCALAR && node->length > 0 && key->shape != GOUGH_SHAPE_MAPPING)
+        study_check_choice(messages, node, key->range);
+    else
+        study_say_shape(messages, node, study_shape_phrase(key->shape));
 }
 
 static void check_value(study_messages *messages, study_node *node, const gough_key *key) {
@@ -243,12 +257,8 @@ static void check_value(study_messages *messages, study_node *node, const gough_
     case GOUGH_SHAPE_MAPPING:
     case GOUGH_SHAPE_CONSTRAINTS:
     case GOUGH_SHAPE_SMOOTH:
-        if (node->kind == STUDY_MAPPING)
-            check_mapping(messages, node, key->path);
-        else if (single && key->shape != GOUGH_SHAPE_MAPPING)
-            study_check_choice(messages, node, key->range);
-        else
-            study_say_shape(messages, node, phrase);
+    case GOUGH_SHAPE_UNITS:
+        check_mapping_or_word(messages, node, key);
         break;
     case GOUGH_SHAPE_MOVES:
         check_mappings(messages, node, SIZE_MAX, phrase, "motion.moves.N",
@@ -263,7 +273,8 @@ static void check_value(study_messages *messages, study_node *node, const gough_
         study_check_text(messages, node, key->shape);
         break;
     case GOUGH_SHAPE_CHOICE:
-        study_check_choice(messages, node, key->range);
+        if (!study_units_check(messages, node, key->path))
+            study_check_choice(messages, node, key->range);
         break;
     case GOUGH_SHAPE_SWEPT:
         check_swept(messages, node);

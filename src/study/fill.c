@@ -1,5 +1,6 @@
 /* From a checked tree to the structs by the table of fields: defaults, and the values that the tree gives.
- * Angles are in degrees in the file and in radians in the structs; those of formulas are turned when they are evaluated. */
+ * Numbers are in the study's units in the file, in SI or dimensionless in the structs; angles of formulas are turned into radians
+ * when they are evaluated. */
 #include "study/fill.h"
 
 #include <string.h>
@@ -15,51 +16,67 @@ static void *owner_of(gough_study *study, const gough_place *place) {
 /* ---- values ---- */
 
 /* The numbers of a tree, one after the other; returns where the next one would be. */
-static double *read_each(const study_node *node, double factor, double *value) {
+static double *read_each(const study_node *node, const gough_units *units, gough_unit unit,
+                         double *value) {
     if (node->kind != STUDY_LIST) {
-        *value = study_number(node) * factor;
+        *value = gough_unit_read(units, unit, study_number(node));
         return value + 1;
     }
     for (const study_node *item = node->first; item; item = item->next)
-        value = read_each(item, factor, value);
+        value = read_each(item, units, unit, value);
     return value;
 }
 
-void study_numbers(const study_node *list, double *value) { read_each(list, 1, value); }
+void study_numbers(const study_node *list, const gough_units *units, gough_unit unit,
+                   double *value) {
+    read_each(list, units, unit, value);
+}
 
-static gough_formula read_formula(const study_node *node) {
-    gough_formula formula = gough_formula_constant(0);
-    gough_formula_compile(&formula, node->text, node->length, NULL, NULL);
-    return formula;
+/* A formula in the study's units as one in those of the run; of angles it stays, which gough_motion.angle_unit converts. */
+gough_status study_formula(const study_node *node, const gough_units *units, gough_unit unit,
+                           gough_formula *formula, size_t *offset, gough_error *error) {
+    const double size = unit == GOUGH_UNIT_ANGLE ? 1 : gough_unit_read(units, unit, 1);
+    const gough_status status =
+        gough_formula_compile(formula, node->text, node->length, offset, error);
+    return status ? status
+                  : gough_formula_scale(formula, size, gough_unit_factor(units, GOUGH_UNIT_TIME),
+                                        error);
 }
 
 /* A list gives each value; a scalar is for all of them, one pair for six pairs, and a scalar in place of a pair for both signs. */
-static void read_numbers(const gough_field *field, const study_node *node, double *value) {
-    const double factor = strstr(field->unit, "[degrees]") ? STUDY_DEGREE : 1;
+static void read_numbers(const gough_field *field, const study_node *node, const gough_units *units,
+                         double *value) {
+    const gough_unit unit = gough_unit_of_field(field->unit);
     const bool one_pair =
         field->shape == GOUGH_SHAPE_PAIR_OR_SIX && node->first && node->first->kind == STUDY_SCALAR;
     if (one_pair)
-        for (size_t i = 0; i < field->place.count; i += 2) read_each(node, factor, &value[i]);
+        for (size_t i = 0; i < field->place.count; i += 2) read_each(node, units, unit, &value[i]);
     else if (node->kind == STUDY_LIST)
-        read_each(node, factor, value);
+        read_each(node, units, unit, value);
     else if (field->shape == GOUGH_SHAPE_RANGE)
-        value[1] = study_number(node) * factor, value[0] = -value[1];
+        value[1] = gough_unit_read(units, unit, study_number(node)), value[0] = -value[1];
     else
-        for (size_t i = 0; i < field->place.count; i++) read_each(node, factor, &value[i]);
+        for (size_t i = 0; i < field->place.count; i++) read_each(node, units, unit, &value[i]);
 }
 
-static void read_formulas(const gough_field *field, const study_node *node, gough_formula *value) {
-    for (size_t i = 0; i < field->place.count; i++)
-        value[i] = read_formula(node->kind == STUDY_LIST ? study_node_item(node, i) : node);
+static void read_formulas(const gough_field *field, const study_node *node,
+                          const gough_units *units, gough_formula *value) {
+    const gough_unit unit = gough_unit_of_field(field->unit);
+    for (size_t i = 0; i < field->place.count; i++) {
+        const study_node *text = node->kind == STUDY_LIST ? study_node_item(node, i) : node;
+        value[i] = gough_formula_constant(0);
+        (void)study_formula(text, units, unit, &value[i], NULL, NULL);
+    }
 }
 
-static void read_value(const gough_field *field, const study_node *node, void *value) {
+static void read_value(const gough_field *field, const study_node *node, const gough_units *units,
+                       void *value) {
     switch (field->place.kind) { /* unreachable: there is a case for each kind */
     case GOUGH_KIND_NUMBER:
-        read_numbers(field, node, value);
+        read_numbers(field, node, units, value);
         break;
     case GOUGH_KIND_FORMULA:
-        read_formulas(field, node, value);
+        read_formulas(field, node, units, value);
         break;
     case GOUGH_KIND_FLAG:
         *(bool *)value = study_choice_index(field->range, node->text) == 0;
@@ -73,9 +90,10 @@ static void read_value(const gough_field *field, const study_node *node, void *v
     }
 }
 
-static void read_field(const gough_field *field, const study_node *node, void *owner) {
+static void read_field(const gough_field *field, const study_node *node, const gough_units *units,
+                       void *owner) {
     char *const start = owner;
-    read_value(field, node, start + field->place.offset);
+    read_value(field, node, units, start + field->place.offset);
     if (field->place.given) *(bool *)(start + field->place.given) = true;
 }
 
@@ -103,16 +121,17 @@ void study_part_read(gough_study *study, const study_node *root, unsigned part) 
         void *owner = key[i].place.part == part ? owner_of(study, &key[i].place) : NULL;
         const study_node *node = owner ? study_node_at(root, key[i].path) : NULL;
         if (node && !study_node_section(node)->wrong && !has_rule(&key[i], node))
-            read_field(&key[i], node, owner);
+            read_field(&key[i], node, &study->units, owner);
     }
 }
 
-void study_element_read(void *element, gough_owner owner, const study_node *node) {
+void study_element_read(void *element, gough_owner owner, const gough_units *units,
+                        const study_node *node) {
     size_t count;
     const gough_key *key = gough_study_keys(&count);
     for (size_t i = 0; i < count; i++) {
         if (key[i].place.owner != owner) continue;
         const study_node *value = study_node_child(node, strrchr(key[i].path, '.') + 1);
-        if (value && !value->wrong) read_field(&key[i], value, element);
+        if (value && !value->wrong) read_field(&key[i], value, units, element);
     }
 }

@@ -37,6 +37,7 @@ const char *study_shape_phrase(gough_shape shape) {
         [GOUGH_SHAPE_FORMULA_VECTOR] = "a list of three formulas",
         [GOUGH_SHAPE_CONSTRAINTS] = "a word or {baumgarte: [alpha, beta]}",
         [GOUGH_SHAPE_SMOOTH] = "rounding, none or a mapping such as {heave: 0.0001}",
+        [GOUGH_SHAPE_UNITS] = "si, dimensionless or a mapping such as {length: mm, force: N}",
         [GOUGH_SHAPE_WHOLE] = "a whole number",
         [GOUGH_SHAPE_SWEPT] = "a mapping such as {control.stiffness: [10, 20, 50]}",
     };

@@ -39,7 +39,7 @@ static bool find_kind(study_build *build, study_node *node, gough_motion_kind *k
 static void read_move(study_build *build, study_node *node, gough_move *move, double before) {
     study_node *start = study_node_child(node, "start");
     bool any = false;
-    study_element_read(move, GOUGH_OWNER_MOVE, node);
+    study_element_read(move, GOUGH_OWNER_MOVE, &build->study->units, node);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) any = any || move->given[c];
     const char *path = study_node_path(build->messages->arena, node);
     if (!any)
@@ -105,7 +105,7 @@ static void build_samples(study_build *build, const study_node *motion, study_no
     memcpy(path + length, file->text, file->length);
     build->samples_path = path;
     study_recording recording = {.smoothing = read_smoothing(motion),
-                                 .dimensionless = build->study->dimensionless,
+                                 .units = build->study->units,
                                  .order = read_order(motion),
                                  .record = build->record,
                                  .samples = &build->study->model->motion.samples};
@@ -137,7 +137,7 @@ bool study_motion_build(study_build *build) {
     study_node *node = study_node_child(build->root, "motion");
     gough_motion *motion = &build->study->model->motion;
     if (node) study_part_reset(build->study, GOUGH_PART_MOTION);
-    motion->angle_unit = STUDY_DEGREE;
+    motion->angle_unit = gough_unit_read(&build->study->units, GOUGH_UNIT_ANGLE, 1);
     if (!node) return true;
     if (node->kind != STUDY_MAPPING || !find_kind(build, node, &motion->kind)) return false;
     study_node *samples = study_node_child(node, "samples");

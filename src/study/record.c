@@ -1,6 +1,6 @@
 /* What a record is like and what is done to it: angles are made continuous, about turned axes if necessary, the accelerations
  * that the rounding of its digits makes are compared with those of the motion, and what is asked to be smoothed is smoothed.
- * (motion-7) to (motion-10). Lengths and times in the study's units, angles in degrees. */
+ * (motion-7) to (motion-10). Lengths and times in the study's units, angles in degrees while they are worked on. */
 #include "study/record.h"
 
 #include <math.h>
@@ -20,6 +20,40 @@ typedef struct doubt {
 
 size_t study_record_scratch(size_t count) {
     return gough_samples_smooth_scratch(count) + count * GOUGH_COMPONENTS;
+}
+
+double study_record_degrees(const study_recording *recording) {
+    const gough_units degrees = gough_units_si();
+    return gough_unit_read(&recording->units, GOUGH_UNIT_ANGLE, 1) /
+           gough_unit_read(&degrees, GOUGH_UNIT_ANGLE, 1);
+}
+
+/* Values, steps and deviations of the angles from the study's unit to degrees. */
+static void begin_degrees(const study_record_table *table, study_recording *recording,
+                          study_quantum step[GOUGH_COMPONENTS]) {
+    const double degrees = study_record_degrees(recording);
+    for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++) {
+        for (size_t i = 0; i < table->count; i++)
+            table->value[i * GOUGH_COMPONENTS + (size_t)c] *= degrees;
+        step[c].greatest *= degrees;
+        step[c].mean *= degrees;
+        recording->smoothing.deviation[c] *= degrees;
+    }
+}
+
+/* What was found out about angles back to the study's unit. */
+static void end_degrees(study_recording *recording) {
+    const double degrees = study_record_degrees(recording);
+    gough_record *record = recording->record;
+    record->pole_distance /= degrees;
+    for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++) {
+        gough_record_column *column = &record->column[c];
+        column->step /= degrees;
+        column->rounding /= degrees;
+        column->motion /= degrees;
+        column->change /= degrees;
+        column->worst_change /= degrees;
+    }
 }
 
 static const double *at(const study_record_table *table, size_t row, int c) {
@@ -192,6 +226,7 @@ gough_status study_record_make(study_record_table *table, study_recording *recor
     for (int c = 0; c < GOUGH_COMPONENTS; c++)
         step[c] = study_quantum_find(&table->digits[c], table->value + c, GOUGH_COMPONENTS,
                                      table->count, table->scratch);
+    begin_degrees(table, recording, step);
     mirror(table, recording);
     record->unwrapped = gough_samples_unwrap(table->count, table->value, 180);
     study_record_turn(table, recording, step, copy);
@@ -215,5 +250,6 @@ gough_status study_record_make(study_record_table *table, study_recording *recor
     uncover_motion(table, d, record, copy);
     study_record_say_rest(table, recording);
     mirror(table, recording);
+    end_degrees(recording);
     return GOUGH_OK;
 }

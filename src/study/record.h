@@ -5,7 +5,7 @@
 #include "study/quantum.h"
 #include "study/samples.h"
 
-/* A record as read: angles in degrees. */
+/* A record as read, in the study's units; study_record_make() turns angles into degrees. */
 typedef struct study_record_table {
     size_t count;
     double *time;
@@ -19,6 +19,9 @@ typedef struct study_record_table {
 } study_record_table;
 
 size_t study_record_scratch(size_t count);
+
+/* One unit of angle of the record in degrees; exactly 1 for degrees. */
+double study_record_degrees(const study_recording *recording);
 
 /* Makes the angles continuous, smooths as asked for, finds the steps of all columns and the accelerations they make, and
  * writes the remarks, all into recording->record. */

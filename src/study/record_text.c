@@ -13,19 +13,26 @@ static const double QUARTER_TURN = 90; /* between two rows: no rotation is drawn
 
 static const double POLE_JUMP = 20; /* degrees of yaw between two rows, most of which roll undoes */
 
-typedef struct units {
-    const char *length, *time, *acceleration, *turning, *frequency;
-} units;
-
-static const units *units_of(const study_recording *recording) {
-    static const units both[2] = {
-        {" m", " s", " m/s^2", " deg/s^2", "cycles per s"},
-        {"", "", "", " deg per unit of time squared", "cycles per unit of time"}};
-    return &both[recording->dimensionless];
+static const char *word(const study_recording *recording, gough_unit unit) {
+    return gough_unit_word(&recording->units, unit);
 }
 
-static const char *acceleration_unit(const units *u, int c) {
-    return c < GOUGH_ROLL ? u->acceleration : u->turning;
+/* An angle in degrees as the study's. */
+static double angle(const study_recording *recording, double degrees) {
+    return degrees / study_record_degrees(recording);
+}
+
+/* Without dimensions angles alone have units, and their accelerations need one of time. */
+static const char *acceleration_unit(const study_recording *recording, int c) {
+    if (c < GOUGH_ROLL) return word(recording, GOUGH_UNIT_ACCELERATION);
+    return recording->units.dimensionless ? " deg per unit of time squared"
+                                          : word(recording, GOUGH_UNIT_ANGULAR_ACCELERATION);
+}
+
+static const char *frequency_unit(const study_recording *recording, char text[40]) {
+    const char *time = word(recording, GOUGH_UNIT_TIME);
+    snprintf(text, 40, "cycles per%s", *time ? time : " unit of time");
+    return text;
 }
 
 static void say(const study_recording *recording, bool warning, const char *format, ...)
@@ -45,10 +52,11 @@ static void say(const study_recording *recording, bool warning, const char *form
 static const char *times(size_t count) { return count == 1 ? "once" : "several times"; }
 
 /* "t = 1 s and t = 1.5 s": the rows before and after a jump. */
-static const char *between(const study_record_table *table, size_t row, const units *u,
-                           char text[80]) {
-    snprintf(text, 80, "t = %.6g%s and t = %.6g%s", table->time[row - 1], u->time, table->time[row],
-             u->time);
+static const char *between(const study_record_table *table, size_t row,
+                           const study_recording *recording, char text[80]) {
+    const char *unit = word(recording, GOUGH_UNIT_TIME);
+    snprintf(text, 80, "t = %.6g%s and t = %.6g%s", table->time[row - 1], unit, table->time[row],
+             unit);
     return text;
 }
 
@@ -57,7 +65,7 @@ static void say_unwrapped(const study_record_table *table, const study_recording
     char where[80], names[40] = "";
     size_t jumps = done->flips, columns = 0;
     if (!done->first) return;
-    between(table, done->first, units_of(recording), where);
+    between(table, done->first, recording, where);
     for (int a = 0; a < 3; a++) {
         if (!done->turns[a]) continue;
         snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s",
@@ -80,12 +88,13 @@ static void say_unwrapped(const study_record_table *table, const study_recording
 
 static void say_turned(const study_record_table *table, const study_recording *recording) {
     char where[80];
-    between(table, table->turned, units_of(recording), where);
+    between(table, table->turned, recording, where);
     say(recording, false,
-        "motion.samples: between %s pitch is within %.2g deg of 90 deg, where roll and yaw cannot "
+        "motion.samples: between %s pitch is within %.2g%s of 90 deg, where roll and yaw cannot "
         "follow a motion; the record is interpolated as the same rotations about turned axes, "
-        "which it never brings closer than %.2g deg to such a pose",
-        where, table->pole, recording->record->pole_distance);
+        "which it never brings closer than %.2g%s to such a pose",
+        where, angle(recording, table->pole), word(recording, GOUGH_UNIT_ANGLE),
+        angle(recording, recording->record->pole_distance), word(recording, GOUGH_UNIT_ANGLE));
 }
 
 /* Near pitch 90° roll and yaw turn fast about nearly the same axis while the platform hardly turns. */
@@ -100,11 +109,13 @@ static void say_pole(const study_record_table *table, const study_recording *rec
     }
     if (!worst) return;
     say(recording, true,
-        "motion.samples: yaw changes by %.3g deg between %s while the platform turns by only %.3g "
-        "deg: close to a pitch of 90 deg, roll and yaw cannot follow a motion, and the spline "
+        "motion.samples: yaw changes by %.3g%s between %s while the platform turns by only %.3g%s: "
+        "close to a pitch of 90 deg, roll and yaw cannot follow a motion, and the spline "
         "through them makes false accelerations; there are no axes that stay away from such a pose "
         "during the whole record",
-        most, between(table, worst, units_of(recording), where), study_turn_between(table, worst));
+        angle(recording, most), word(recording, GOUGH_UNIT_ANGLE),
+        between(table, worst, recording, where), angle(recording, study_turn_between(table, worst)),
+        word(recording, GOUGH_UNIT_ANGLE));
 }
 
 /* Rows so far apart that the way from one to the next is a guess; angles about turned axes do not tell it. */
@@ -118,14 +129,14 @@ static void say_turn(const study_record_table *table, const study_recording *rec
     }
     if (!worst) return;
     say(recording, true,
-        "motion.samples: the platform turns by %.3g deg between %s; rows so far apart do not "
+        "motion.samples: the platform turns by %.3g%s between %s; rows so far apart do not "
         "determine its way from one to the next",
-        most, between(table, worst, units_of(recording), where));
+        angle(recording, most), word(recording, GOUGH_UNIT_ANGLE),
+        between(table, worst, recording, where));
 }
 
 /* Angles that still jump by more than a quarter turn between two rows. */
 static void say_jump(const study_record_table *table, const study_recording *recording, int c) {
-    const units *u = units_of(recording);
     const size_t stride = GOUGH_COMPONENTS;
     size_t worst = 0;
     double most = QUARTER_TURN;
@@ -138,10 +149,11 @@ static void say_jump(const study_record_table *table, const study_recording *rec
     char where[80];
     const double *m = table->curvature + worst * stride + (size_t)c;
     say(recording, true,
-        "motion.samples: %s jumps by %.3g deg between %s, which is no whole turn; the spline "
+        "motion.samples: %s jumps by %.3g%s between %s, which is no whole turn; the spline "
         "through these rows makes %.3g%s",
-        gough_component_name(c), most, between(table, worst, u, where),
-        fmax(fabs(m[0]), fabs(*(m - stride))), u->turning);
+        gough_component_name(c), angle(recording, most), word(recording, GOUGH_UNIT_ANGLE),
+        between(table, worst, recording, where),
+        angle(recording, fmax(fabs(m[0]), fabs(*(m - stride)))), acceleration_unit(recording, c));
 }
 
 void study_record_say_jumps(const study_record_table *table, const study_recording *recording) {
@@ -157,7 +169,8 @@ void study_record_say_jumps(const study_record_table *table, const study_recordi
 
 /* What to do about it, by what was tried. */
 static const char *cure(const study_recording *recording, char text[160]) {
-    const char *frequency = units_of(recording)->frequency;
+    char frequency[40];
+    frequency_unit(recording, frequency);
     switch (recording->smoothing.kind) {
     case STUDY_EXACT:
         snprintf(text, 160, "`motion.smooth: none` takes the values as exact");
@@ -181,38 +194,41 @@ static const char *cure(const study_recording *recording, char text[160]) {
 static void say_rounding(const study_recording *recording, int c) {
     const gough_record *record = recording->record;
     const gough_record_column *column = &record->column[c];
-    const units *u = units_of(recording);
-    const char *unit = acceleration_unit(u, c);
+    const double size = c < GOUGH_ROLL ? 1 : study_record_degrees(recording);
+    const char *unit = acceleration_unit(recording, c);
     char name[40], advice[160], step[80] = "", clock[80] = "";
     if (!(column->rounding > MUCH * column->motion)) return;
     snprintf(name, sizeof name, "%s%s", gough_component_name(c),
              record->turned && c >= GOUGH_ROLL ? " about turned axes" : "");
     if (column->step > 0)
-        snprintf(step, sizeof step, "values of %s in steps of %.3g%s", name, column->step,
-                 c < GOUGH_ROLL ? u->length : " deg");
+        snprintf(step, sizeof step, "values of %s in steps of %.3g%s", name, column->step / size,
+                 word(recording, c < GOUGH_ROLL ? GOUGH_UNIT_LENGTH : GOUGH_UNIT_ANGLE));
     if (record->time_step > 0 && !record->retimed)
         snprintf(clock, sizeof clock, "%stimes in steps of %.3g%s%s", *step ? " and " : "",
-                 record->time_step, u->time, *step ? "" : " for a moving ");
+                 record->time_step, word(recording, GOUGH_UNIT_TIME),
+                 *step ? "" : " for a moving ");
     say(recording, recording->smoothing.kind != STUDY_EXACT,
         "motion.samples has %s%s%s: rounding to them %s accelerations of up to %.3g%s, "
         "beside %.3g%s of the motion itself; %s",
         step, clock, *step ? "" : name, isfinite(column->cutoff) ? "can still make" : "can make",
-        column->rounding, unit, column->motion, unit, cure(recording, advice));
+        column->rounding / size, unit, column->motion / size, unit, cure(recording, advice));
 }
 
 void study_record_say_rest(const study_record_table *table, const study_recording *recording) {
     const gough_record *record = recording->record;
-    const units *u = units_of(recording);
+    const char *time = word(recording, GOUGH_UNIT_TIME);
+    char frequency[40];
     (void)table;
     if (record->retimed)
         say(recording, false,
             "motion.samples: the times, rounded to %.3g%s, are read as equal steps of %.6g%s",
-            record->time_step, u->time, record->interval, u->time);
+            record->time_step, time, record->interval, time);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) say_rounding(recording, c);
     if (recording->smoothing.kind == STUDY_SMOOTH_CUTOFF &&
         recording->smoothing.cutoff > 0.5 / record->interval)
         say(recording, false,
             "motion.cutoff: %.6g %s is above half of the rows' frequency, %.6g; it smooths almost "
             "nothing",
-            recording->smoothing.cutoff, u->frequency, 0.5 / record->interval);
+            recording->smoothing.cutoff, frequency_unit(recording, frequency),
+            0.5 / record->interval);
 }

@@ -1,5 +1,6 @@
 /* Recorded motion from a CSV file: a header with t and any of surge, sway, heave, roll, pitch, yaw, then rows of numbers in
- * increasing time. Comma-separated, lines ending in LF or CR LF, a UTF-8 byte-order mark accepted; angles in degrees. */
+ * increasing time. Comma-separated, lines ending in LF or CR LF, a UTF-8 byte-order mark accepted; numbers in the study's
+ * units. */
 #include "study/samples.h"
 
 #include <stdint.h>
@@ -20,8 +21,6 @@ enum {
     TIME = GOUGH_COMPONENTS /* the column t, after the components */
 };
 
-static const double PI = 3.14159265358979323846;
-
 typedef struct table {
     study_messages *messages;
     const study_source *source;
@@ -29,7 +28,7 @@ typedef struct table {
     int column[COLUMNS]; /* what the cells of a row are, in order */
     size_t columns;
     size_t rows;
-    double *time, *value; /* angles in degrees */
+    double *time, *value; /* in the study's units */
     study_digits digits[COLUMNS];
     size_t errors;
 } table;
@@ -229,7 +228,20 @@ static double *lay_out(table *csv, size_t rows) {
     return all;
 }
 
-/* Smoothed as asked for, in radians, with its spline. */
+/* From the study's units, but angles in degrees, to units of the run. */
+static void convert(const table *csv, const gough_units *units) {
+    const gough_units degrees = gough_units_si();
+    for (size_t i = 0; i < csv->rows; i++) {
+        double *value = csv->value + i * GOUGH_COMPONENTS;
+        csv->time[i] = gough_unit_read(units, GOUGH_UNIT_TIME, csv->time[i]);
+        for (int c = 0; c < GOUGH_ROLL; c++)
+            value[c] = gough_unit_read(units, GOUGH_UNIT_LENGTH, value[c]);
+        for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++)
+            value[c] = gough_unit_read(&degrees, GOUGH_UNIT_ANGLE, value[c]);
+    }
+}
+
+/* Smoothed as asked for, in units of the run, with its spline. */
 static gough_status finish(const table *csv, study_recording *recording, double *scratch,
                            gough_error *error) {
     gough_samples *samples = recording->samples;
@@ -242,9 +254,7 @@ static gough_status finish(const table *csv, study_recording *recording, double 
     memcpy(made.digits, csv->digits, sizeof made.digits);
     const gough_status status = study_record_make(&made, recording, error);
     if (status != GOUGH_OK) return status;
-    for (size_t i = 0; i < csv->rows; i++)
-        for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++)
-            csv->value[i * GOUGH_COMPONENTS + (size_t)c] *= PI / 180;
+    convert(csv, &recording->units);
     return gough_samples_prepare(samples, scratch, error);
 }
 

@@ -14,22 +14,22 @@ typedef struct study_smoothing {
         STUDY_SMOOTH_DEVIATIONS, /* by these root mean squares */
         STUDY_SMOOTH_CUTOFF      /* below this frequency */
     } kind;
-    double deviation[GOUGH_COMPONENTS]; /* lengths, and angles in degrees; 0: as recorded */
-    double cutoff;                      /* cycles per unit of time */
+    double deviation[GOUGH_COMPONENTS]; /* in the study's units; 0: as recorded */
+    double cutoff;                      /* cycles per unit of time of the study */
 } study_smoothing;
 
 /* A record to be read. */
 typedef struct study_recording {
     study_smoothing smoothing;
-    bool dimensionless;     /* the units of sentences */
+    gough_units units;      /* of the record, and of sentences */
     gough_order order;      /* of the angles */
     gough_record *record;   /* receives what was found out */
-    gough_samples *samples; /* receives the motion, angles in radians, its spline prepared */
+    gough_samples *samples; /* receives the motion in units of the run, its spline prepared */
     void *
         memory; /* one allocation that holds all of it, to be freed by the caller; NULL where an error was said */
 } study_recording;
 
-/* Reads the text of a sample file, angles in degrees there. */
+/* Reads the text of a sample file. */
 void study_samples_parse(study_messages *messages, const study_source *source,
                          study_recording *recording);
 

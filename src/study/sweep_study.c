@@ -240,6 +240,12 @@ static void rebuild(gough_sweep_maker *maker, study_messages *said) {
     memory->samples = build.samples;
 }
 
+static gough_status check_run(const gough_study *study, gough_error *error) {
+    const gough_status status = gough_simulation_check(study->model, &study->simulation, error);
+    if (status && error) gough_error_say(error, &study->units);
+    return status;
+}
+
 gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run, const gough_study **study,
                               gough_error *error) {
     study_arena arena = {NULL, false};
@@ -253,7 +259,7 @@ gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run, const gough_
     if (arena.exhausted) status = gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
     study_arena_free(&arena);
     if (status == GOUGH_OK && maker->touches & (GOUGH_PART_MOTION | GOUGH_PART_SIMULATION))
-        status = gough_simulation_check(maker->study->model, &maker->study->simulation, error);
+        status = check_run(maker->study, error);
     *study = maker->study;
     return status;
 }

@@ -47,7 +47,8 @@ static makeup makeup_of(gough_shape shape) {
 
 static bool is_mapping(gough_shape shape) {
     return shape == GOUGH_SHAPE_MAPPING || shape == GOUGH_SHAPE_CONSTRAINTS ||
-           shape == GOUGH_SHAPE_SMOOTH || shape == GOUGH_SHAPE_MOVES || shape == GOUGH_SHAPE_LOADS;
+           shape == GOUGH_SHAPE_SMOOTH || shape == GOUGH_SHAPE_UNITS ||
+           shape == GOUGH_SHAPE_MOVES || shape == GOUGH_SHAPE_LOADS;
 }
 
 /* The next part of a path, cut off; NULL at its end. */

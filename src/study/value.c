@@ -8,6 +8,9 @@
 #include <strings.h>
 
 #include "gough/text.h"
+#include "study/chosen_units.h"
+#include "study/fill.h"
+
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 static bool is_infinity_or_nan(const char *text, size_t length) {
@@ -154,7 +157,8 @@ bool study_check_formula(study_messages *messages, study_node *node) {
                        path);
         return false;
     }
-    if (gough_formula_compile(&formula, node->text, node->length, &offset, &error) == GOUGH_OK)
+    const gough_units units = study_units_of_node(node);
+    if (study_formula(node, &units, GOUGH_UNIT_LENGTH, &formula, &offset, &error) == GOUGH_OK)
         return true;
     study_node_say(messages, node, study_scalar_place(node, offset), "`%s`: %s", path,
                    study_printable(messages->arena, error.message));

@@ -23,9 +23,6 @@ double study_number(const study_node *node);
 /* "platform.height", "motion.moves.2.start": the path of a node in the study, as --set takes it. */
 const char *study_node_path(study_arena *arena, const study_node *node);
 
-/* One degree in radians. */
-static const double STUDY_DEGREE = 3.14159265358979323846 / 180;
-
 /* The place of a word in the words of a choice, "rounding, none", from 0; -1 if it is not among them. */
 int study_choice_index(const char *choices, const char *word);
 

@@ -34,6 +34,25 @@ static void put_text(FILE *stream, const char *text) {
     fwrite(text, 1, strlen(text), stream);
 }
 
+/* The study's units in one number: whether there are none, and a byte for each base unit. */
+static uint64_t units_number(const gough_units *own) {
+    uint64_t number = own->dimensionless;
+    for (int b = 0; b < GOUGH_BASE_UNITS; b++) number |= (uint64_t)own->name[b] << (8 * b + 8);
+    return number;
+}
+
+static bool units_of_number(uint64_t number, gough_units *own) {
+    *own = gough_units_si();
+    own->dimensionless = number & 1;
+    for (int b = 0; b < GOUGH_BASE_UNITS; b++) {
+        const char *word =
+            gough_unit_choice((gough_base_unit)b, (int)(number >> (8 * b + 8) & 255));
+        if (!word) return false;
+        gough_units_choose(own, (gough_base_unit)b, word);
+    }
+    return units_number(own) == number;
+}
+
 static void put_identity(FILE *stream, const sweep_head *head) {
     put_text(stream, head->version);
     put_text(stream, head->title);
@@ -48,7 +67,7 @@ static void put_identity(FILE *stream, const sweep_head *head) {
     put_real(stream, head->units.time);
     put_real(stream, head->base_radius);
     put_real(stream, head->gravity);
-    put_number(stream, head->study_dimensionless);
+    put_number(stream, units_number(&head->own));
     put_number(stream, head->runs);
     put_number(stream, head->keys);
     for (size_t k = 0; k < head->keys; k++) {
@@ -141,7 +160,9 @@ static void get_identity(cursor *c, sweep_head *head) {
     head->units.time = get_real(c);
     head->base_radius = get_real(c);
     head->gravity = get_real(c);
-    head->study_dimensionless = get_number(c);
+    c->good = c->good && units_of_number(get_number(c), &head->own);
+    if (!head->units.dimensionless) head->units.force = head->own.force;
+    if (!head->units.dimensionless) memcpy(head->units.name, head->own.name, sizeof head->own.name);
     head->runs = get_number(c);
     const uint64_t keys = get_number(c);
     c->good = c->good && keys > 0 && keys <= 1000 && /* as the study's reader has it */
@@ -169,13 +190,17 @@ static bool is_unit(double unit) { return isfinite(unit) && unit > 0; }
 
 /* Columns that a sweep can have, each once, and units that are numbers. A file with a right checksum may still be a forged one. */
 static bool columns_right(const sweep_head *head) {
-    const bool bare = head->study_dimensionless != 0;
+    const gough_units *own = &head->own, *units = &head->units;
     if (!is_unit(head->units.length) || !is_unit(head->units.mass) || !is_unit(head->units.time) ||
         !is_unit(head->base_radius) || !(head->gravity >= 0) || !isfinite(head->gravity))
         return false;
-    if (bare && !head->units.dimensionless) return false;
+    if (own->dimensionless && !units->dimensionless) return false;
+    if (!units->dimensionless &&
+        (fabs(units->length - own->length) > 0 || fabs(units->mass - own->mass) > 0 ||
+         fabs(units->time - own->time) > 0))
+        return false;
     for (size_t k = 0; k < head->keys; k++) {
-        if (!sweep_column_known(head->path[k], head->label[k], bare)) return false;
+        if (!sweep_column_known(head->path[k], head->label[k], own)) return false;
         for (size_t i = 0; i < k; i++)
             if (strcmp(head->path[i], head->path[k]) == 0) return false;
     }

@@ -52,7 +52,7 @@ sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_units *units, si
     head->units = *units;
     head->base_radius = study->model->machine.base_radius;
     head->gravity = study->model->machine.gravity_magnitude;
-    head->study_dimensionless = study->dimensionless;
+    head->own = study->units;
     head->samples = digest_samples(&study->model->motion);
     head->numerics = sweep_numerics_digest(study);
     head->title = strdup(study->title);
@@ -68,8 +68,7 @@ sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_units *units, si
         value && head->title && head->study && head->settings && head->version && head->keys > 0;
     for (size_t k = 0; k < head->keys; k++) {
         head->path[k] = strdup(key[k].path);
-        head->label[k] =
-            strdup(gough_unit_label(gough_unit_of_field(key[k].unit), study->dimensionless));
+        head->label[k] = strdup(gough_unit_label(&head->own, gough_unit_of_field(key[k].unit)));
         good = good && head->path[k] && head->label[k];
     }
     free(value);

@@ -81,12 +81,11 @@ static bool matches(const char *path, const char *key) {
     return *path == '\0';
 }
 
-bool sweep_column_known(const char *path, const char *label, bool dimensionless) {
+bool sweep_column_known(const char *path, const char *label, const gough_units *units) {
     size_t keys;
     const gough_key *key = gough_study_keys(&keys);
     for (size_t i = 0; i < keys; i++)
         if (matches(path, key[i].path) && strncmp(path, "sweep", 5) != 0)
-            return strcmp(label,
-                          gough_unit_label(gough_unit_of_field(key[i].unit), dimensionless)) == 0;
+            return strcmp(label, gough_unit_label(units, gough_unit_of_field(key[i].unit))) == 0;
     return false;
 }

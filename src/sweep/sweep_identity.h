@@ -14,6 +14,6 @@ uint64_t sweep_plan_digest(const gough_sweep *sweep, double *value);
 uint64_t sweep_numerics_digest(const gough_study *study);
 
 /* Whether a study has a number of that path, with that unit. */
-bool sweep_column_known(const char *path, const char *label, bool dimensionless);
+bool sweep_column_known(const char *path, const char *label, const gough_units *units);
 
 #endif

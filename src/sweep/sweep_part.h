@@ -15,7 +15,7 @@ typedef struct sweep_head {
     uint64_t plan, numerics; /* digests of the values of the runs, of what the build computes */
     gough_units units;
     double base_radius, gravity; /* of the units of the output */
-    uint64_t study_dimensionless;
+    gough_units own;             /* of the study, in which swept values are */
     uint64_t runs, keys;
     const char **path, **label; /* of each key: its path, its unit in tables */
     uint64_t shard, shards, first, last;

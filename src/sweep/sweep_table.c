@@ -53,7 +53,7 @@ static void add_column(table *t, const char *name, const char *unit, const char 
 /* A column in the units of the output. */
 static void add_scaled(table *t, const char *name, const char *long_name, gough_unit unit,
                        const result_scale *scale) {
-    add_column(t, name, gough_unit_label(unit, t->part[0].head->units.dimensionless), long_name,
+    add_column(t, name, gough_unit_label(&t->part[0].head->units, unit), long_name,
                (double)result_factor(scale, unit));
 }
 

@@ -1,4 +1,4 @@
-/* The table that a run fills row by row, in memory: conversion to the units of the output, angles to degrees. */
+/* The table that a run fills row by row, in memory: conversion to the units of the output. */
 #define _DEFAULT_SOURCE /* _SC_PHYS_PAGES */
 
 #include <math.h>
@@ -44,7 +44,7 @@ gough_result *gough_result_new(const gough_study *study, const char *verb,
     const gough_machine *machine = &study->model->machine;
     const result_scale scale =
         result_scale_of(units, machine->base_radius, machine->gravity_magnitude);
-    result->time = scale.time;
+    result->time = scale.base[GOUGH_BASE_TIME];
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
         if (!gough_column_filled(c, simulated, &study->simulation)) continue;
         result->quad_factor[result->columns] = result_factor(&scale, gough_unit_of_column(c));
@@ -61,7 +61,7 @@ gough_result *gough_result_new(const gough_study *study, const char *verb,
     const gough_simulation *simulation = &study->simulation;
     const bool fixed = simulation->step > 0;
     result->tolerance = simulated && !fixed ? simulation->tolerance : NAN;
-    result->step = simulated && fixed ? simulation->step / (double)scale.time : NAN;
+    result->step = simulated && fixed ? simulation->step / (double)result->time : NAN;
     put_limits(result, study);
     result->end.time = NAN;
     result->title = copy_text(study->title);
@@ -122,9 +122,8 @@ bool gough_result_column_at(const gough_result *result, int index, gough_result_
                                     .long_name = info->long_name,
                                     .value = result->value[index],
                                     .rows = result->rows};
-    snprintf(
-        column->unit, sizeof column->unit, "%s",
-        gough_unit_label(gough_unit_of_column(result->column[index]), result->units.dimensionless));
+    snprintf(column->unit, sizeof column->unit, "%s",
+             gough_unit_label(&result->units, gough_unit_of_column(result->column[index])));
     return true;
 }
 

@@ -22,10 +22,12 @@ struct gough_result {
     double tolerance, step, max_speed, max_force; /* as in gough_table */
 };
 
-/* Factor from units of the run to those of the output, in 33 digits: angles in degrees.
+/* Units of the output in 33 digits, and factors to them from units of the run.
  * base_radius, gravity: of the machine, for a unit of time √(R_b/g) beyond the double that `units` holds. */
 typedef struct result_scale {
-    gough_quad length, mass, time;
+    gough_units units;
+    gough_quad base[GOUGH_BASE_UNITS]; /* one of each in units of the run */
+    gough_quad turn;                   /* what radians are multiplied by */
 } result_scale;
 result_scale result_scale_of(const gough_units *units, double base_radius, double gravity);
 gough_quad result_factor(const result_scale *scale, gough_unit unit);

@@ -223,7 +223,7 @@ gough_status result_write_hdf5(const gough_result *result, const char *path, gou
     for (int i = 0; i < result->columns; i++) {
         const int c = result->column[i];
         const gough_column_info *info = gough_column(c);
-        const char *unit = gough_unit_label(gough_unit_of_column(c), result->units.dimensionless);
+        const char *unit = gough_unit_label(&result->units, gough_unit_of_column(c));
         column[i] = (result_column){.name = info->name, .unit = unit, .long_name = info->long_name};
     }
     result_attribute attribute[ATTRIBUTES] = {{"title", result->title, 0},

@@ -1,6 +1,7 @@
 /* The least stiffness of the feedback that meets an accuracy: scan, bracket, keep clear of what grows. Theory:
  * docs/theory/tuning.md. */
 #include "tune/tune.h"
+#include "base/quantity.h"
 
 #include <math.h>
 #include <string.h>
@@ -42,10 +43,7 @@ gough_status gough_tuning_options_init(gough_tuning_options *options, size_t siz
                                       .angle_deviation = INFINITY,
                                       .damping_ratio = NAN,
                                       .margin = 0.02,
-                                      .greatest = INFINITY,
-                                      .length_unit = "",
-                                      .time_unit = "",
-                                      .stiffness_unit = ""};
+                                      .greatest = INFINITY};
     return GOUGH_OK;
 }
 
@@ -55,7 +53,7 @@ static gough_status check_options(const gough_tuning_options *o, gough_error *er
         return GOUGH_ERROR_INPUT;
     if (!(o->deviation > 0) || !isfinite(o->deviation))
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the deviation allowed must be a finite number > 0, not %.9g",
+                          "the deviation allowed must be a finite number > 0, not %.9g" IN_LENGTH,
                           o->deviation);
     if (!(o->angle_deviation > 0))
         return gough_fail(error, GOUGH_ERROR_INPUT,
@@ -71,7 +69,8 @@ static gough_status check_options(const gough_tuning_options *o, gough_error *er
     if (!(o->least >= 0) || !isfinite(o->least) || !(o->greatest >= o->least))
         return gough_fail(
             error, GOUGH_ERROR_INPUT,
-            "the search for the stiffness needs two numbers, 0 <= a < b, not %.9g and %.9g",
+            "the search for the stiffness needs two numbers, 0 <= a < b, not %.9g" IN_STIFFNESS
+            " and %.9g" IN_STIFFNESS,
             o->least, o->greatest);
     return GOUGH_OK;
 }
@@ -180,23 +179,27 @@ static gough_status find_range(tune *t, gough_error *error) {
     t->least = t->options->least;
     t->greatest = t->options->greatest;
     if (t->greatest <= tuning->threshold && tuning->threshold > 0)
-        return gough_fail(
-            error, GOUGH_ERROR_INPUT,
-            "the machine is unstable at home without feedback: %s grows unless G exceeds %.6g, but "
-            "the search ends at %.6g; give --stiffness a:b with b above the threshold",
-            tuning->least_mode.name, tuning->threshold, t->greatest);
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the machine is unstable at home without feedback: %s grows unless G "
+                          "exceeds %.6g" IN_STIFFNESS ", but "
+                          "the search ends at %.6g" IN_STIFFNESS
+                          "; give --stiffness a:b with b above the threshold",
+                          tuning->least_mode.name, tuning->threshold, t->greatest);
     if (!t->bounded) t->greatest = 1e6 * fmax(t->unit, tuning->threshold);
     if (!(t->least > 0)) t->least = fmax(tuning->threshold / below_threshold, 1e-3 * t->unit);
     if (!(t->greatest > t->least))
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the search for the stiffness takes two numbers, 0 < a < b; got %.9g and "
-                          "%.9g",
-                          t->least, t->greatest);
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "the search for the stiffness takes two numbers, 0 < a < b; got %.9g" IN_STIFFNESS
+            " and "
+            "%.9g" IN_STIFFNESS,
+            t->least, t->greatest);
     if (t->greatest / t->least > most_range)
         return gough_fail(
             error, GOUGH_ERROR_INPUT,
-            "the search for the stiffness covers at most 15 decades; got %.9g to %.9g", t->least,
-            t->greatest);
+            "the search for the stiffness covers at most 15 decades; got %.9g" IN_STIFFNESS
+            " to %.9g" IN_STIFFNESS,
+            t->least, t->greatest);
     if (t->greatest > longest * longest && longest * longest > t->least) {
         t->greatest = longest * longest;
         t->most_steps = true;

@@ -296,9 +296,25 @@ static const char *end_words(gough_cause cause) {
     }
 }
 
+/* Numbers and names of units in sentences. */
+static double shown(const tune *t, gough_unit unit, double value) {
+    const gough_units *units = t->options->units;
+    return units ? gough_unit_factor(units, unit) * value : value;
+}
+static const char *word(const tune *t, gough_unit unit) {
+    return t->options->units ? gough_unit_word(t->options->units, unit) : "";
+}
+static double shown_stiffness(const tune *t, double value) {
+    return shown(t, GOUGH_UNIT_STIFFNESS, value);
+}
+static const char *stiffness_word(const tune *t) { return word(t, GOUGH_UNIT_STIFFNESS); }
+static double shown_length(const tune *t, double value) {
+    return shown(t, GOUGH_UNIT_LENGTH, value);
+}
+static const char *length_word(const tune *t) { return word(t, GOUGH_UNIT_LENGTH); }
+
 static void say_ends(tune *t, gough_error *why) {
     const gough_tuning *tuning = t->tuning;
-    const gough_tuning_options *o = t->options;
     const gough_tuning_point *last = &t->point[tuning->points - 1];
     char leg[24] = "";
 
@@ -307,18 +323,18 @@ static void say_ends(tune *t, gough_error *why) {
         gough_fail(why, GOUGH_OK,
                    "the machine is unstable at home with every G up to %.6g%s, and damping cannot "
                    "change that; search further with --stiffness",
-                   last->stiffness, o->stiffness_unit);
+                   shown_stiffness(t, last->stiffness), stiffness_word(t));
     else
         gough_fail(
             why, GOUGH_OK,
             "no run reaches its end: with G = %.6g%s, the greatest, it stops at t = %.6g%s because "
             "%s%s; change the study's program, limits or initial state",
-            last->stiffness, o->stiffness_unit, last->end_time, o->time_unit,
+            shown_stiffness(t, last->stiffness), stiffness_word(t),
+            shown(t, GOUGH_UNIT_TIME, last->end_time), word(t, GOUGH_UNIT_TIME),
             end_words(last->cause), leg);
 }
 
 static void say_floor(const tune *t, const gough_tuning_point *best, gough_error *why) {
-    const gough_tuning_options *o = t->options;
     const bool damped = t->ratio ? t->options->damping_ratio > 0 : t->model->control.damping[0] > 0;
 
     if (!starts_off(&t->model->initial))
@@ -326,32 +342,33 @@ static void say_floor(const tune *t, const gough_tuning_point *best, gough_error
                    "up to G = %.6g%s the least deviation is %.3g%s, at G = %.6g%s, and it hardly "
                    "falls any "
                    "more there; search further with --stiffness, or look for a jump in the program",
-                   t->point[t->tuning->points - 1].stiffness, o->stiffness_unit,
-                   best->position_deviation, o->length_unit, best->stiffness, o->stiffness_unit);
+                   shown_stiffness(t, t->point[t->tuning->points - 1].stiffness), stiffness_word(t),
+                   shown_length(t, best->position_deviation), length_word(t),
+                   shown_stiffness(t, best->stiffness), stiffness_word(t));
     else if (damped)
         gough_fail(why, GOUGH_OK,
                    "the deviation does not fall with G; it stays at %.3g%s or more: the run starts "
                    "off its program, and its first swing is as large with any G. Start nearer, or "
                    "allow a larger deviation",
-                   best->position_deviation, o->length_unit);
+                   shown_length(t, best->position_deviation), length_word(t));
     else
         gough_fail(why, GOUGH_OK,
                    "the deviation does not fall with G; it stays at %.3g%s or more: the run starts "
                    "off its program, and without damping that offset never dies out. Start nearer, "
                    "give --damping-ratio, or allow a larger deviation",
-                   best->position_deviation, o->length_unit);
+                   shown_length(t, best->position_deviation), length_word(t));
 }
 
 static void say_far(const tune *t, const gough_tuning_point *best, double slope, gough_error *why) {
-    const gough_tuning_options *o = t->options;
     const double wanted =
         best->stiffness * pow(t->options->deviation / best->position_deviation, 1 / slope);
 
     gough_fail(why, GOUGH_OK,
                "up to G = %.6g%s the least deviation is %.3g%s; it falls as G^%.2f, so that about "
                "G = %.2g%s would be needed; %s",
-               t->point[t->tuning->points - 1].stiffness, o->stiffness_unit,
-               best->position_deviation, o->length_unit, slope, wanted, o->stiffness_unit,
+               shown_stiffness(t, t->point[t->tuning->points - 1].stiffness), stiffness_word(t),
+               shown_length(t, best->position_deviation), length_word(t), slope,
+               shown_stiffness(t, wanted), stiffness_word(t),
                t->most_steps ? "a run with a larger G takes more than a million steps, so shorten "
                                "simulation.duration"
                              : "search further with --stiffness");
@@ -360,6 +377,7 @@ static void say_far(const tune *t, const gough_tuning_point *best, double slope,
 void tune_reason(tune *t) {
     gough_error sentence = {0}, *why = &sentence;
     const gough_tuning_options *o = t->options;
+    const gough_units degrees = gough_units_si(), *angles = o->units ? o->units : &degrees;
     const gough_tuning_point *best = best_point(t), *where;
     const double offset = tune_initial_offset(t), slope = last_slope(t);
 
@@ -367,7 +385,7 @@ void tune_reason(tune *t) {
         gough_fail(why, GOUGH_OK,
                    "no feedback can achieve it: the run starts %.3g%s off the program, more than "
                    "the deviation allowed; start nearer, or allow a larger deviation",
-                   offset, o->length_unit);
+                   shown_length(t, offset), length_word(t));
     else if (!best)
         say_ends(t, why);
     else if (met_somewhere(t, &where))
@@ -376,14 +394,17 @@ void tune_reason(tune *t) {
             "the deviation is small enough from G = %.6g%s, but up to G = %.6g%s no G is %.3g %% "
             "away from every range in which a mode (%s) grows, or a run with small steps does not "
             "confirm it; allow a smaller --margin, or give --damping-ratio",
-            where->stiffness, o->stiffness_unit, t->point[t->tuning->points - 1].stiffness,
-            o->stiffness_unit, 100 * o->margin, where->mode[0] ? where->mode : "one of them");
+            shown_stiffness(t, where->stiffness), stiffness_word(t),
+            shown_stiffness(t, t->point[t->tuning->points - 1].stiffness), stiffness_word(t),
+            100 * o->margin, where->mode[0] ? where->mode : "one of them");
     else if (best->position_deviation <= t->options->deviation)
         gough_fail(why, GOUGH_OK,
                    "the position is within its limit with G = %.6g%s, but the angle is not: it "
                    "deviates by "
-                   "%.3g degrees",
-                   best->stiffness, o->stiffness_unit, best->angle_deviation * 57.29577951308232);
+                   "%.3g%s",
+                   shown_stiffness(t, best->stiffness), stiffness_word(t),
+                   gough_unit_factor(angles, GOUGH_UNIT_ANGLE) * best->angle_deviation,
+                   angles->name[GOUGH_BASE_ANGLE] ? word(t, GOUGH_UNIT_ANGLE) : " degrees");
     else if (!(slope < flat))
         say_floor(t, best, why);
     else

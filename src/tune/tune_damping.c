@@ -3,6 +3,7 @@
 #include <lapacke.h>
 #include <math.h>
 
+#include "base/quantity.h"
 #include "linear/equilibrium.h"
 #include "linear/linear.h"
 #include "plant/can_move.h"
@@ -120,7 +121,8 @@ gough_status gough_damping_for_ratio(const gough_model *model, double ratio, dou
     *damping = 0;
     if (!(ratio_at(&A, 1e-3 * unit) > 0)) {
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "with the stiffness %.9g some mode is not held at home, and damping "
+                          "with the stiffness %.9g" IN_STIFFNESS
+                          " some mode is not held at home, and damping "
                           "cannot change that; use a greater stiffness",
                           stiffness);
     }

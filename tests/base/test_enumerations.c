@@ -319,14 +319,21 @@ END_TEST
 
 /* a unit outside is that of pure numbers */
 START_TEST(units_outside_are_none) {
-    const gough_units units = {false, 2, 3, 5};
+    const gough_units units = {.length = 2, .mass = 3, .time = 5};
     for (int i = 0; i < OUTSIDE; i++) {
         const gough_unit unit = (gough_unit)outside[i];
-        ck_assert_str_eq(gough_unit_label(unit, false), "1");
-        ck_assert_str_eq(gough_unit_word(unit, false), "");
+        ck_assert_str_eq(gough_unit_label(&units, unit), "1");
+        ck_assert_str_eq(gough_unit_word(&units, unit), "");
         ck_assert(fabs(gough_unit_size(&units, unit) - 1) <= 0);
         ck_assert(fabs(gough_unit_factor(&units, unit) - 1) <= 0);
         ck_assert_int_eq(gough_unit_of_column(outside[i]), GOUGH_UNIT_NONE);
+        ck_assert(fabs(gough_unit_read(&units, unit, 7) - 7) <= 0);
+        int power[GOUGH_BASE_UNITS];
+        gough_unit_powers(&units, unit, power);
+        for (int b = 0; b < GOUGH_BASE_UNITS; b++) ck_assert_int_eq(power[b], 0);
+        gough_units chosen = gough_units_si();
+        ck_assert_ptr_null(gough_unit_choice((gough_base_unit)outside[i], 0));
+        ck_assert(!gough_units_choose(&chosen, (gough_base_unit)outside[i], "m"));
     }
 }
 END_TEST
@@ -334,7 +341,7 @@ END_TEST
 /* the file of a result names a cause outside its enumeration as unknown */
 START_TEST(a_result_names_no_cause_outside) {
     gough_study study = {.title = "", .text = "", .name = "", .model = &model};
-    const gough_units units = {false, 1, 1, 1};
+    const gough_units units = {.length = 1, .mass = 1, .time = 1};
     begin();
     gough_result *result = gough_result_new(&study, "simulate", &units);
     const gough_end end = {.cause = (gough_cause)97, .time = 1, .message = "ended"};

@@ -7,7 +7,7 @@ command -v jq >/dev/null || { echo "skipped: no jq"; exit 77; }
 (cd "$scratch" && awk -f ship-deck.awk >ship-deck.csv)
 short=(--set simulation.duration=20)
 
-keys='["format","verb","title","end","legs","condition","deviation","drift","limits","statistics"]'
+keys='["format","verb","title","units","end","legs","condition","deviation","drift","external_work","limits","statistics"]'
 for verb in forces simulate; do
     run "$verb" "$scratch/fs.yaml" "${short[@]}" --json -o "$scratch/$verb.csv"
     expect_code 0 "$verb --json"

@@ -70,7 +70,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (count > 0 && !(flat[0] < 0) && !(flat[0] > 0)) flat[0] = own_format();
 
     const size_t bytes = gough_model_flat_memory(flat, count);
-    if (bytes > 2 * size) abort();
+    if (bytes > 2 * size + GOUGH_EXTERNALS * sizeof(gough_external)) abort();
     void *memory = malloc(bytes + 1);
     if (memory == NULL) abort();
     const gough_status status =

@@ -17,8 +17,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         {.kind = STUDY_SMOOTH_DEVIATIONS, .deviation = {0.1, 0.1, 0.1, 0.1, 0.1, 0.1}},
         {.kind = STUDY_SMOOTH_CUTOFF, .cutoff = 1}};
     static gough_record record;
-    study_recording recording = {
-        .smoothing = kinds[size % 4], .record = &record, .samples = &samples};
+    study_recording recording = {.smoothing = kinds[size % 4],
+                                 .units = gough_units_si(),
+                                 .record = &record,
+                                 .samples = &samples};
     const char *text = study_arena_copy(&arena, (const char *)data, size);
     const study_source source = {"fuzz.csv", text, size, 0, false};
     if (!text) return 0;

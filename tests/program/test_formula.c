@@ -307,6 +307,70 @@ START_TEST(formulas_are_the_same_in_a_comma_locale) {
 }
 END_TEST
 
+/* size·f(rate·t), by the values and by the chain rule for the derivatives */
+START_TEST(a_scaled_formula_is_the_formula_in_other_units) {
+    static const char *const texts[] = {"3",         "t",       "sin(2*t)",         "ramp(t, 0.5)",
+                                        "t^3 - 2*t", "exp(-t)", "atan2(t, 2) + pi", "(1 + t)^0.5"};
+    const double size = 0.001, rate = 1000;
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        gough_formula plain, scaled;
+        gough_error error;
+        ck_assert_int_eq(gough_formula_compile(&plain, texts[i], strlen(texts[i]), NULL, &error),
+                         GOUGH_OK);
+        scaled = plain;
+        ck_assert_int_eq(gough_formula_scale(&scaled, size, rate, &error), GOUGH_OK);
+        for (int step = 1; step < 10; step++) {
+            const double t = 1e-4 * step;
+            double a[3], b[3];
+            gough_formula_evaluate(&plain, rate * t, a);
+            gough_formula_evaluate(&scaled, t, b);
+            for (int k = 0; k < 3; k++) {
+                const double wanted = size * pow(rate, k) * a[k];
+                /* the roundings of rate and t move the arguments */
+                ck_assert_msg(fabs(b[k] - wanted) <= 1e-12 * size * pow(rate, k), "%s: %g, not %g",
+                              texts[i], b[k], wanted);
+            }
+        }
+    }
+}
+END_TEST
+
+START_TEST(a_formula_stays_where_nothing_is_to_be_scaled) {
+    gough_formula f, before;
+    gough_error error;
+    ck_assert_int_eq(gough_formula_compile(&f, "sin(t)", 6, NULL, &error), GOUGH_OK);
+    before = f;
+    ck_assert_int_eq(gough_formula_scale(&f, 1, 1, &error), GOUGH_OK);
+    ck_assert_int_eq(f.count, before.count);
+    ck_assert_int_eq(gough_formula_compile(&f, "0", 1, NULL, &error), GOUGH_OK);
+    ck_assert_int_eq(gough_formula_scale(&f, 0.001, 1000, &error), GOUGH_OK);
+    ck_assert(gough_formula_is_zero(&f));
+}
+END_TEST
+
+/* As long, or as deep, as a formula may be, it has no room for more, and stays as it was. */
+START_TEST(a_formula_without_room_is_not_scaled) {
+    char text[2000] = "t";
+    gough_formula f;
+    gough_error error = {.message = ""};
+    for (int i = 0; i < 95; i++) strcat(text, "+1");
+    ck_assert_int_eq(gough_formula_compile(&f, text, strlen(text), NULL, &error), GOUGH_OK);
+    const int count = f.count;
+    ck_assert_int_eq(count, GOUGH_FORMULA_OPERATIONS - 1);
+    ck_assert_int_eq(gough_formula_scale(&f, 2, 1, &error), GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(f.count, count);
+    ck_assert_ptr_nonnull(strstr(error.message, "too long"));
+    text[0] = '\0';
+    for (int i = 1; i < GOUGH_FORMULA_DEPTH; i++) strcat(text, "1+(");
+    strcat(text, "t");
+    for (int i = 1; i < GOUGH_FORMULA_DEPTH; i++) strcat(text, ")");
+    ck_assert_int_eq(gough_formula_compile(&f, text, strlen(text), NULL, &error), GOUGH_OK);
+    ck_assert_int_eq(gough_formula_scale(&f, 2, 1, &error), GOUGH_OK);
+    ck_assert_int_eq(gough_formula_compile(&f, text, strlen(text), NULL, &error), GOUGH_OK);
+    ck_assert_int_eq(gough_formula_scale(&f, 1, 2, &error), GOUGH_ERROR_INPUT);
+}
+END_TEST
+
 int main(void) {
     Suite *suite = suite_create("formula");
     TCase *tests = tcase_create("formula");
@@ -327,6 +391,9 @@ int main(void) {
     tcase_add_test(tests, any_bytes_end_in_a_status);
     tcase_add_test(tests, any_words_end_in_a_status);
     tcase_add_test(tests, formulas_are_the_same_in_a_comma_locale);
+    tcase_add_test(tests, a_scaled_formula_is_the_formula_in_other_units);
+    tcase_add_test(tests, a_formula_stays_where_nothing_is_to_be_scaled);
+    tcase_add_test(tests, a_formula_without_room_is_not_scaled);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

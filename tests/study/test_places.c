@@ -21,8 +21,10 @@ START_TEST(points_at_unknown_key) {
     expect_more(
         "mass: 50\n",
         "study.yaml:8:1: error: unknown key `mass`; known here: title, units, platform, load, "
-        "gravity, motion, disturbance, control, initial, simulation, sweep; keys of that name "
-        "elsewhere: `platform.legs.cylinder.mass`, `platform.legs.piston.mass`, `load.mass`\n"
+        "gravity, external, motion, disturbance, control, initial, simulation, sweep; keys of that "
+        "name "
+        "elsewhere: `units.mass`, `platform.legs.cylinder.mass`, `platform.legs.piston.mass`, "
+        "`load.mass`\n"
         "mass: 50\n"
         "^\n");
     expect_more("control: {zzz: 50}\n",

@@ -19,7 +19,7 @@ static const char study[] = "units: dimensionless\n"
 
 /* The head of the second of three shards. */
 static sweep_head *new_head(void) {
-    static const gough_units bare = {true, 1, 1, 1};
+    static const gough_units bare = {.dimensionless = true, .length = 1, .mass = 1, .time = 1};
     gough_sweep *sweep = NULL;
     char *messages = NULL;
     ck_assert_msg(gough_sweep_parse("study.yaml", study, strlen(study), NULL, 0, &sweep,

@@ -240,7 +240,7 @@ START_TEST(shards_that_cannot_be_read_are_refused_with_their_name) {
         ck_assert_ptr_nonnull(strstr(error.message, "1.shard: is "));
         sweep_part_close(&part);
     }
-    static const gough_units bare = {true, 1, 1, 1};
+    static const gough_units bare = {.dimensionless = true, .length = 1, .mass = 1, .time = 1};
     ck_assert_int_eq(sweep_part_read(&part, "no such.shard", &error), GOUGH_ERROR_FILE);
     sweep_part_close(&part);
     char path[40];

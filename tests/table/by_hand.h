@@ -59,7 +59,7 @@ static inline gough_result *result_by_hand(const gough_study *study, const char 
     return result;
 }
 
-static const gough_units own_units = {false, 1.0, 1.0, 1.0};
+static const gough_units own_units = {.length = 1, .mass = 1, .time = 1};
 
 /* Writes a table by hand of a study of SI to a path. */
 static inline void write_by_hand(const char *path, size_t rows) {

@@ -117,7 +117,7 @@ START_TEST(si_units_are_named) {
 END_TEST
 
 START_TEST(dimensionless_units_are_1_and_angles_stay_degrees) {
-    const gough_units units = {true, 1.0, 1.0, 1.0};
+    const gough_units units = {.dimensionless = true, .length = 1, .mass = 1, .time = 1};
     gough_table *table = row_of_ones(&units);
     for (size_t c = 0; c < table->columns; c++) {
         const char *name = table->name[c];
@@ -202,13 +202,13 @@ END_TEST
 
 /* 10^l 100^m 1000^t of the exponents tells units apart. */
 START_TEST(every_column_has_the_unit_of_its_exponents) {
-    const gough_units units = {true, 10, 100, 1000};
+    const gough_units units = {.dimensionless = true, .length = 10, .mass = 100, .time = 1000};
     for (int c = 0; c < GOUGH_COLUMNS; c++) {
         const gough_column_info *info = gough_column(c);
         const double size = pow(10, info->length + 2 * info->mass + 3 * info->time);
         const gough_unit unit = gough_unit_of_column(c);
         ck_assert_msg(fabs(gough_unit_size(&units, unit) - size) <= 1e-15 * size, "%s", info->name);
-        ck_assert_msg((strncmp(gough_unit_label(unit, true), "degree", 6) == 0) ==
+        ck_assert_msg((strncmp(gough_unit_label(&units, unit), "degree", 6) == 0) ==
                           (info->angle != 0),
                       "%s", info->name);
     }
@@ -218,9 +218,9 @@ END_TEST
 
 /* Tables and texts differ in how they write powers and degrees alone. */
 START_TEST(labels_and_words_name_the_same_unit) {
-    const gough_units units = {false, 2, 3, 5};
+    const gough_units units = {.length = 2, .mass = 3, .time = 5}, none = {.dimensionless = true};
     for (gough_unit u = GOUGH_UNIT_LENGTH; u <= GOUGH_UNIT_INERTIA; u++) {
-        const char *label = gough_unit_label(u, false), *word = gough_unit_word(u, false);
+        const char *label = gough_unit_label(&units, u), *word = gough_unit_word(&units, u);
         ck_assert_msg(*word++ == ' ', "%s", label);
         for (; *label || *word; label++, word++) {
             if (*word == '^') word++;
@@ -234,8 +234,8 @@ START_TEST(labels_and_words_name_the_same_unit) {
         ck_assert(fabs(gough_unit_factor(&units, u) * gough_unit_size(&units, u) - turn) <=
                   1e-15 * turn);
     }
-    ck_assert_str_eq(gough_unit_word(GOUGH_UNIT_FORCE, true), "");
-    ck_assert_str_eq(gough_unit_label((gough_unit)99, false), "1");
+    ck_assert_str_eq(gough_unit_word(&none, GOUGH_UNIT_FORCE), "");
+    ck_assert_str_eq(gough_unit_label(&units, (gough_unit)99), "1");
 }
 END_TEST
 

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gough/units.h"
 #include "run/forces_along.h"
 #include "run/forward_run.h"
 
@@ -45,9 +46,9 @@ static struct {
     double origin; /* time from which steps are counted: t = origin + steps·step */
     double step;
     long long steps;
-    double goal; /* time to which live_advance() has been asked */
-    int seen;    /* the row was looked at since the last step */
-    int si;      /* sentences name SI units */
+    double goal;       /* time to which live_advance() has been asked */
+    int seen;          /* the row was looked at since the last step */
+    gough_units units; /* of sentences */
 
     double row[GOUGH_COLUMNS], pose[6];
     char message[500];
@@ -167,15 +168,30 @@ static int end_turns(const gough_end *end) {
            end->cause == GOUGH_END_TOP_SWING;
 }
 
-/* the sentence of an end, in degrees and, in SI, with units */
-static void say_end(gough_end end) {
-    static const gough_end_words si = {" m", " m/s", " m/s^2", " N",
-                                       " s", " deg", " deg/s", " deg/s^2"};
-    static const gough_end_words plain = {"", "", "", "", "", " deg", " deg", " deg"};
-
-    if (end_turns(&end)) end.limit *= 57.295779513082320877;
-    gough_end_say(&end, live.si ? &si : &plain);
-    say(end.message);
+/* the sentence of an end in the units that the page has named */
+static void say_end(gough_end said) {
+    const gough_units *u = &live.units;
+    const gough_cause cause = said.cause;
+    const int turns = end_turns(&said);
+    gough_unit unit = turns ? GOUGH_UNIT_ANGLE : GOUGH_UNIT_LENGTH;
+    if (cause == GOUGH_END_LEG_FORCE) unit = GOUGH_UNIT_FORCE;
+    if (cause == GOUGH_END_LEG_SPEED || cause == GOUGH_END_PLATFORM_SPEED)
+        unit = turns ? GOUGH_UNIT_ANGULAR_SPEED : GOUGH_UNIT_SPEED;
+    if (cause == GOUGH_END_LEG_ACCELERATION || cause == GOUGH_END_PLATFORM_ACCELERATION)
+        unit = turns ? GOUGH_UNIT_ANGULAR_ACCELERATION : GOUGH_UNIT_ACCELERATION;
+    said.time *= gough_unit_factor(u, GOUGH_UNIT_TIME);
+    said.limit *= gough_unit_factor(u, unit);
+    gough_end_say(&said,
+                  &(gough_end_words){.length = gough_unit_word(u, GOUGH_UNIT_LENGTH),
+                                     .speed = gough_unit_word(u, GOUGH_UNIT_SPEED),
+                                     .acceleration = gough_unit_word(u, GOUGH_UNIT_ACCELERATION),
+                                     .force = gough_unit_word(u, GOUGH_UNIT_FORCE),
+                                     .time = gough_unit_word(u, GOUGH_UNIT_TIME),
+                                     .angle = gough_unit_word(u, GOUGH_UNIT_ANGLE),
+                                     .angular_speed = gough_unit_word(u, GOUGH_UNIT_ANGULAR_SPEED),
+                                     .angular_acceleration =
+                                         gough_unit_word(u, GOUGH_UNIT_ANGULAR_ACCELERATION)});
+    say(said.message);
 }
 
 static void conclude(void) { say_end(live.end); }
@@ -315,6 +331,7 @@ int live_begin(void) {
     gough_status status;
 
     live.begun = 0;
+    if (!(live.units.length > 0)) live_set_units(-1, -1, -1, -1, -1);
     free(live.memory);
     live.memory = NULL;
     bytes = live.input ? gough_model_flat_memory(live.input, live.count) : 0;
@@ -427,7 +444,17 @@ const char *live_cause_name(int cause) { return gough_cause_name((gough_cause)ca
 
 int live_end_leg(void) { return live.end.leg; }
 int live_end_legs(void) { return (int)live.end.legs; }
-void live_set_si(int si) { live.si = si != 0; }
+void live_set_units(int length, int force, int mass, int angle, int time) {
+    const int place[] = {length, force, mass, angle, time};
+    live.units = gough_units_si();
+    for (int b = 0; b < GOUGH_BASE_UNITS; b++) {
+        const char *word = gough_unit_choice((gough_base_unit)b, place[b]);
+        if (word)
+            gough_units_choose(&live.units, (gough_base_unit)b, word);
+        else
+            live.units.dimensionless = true;
+    }
+}
 
 /* ---- a whole run ---- */
 

@@ -1,5 +1,5 @@
 /* What the page calls in its WebAssembly module: one study at a time, live or as a whole run. Numbers and addresses only; units,
- * frames and columns are those of gough/simulate.h, angles in radians. */
+ * frames and columns are those of gough/simulate.h, angles in radians. Units are those of the run: SI, or none. */
 #ifndef GOUGH_WEB_CORE_LIVE_H
 #define GOUGH_WEB_CORE_LIVE_H
 
@@ -24,15 +24,16 @@ const char *LIVE_EXPORT(live_message)(void);
 
 /* ---- settings, at any time; numbers that are not finite change nothing ---- */
 
-/* Gains of the control law, the same in all legs, in the study's units; negative ones count as 0. */
+/* Gains of the control law, the same in all legs; negative ones count as 0. */
 void LIVE_EXPORT(live_set_stiffness)(double stiffness);
 void LIVE_EXPORT(live_set_damping)(double damping);
 
 /* Whether the program's forces are fed forward. */
 void LIVE_EXPORT(live_set_feedforward)(int feedforward);
 
-/* Whether sentences name SI units; told before live_begin(). At first they name none. */
-void LIVE_EXPORT(live_set_si)(int si);
+/* The units of numbers in sentences, by their places in gough_unit_choice(); told before live_begin(). With a place
+ * that there is not, numbers have no units, but angles are in degrees. */
+void LIVE_EXPORT(live_set_units)(int length, int force, int mass, int angle, int time);
 
 /* Factors of what the study has, 1 as it is. Those of the program pass smoothly from old to new within one unit of time,
  * √(R_b/g), so that the program keeps two continuous derivatives and its phase; before the first step they hold at once.

@@ -1,5 +1,5 @@
 // The C core in WebAssembly (web/core/live.h says what each call does): bytes in, columns by name out. Angles in radians, units
-// of the study. Runs in a page, in a worker and in Node.
+// of the run. Runs in a page, in a worker and in Node.
 
 // Bytes of base64, as the page carries the module and the flat models.
 export function bytesOf(base64) {
@@ -38,10 +38,10 @@ export class Core {
     return new TextDecoder().decode(memory.slice(address, memory.indexOf(0, address)));
   }
 
-  // Takes a study in: its flat model as Float64Array, and whether its numbers are in SI units. Throws an Error with the core's
-  // sentence if the model is not valid.
-  begin(flat, si = false) {
-    this.calls.live_set_si(si ? 1 : 0);
+  // Takes a study in: its flat model as Float64Array, and the places of its five base units, or -1, for sentences.
+  // Throws an Error with the core's sentence if the model is not valid.
+  begin(flat, chosen = [-1, -1, -1, -1, -1]) {
+    this.calls.live_set_units(...chosen);
     const address = this.calls.live_input(flat.length);
     if (address === 0) throw new Error("there is not enough memory for the study");
     this.#doubles(address, flat.length).set(flat);

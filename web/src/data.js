@@ -1,6 +1,6 @@
 // What `gough report` wrote into the page: studies with their tables. A column is decoded when it is first asked for, so that a
 // recording of many rows opens at once.
-import { known } from "./format.js";
+import { known, unit } from "./format.js";
 import { blendAngle, placed, poseOf } from "./pose.js";
 
 const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
@@ -36,9 +36,11 @@ export function decode(text) {
   );
 }
 
-/** A table of columns, rows at equal steps of time; order: of its angles. */
+/** A table of columns, rows at equal steps of time. */
 export class Table {
-  constructor(columns, order) {
+  /** @param radian a radian in the unit of the angles. @param order of the angles. */
+  constructor(columns, radian, order) {
+    this.radian = radian;
     this.order = order;
     this.info = new Map((columns ?? []).map((column) => [column.name, column]));
     this.decoded = new Map();
@@ -90,7 +92,7 @@ export class Table {
     const { row, share } = this.at(time);
     if (share === 0) return values[row];
     if (name === "roll" || name === "pitch" || name === "yaw")
-      return blendAngle(values[row], values[row + 1], share);
+      return blendAngle(values[row], values[row + 1], share, this.radian);
     return values[row] + share * (values[row + 1] - values[row]);
   }
 
@@ -107,6 +109,7 @@ export class Table {
   pose(time) {
     return poseOf(
       POSE.map((name) => this.value(name, time)),
+      this.radian,
       this.order,
     );
   }
@@ -117,8 +120,8 @@ export class Study {
   constructor(raw, index) {
     Object.assign(this, raw);
     this.index = index;
-    this.run = new Table(raw.columns, raw.motion?.order);
-    this.plan = new Table(raw.program, raw.motion?.order);
+    this.run = new Table(raw.columns, this.factor("angle"), raw.motion?.order);
+    this.plan = new Table(raw.program, this.factor("angle"), raw.motion?.order);
     this.label = raw.title || raw.name || `study ${index + 1}`;
     this.complete = raw.end.status === "done";
     this.lastTime = this.run.rows ? this.run.t[this.run.rows - 1] : 0;
@@ -134,7 +137,48 @@ export class Study {
 
   /** The pose at home. */
   get home() {
-    return poseOf([0, 0, this.machine.height, 0, 0, 0]);
+    return poseOf([0, 0, this.machine.height, 0, 0, 0], 1);
+  }
+
+  /** What numbers of a kind ("length", "stiffness" …) in the core's units, SI or none, are multiplied by to be the study's. */
+  factor(kind) {
+    return this.quantities[kind].factor;
+  }
+
+  /** Name of the unit of a kind, as in the tables. */
+  label(kind) {
+    return this.quantities[kind].label;
+  }
+
+  get dimensionless() {
+    return this.units === "dimensionless";
+  }
+
+  /** The units in words, for the head of the study. */
+  get unitsSentence() {
+    if (this.dimensionless) return "Dimensionless";
+    if (this.units === "si") return "SI units";
+    const kinds = ["length", "force", "mass", "angle", "time"];
+    return `Units ${kinds.map((kind) => unit(this.label(kind))).join(", ")}`;
+  }
+
+  /** Whether another study has the same units. */
+  isLike(other) {
+    return JSON.stringify(this.units) === JSON.stringify(other.units);
+  }
+
+  /** The numbers of the machine that forces and energies follow from, in the core's units. */
+  get inside() {
+    const { machine } = this;
+    const each = (list, kind) => list.map((value) => value / this.factor(kind));
+    return {
+      mass: machine.mass / this.factor("mass"),
+      gravity: each(machine.gravity, "acceleration"),
+      radius: machine.base_radius / this.factor("length"),
+      centre: each(machine.center_of_mass, "length"),
+      top: machine.top.map((joint) => each(joint, "length")),
+      inertia: machine.inertia.map((row) => each(row, "inertia")),
+    };
   }
 
   /** What the columns f1 … f6 are: with friction in the legs, those of the drives. */
@@ -155,16 +199,31 @@ export class Study {
     if (name === "drift") return NOISE.rounding;
     const dimension = DIMENSIONS.find(([pattern]) => pattern.test(name))?.[1];
     if (!dimension) return 0;
-    const { machine, simulation } = this;
+    const { machine, simulation, inside } = this;
+    const kinds = { p: "power", energy: "energy" };
     const length = Math.max(...machine.home_length);
-    const time = Math.sqrt(machine.base_radius / (this.units === "si" ? 9.80665 : 1));
-    const force = Math.max(this.greatestForce, (machine.mass * length) / time ** 2);
+    const second = Math.sqrt(inside.radius / (this.dimensionless ? 1 : 9.80665));
+    const time = second * this.factor("time");
+    const reach = length / this.factor("length");
+    const force = Math.max(
+      this.greatestForce,
+      ((inside.mass * reach) / second ** 2) * this.factor("force"),
+    );
+    // powers and energies are in W and J, whatever force and length are in
+    const kind = kinds[name.replace(/\d$/, "")];
+    const watt = kind
+      ? this.factor(kind) /
+        (this.factor("force") *
+          this.factor("length") *
+          (kind === "power" ? 1 / this.factor("time") : 1))
+      : 1;
     const share = program
       ? NOISE.least
       : Math.min(Math.max(NOISE.of * (simulation.tolerance ?? 0), NOISE.least), NOISE.greatest);
     return (
       share *
-      (dimension.angle ? 180 / Math.PI : 1) *
+      watt *
+      (dimension.angle ? this.factor("angle") : 1) *
       length ** (dimension.length ?? 0) *
       time ** (dimension.time ?? 0) *
       force ** (dimension.force ?? 0)
@@ -196,7 +255,7 @@ export class Study {
 
   /** Whether the program is the paper's equation (3.1), heave 0.2 sin t (1 − e^{−t/2})² and nothing else, by its numbers. */
   get isPaper() {
-    if (this.units !== "dimensionless" || this.plan.rows < 2) return false;
+    if (!this.dimensionless || this.plan.rows < 2) return false;
     const { t } = this.plan;
     const z = this.plan.column("z");
     for (const name of ["x", "y", "roll", "pitch", "yaw"])
@@ -211,7 +270,7 @@ export class Study {
 
   /** Unit of the stiffness (order 0) or the damping (order 1) of a leg's feedback, as in the tables. */
   gainUnit(order) {
-    return this.units === "si" ? ["N/m", "N s/m"][order] : "1";
+    return this.label(["stiffness", "damping"][order]);
   }
 
   /** Whether the legs' forces do not depend on where the top is. */

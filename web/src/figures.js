@@ -273,11 +273,11 @@ function energyFigures(study) {
   const { run, machine } = study;
   const takesForce = run.has("h1");
   const doers = takesForce ? "drives" : "legs";
-  const work = legWork(run);
-  const { kinetic, potential } = loadEnergy(run, machine);
+  const work = legWork(study);
+  const { kinetic, potential } = loadEnergy(study);
   const total = kinetic.map((value, row) => value + potential[row]);
   const done = total.map((_, row) => work.reduce((sum, leg) => sum + leg[row], 0));
-  const energyUnit = run.unit("f1") === "1" ? "1" : "J";
+  const energyUnit = study.label("energy");
   return [
     {
       id: "energy",
@@ -297,7 +297,7 @@ function energyFigures(study) {
         { label: "sum", color: AXES[2], t: run.t, y: total, width: 2 },
         { label: `work of the ${doers}`, color: GREY, dash: DASH, t: run.t, y: done },
         ...(takesForce
-          ? [{ label: "lost by friction", color: LEGS[3], t: run.t, y: frictionLoss(run) }]
+          ? [{ label: "lost by friction", color: LEGS[3], t: run.t, y: frictionLoss(study) }]
           : []),
       ],
     },
@@ -447,7 +447,8 @@ function statesOfAll(shown) {
 export function figuresOfAll(studies) {
   const shown = studies.filter((study) => study.run.rows);
   if (!shown.length) return [];
-  const mixed = shown.some((study) => study.units !== shown[0].units);
+  const mixed = shown.some((study) => !study.isLike(shown[0]));
+  const turned = shown.some((study) => study.label("angle") !== shown[0].label("angle"));
   const paper = shown.filter((study) => study.isPaper);
   const figures = [
     ...(paper.length > 1 ? [{ ...figure4(paper), wide: true }] : []),
@@ -457,7 +458,7 @@ export function figuresOfAll(studies) {
   // where units differ, only the shapes can be compared, and the figure says so
   return mixed
     ? figures.map((figure) =>
-        figure.unit === "1" || figure.unit === "degree"
+        figure.unit === "1" || (!turned && figure.unit === shown[0].label("angle"))
           ? figure
           : { ...figure, unit: "", note: joined(figure.note, "Each study in its own units.") },
       )

@@ -1,6 +1,6 @@
 // The reader's hand in a live run: takes the load in the scene and pulls, and an arrow shows with what force.
 import { byId } from "./dom.js";
-import { number } from "./format.js";
+import { number, unit } from "./format.js";
 
 export class Hand {
   /** @param scene the scene with one machine; @param study whose load it is; @param onForce called with a force, base axes;
@@ -10,9 +10,10 @@ export class Hand {
     this.study = study;
     this.onForce = onForce;
     this.grip = null;
-    const { machine } = study;
-    // a pull of one base radius is half the weight
-    this.scale = (0.5 * machine.mass * (Math.hypot(...machine.gravity) || 1)) / machine.base_radius;
+    const { mass, gravity } = study.inside;
+    // a pull of one base radius is half the weight; both in the study's units
+    const weight = mass * (Math.hypot(...gravity) || 1) * study.factor("force");
+    this.scale = (0.5 * weight) / study.machine.base_radius;
     this.listening = new AbortController();
     const { canvas, controls } = scene;
     const { signal } = this.listening;
@@ -61,7 +62,7 @@ export class Hand {
     const words = byId("push-size");
     words.setAttribute("x", to[0] + 12);
     words.setAttribute("y", to[1] - 10);
-    words.textContent = `${number(size, 3)} ${this.study.units === "si" ? "N" : "M g"}`;
+    words.textContent = `${number(size, 3)} ${this.study.dimensionless ? "M g" : unit(this.study.label("force"))}`;
   }
 
   letGo() {

@@ -11,7 +11,6 @@ import { holdsFrom } from "./stability.js";
 import { Strips } from "./strips.js";
 import LiveWorker from "./worker.js?worker&inline";
 
-const DEGREE = 180 / Math.PI;
 /** The strips show so many of the machine's units of time, √(R_b/g). */
 const WINDOW = 24;
 /** A top that is farther than this from its program, in base radii, has left. */
@@ -59,10 +58,11 @@ export class Live {
   constructor(page, study) {
     this.page = page;
     this.study = study;
-    const { machine } = study;
-    this.gravity = Math.hypot(...machine.gravity) || 1;
-    this.weight = machine.mass * this.gravity;
-    this.timeUnit = Math.sqrt(machine.base_radius / this.gravity);
+    // weight and unit of time are the core's, as step, gains and forces are that it is told; what is shown is the study's
+    const { mass, gravity, radius } = study.inside;
+    const pull = Math.hypot(...gravity) || 1;
+    this.weight = mass * pull;
+    this.timeUnit = Math.sqrt(radius / pull);
     this.possible = Boolean(
       core && study.live && typeof Worker === "function" && typeof WebAssembly === "object",
     );
@@ -89,9 +89,9 @@ export class Live {
         flat: decode(this.study.live),
         settings: {
           step: this.step(),
-          reach: REACH * this.study.machine.base_radius,
-          grain: this.strips.grain,
-          si: this.study.units === "si",
+          reach: REACH * this.study.inside.radius,
+          grain: this.strips.grain / this.study.factor("time"),
+          chosen: this.study.quantities.chosen,
         },
       });
       // the study's own settings stand until the reader moves something
@@ -160,26 +160,26 @@ export class Live {
   /** Fixed step: a hundredth of the unit of time, less where the gains make the fastest mode faster: ω h and λ h stay below 1,
    *  with ω² ≤ 6 G (1/m + r²/J) and λ ≤ 6 D (1/m + r²/J). */
   step() {
-    const { machine } = this.study;
+    const { mass, centre, top, inertia } = this.study.inside;
     const arm = Math.max(
-      ...machine.top.map((joint) =>
-        Math.hypot(...joint.map((value, axis) => value - machine.center_of_mass[axis])),
-      ),
+      ...top.map((joint) => Math.hypot(...joint.map((value, axis) => value - centre[axis]))),
     );
-    const least = Math.min(...[0, 1, 2].map((axis) => machine.inertia[axis][axis]));
-    const mobility = 6 * (1 / machine.mass + (arm * arm) / least);
+    const least = Math.min(...[0, 1, 2].map((axis) => inertia[axis][axis]));
+    const mobility = 6 * (1 / mass + (arm * arm) / least);
     const { stiffness, damping } = this.sliders;
     return Math.min(
       0.01 * this.timeUnit,
-      1 / Math.sqrt(stiffness.value * mobility || 1e-300),
-      1 / (damping.value * mobility || 1e-300),
+      1 / Math.sqrt((stiffness.value / this.study.factor("stiffness")) * mobility || 1e-300),
+      1 / ((damping.value / this.study.factor("damping")) * mobility || 1e-300),
     );
   }
 
   /** A setting that the reader has moved: stiffness, damping, disturbance, amplitude, frequency or feedforward. */
   change(name, value) {
-    this.moved[name] = value;
-    this.tell("set", { settings: { [name]: value } });
+    const gain = name === "stiffness" || name === "damping";
+    const told = gain ? value / this.study.factor(name) : value;
+    this.moved[name] = told;
+    this.tell("set", { settings: { [name]: told } });
     this.tell("pace", { step: this.step() });
   }
 
@@ -208,7 +208,11 @@ export class Live {
       this.readings(),
     );
     byId("live").replaceChildren(this.built);
-    this.strips = new Strips(byId("strips"), this.study, WINDOW * this.timeUnit);
+    this.strips = new Strips(
+      byId("strips"),
+      this.study,
+      WINDOW * this.timeUnit * this.study.factor("time"),
+    );
   }
 
   /** Makes all controls that the reader can set. */
@@ -225,7 +229,7 @@ export class Live {
       {
         id: "speed",
         label: "Speed",
-        unit: this.study.units === "si" ? "× real time" : "units of time per second",
+        unit: this.study.dimensionless ? "units of time per second" : "× real time",
         ...SPEEDS,
         logarithmic: true,
         value: 1,
@@ -250,7 +254,8 @@ export class Live {
    *  m g/R_b · √(R_b/g) for damping. */
   gainSliders() {
     const { study } = this;
-    const gain = this.weight / study.machine.base_radius;
+    const stiff = (this.weight / study.inside.radius) * study.factor("stiffness");
+    const damped = (this.weight / study.inside.radius) * this.timeUnit * study.factor("damping");
     const power = (value) => 10 ** Math.round(Math.log10(value));
     const { stiffness, damping } = study.control;
     return {
@@ -258,8 +263,8 @@ export class Live {
         id: "stiffness",
         label: "Stiffness G",
         unit: unit(study.gainUnit(0)),
-        least: power(gain) / 100,
-        greatest: power(gain) * 1000,
+        least: power(stiff) / 100,
+        greatest: power(stiff) * 1000,
         logarithmic: true,
         value: Math.max(...stiffness),
         ...thresholdWords(study),
@@ -268,8 +273,8 @@ export class Live {
         id: "damping",
         label: "Damping D",
         unit: unit(study.gainUnit(1)),
-        least: power(gain * this.timeUnit) / 100,
-        greatest: power(gain * this.timeUnit) * 100,
+        least: power(damped) / 100,
+        greatest: power(damped) * 100,
         logarithmic: true,
         value: Math.max(...damping),
         help: unequalNote(damping),
@@ -360,7 +365,7 @@ export class Live {
 
   /** A button for each direction: while held, it pushes with a fifth of the load's weight. */
   pushButtons() {
-    const force = 0.2 * this.weight;
+    const force = 0.2 * this.weight * this.study.factor("force");
     return DIRECTIONS.map(([word, ...direction]) => {
       const set = (on) => () => this.pushBy(on ? direction.map((part) => part * force) : [0, 0, 0]);
       return element(
@@ -407,13 +412,36 @@ export class Live {
       this.place = Object.fromEntries(data.columns.map((name, index) => [name, index]));
     else if (data.kind === "failed") this.fail(data.message);
     else if (data.kind === "row") {
-      data.samples.forEach((sample) => this.strips.take(sample));
-      this.row = data.row;
-      this.program = data.program;
+      data.samples.forEach((sample) => this.strips.take(this.ownSample(sample)));
+      this.row = this.ownRow(data.row);
+      this.program = data.program.map((value, index) =>
+        index < 3 ? value * this.study.factor("length") : value,
+      );
       this.ratio = data.ratio;
       this.fresh = true;
       if (data.over && !this.over) this.fall(data.over);
     }
+  }
+
+  /** A row in the study's units but for its angles, which stay radians; of the columns that are shown. */
+  ownRow(row) {
+    const own = Float64Array.from(row);
+    for (const [name, place] of Object.entries(this.place ?? {})) {
+      if (name === "t") own[place] *= this.study.factor("time");
+      else if (/^(x|y|z|ex|ey|ez)$/.test(name)) own[place] *= this.study.factor("length");
+      else if (/^f\d$/.test(name)) own[place] *= this.study.factor("force");
+    }
+    return own;
+  }
+
+  /** Time, distance from the program and six forces in the study's units. */
+  ownSample([t, off, ...forces]) {
+    const { study } = this;
+    return [
+      t * study.factor("time"),
+      off * study.factor("length"),
+      ...forces.map((force) => force * study.factor("force")),
+    ];
   }
 
   fail(message) {
@@ -497,16 +525,16 @@ export class Live {
     this.clock.textContent = time;
     const [off, angle] = [
       Math.hypot(at("ex"), at("ey"), at("ez")),
-      DEGREE * Math.hypot(at("eroll"), at("epitch"), at("eyaw")),
+      this.study.factor("angle") * Math.hypot(at("eroll"), at("epitch"), at("eyaw")),
     ];
     const { study } = this;
     this.off.textContent = [
       study.say(off, "ex", 3) + unitAfter(study.unit("ex")),
-      study.say(angle, "eroll", 3) + unitAfter("degree"),
+      study.say(angle, "eroll", 3) + unitAfter(study.label("angle")),
     ].join(", ");
     this.pace.textContent =
       this.ratio > 0
-        ? `${number(this.ratio, 2)}${this.study.units === "si" ? "× real time" : " units of time per second"}`
+        ? `${number(this.ratio, 2)}${this.study.dimensionless ? " units of time per second" : "× real time"}`
         : "–";
     this.strips.draw();
   }
@@ -519,6 +547,6 @@ export class Live {
 
   /** Pushes the load at its centre of mass, base axes, until the next push. */
   pushBy(force) {
-    this.tell("push", { force });
+    this.tell("push", { force: force.map((part) => part / this.study.factor("force")) });
   }
 }

@@ -74,7 +74,7 @@ class Page {
 
   /** Whether studies of different units stand beside each other. */
   get mixed() {
-    return this.shown.some((study) => study.units !== this.shown[0].units);
+    return this.shown.some((study) => !study.isLike(this.shown[0]));
   }
 
   choose(which) {
@@ -93,6 +93,7 @@ class Page {
     this.player = new Player(
       duration,
       Math.min(...shown.map((study) => study.simulation.output_step)),
+      this.mixed ? 1 : first.factor("time"),
     );
     this.showHeader();
     this.showScene();
@@ -161,7 +162,7 @@ class Page {
     const { control, machine, simulate } = study;
     const [stiffness, damping] = [Math.max(...control.stiffness), Math.max(...control.damping)];
     const parts = [
-      `${study.units === "si" ? "SI units" : "Dimensionless"} · base radius ${amount(machine.base_radius, study.unit("l1"))} · `,
+      `${study.unitsSentence} · base radius ${amount(machine.base_radius, study.unit("l1"))} · `,
       study.openLoop ? "open loop" : `feedback G = ${amount(stiffness, study.gainUnit(0))}`,
       damping > 0 ? `, D = ${amount(damping, study.gainUnit(1))}` : "",
       control.feedforward ? ", program forces fed forward" : ", no program forces",

@@ -69,7 +69,7 @@ const PEAK_NOISE = 10;
 function legTable(study, summary, caption, testid, program) {
   const units = (name) => study.unit(name);
   const noise = (name) => PEAK_NOISE * study.noise(name, program);
-  const energy = units("f1") === "1" ? "1" : "J";
+  const energy = study.label("energy");
   const peak = ([least, greatest]) => Math.max(Math.abs(least), Math.abs(greatest));
   const limited = summary.legs.some(
     (leg) => leg.stroke_used !== null && leg.stroke_used !== undefined,
@@ -128,7 +128,7 @@ function endFacts(study) {
       simulate?.deviation && [
         "greatest deviation",
         `${study.say(simulate.deviation.position, "ex")}${unitAfter(study.unit("ex"))} from the program, `,
-        `${study.say(simulate.deviation.angle, "eroll")}${unitAfter("degree")} of angle`,
+        `${study.say(simulate.deviation.angle, "eroll")}${unitAfter(study.label("angle"))} of angle`,
       ],
       simulate && ["drift of the constraints", `at most ${number(simulate.drift, 3)}`],
       simulate && ["condition", `at most ${number(simulate.condition, 5)}`],
@@ -198,15 +198,15 @@ function machineFacts(study) {
       ["condition at home", number(machine.home_condition, 6)],
       [
         "load",
-        `mass ${number(machine.mass, 6)}${study.units === "si" ? " kg" : ""}, `,
+        `mass ${number(machine.mass, 6)}${unitAfter(study.label("mass"))}, `,
         `centre of mass ${list(machine.center_of_mass)}${metre}`,
       ],
       [
         "inertia about it",
         element("span", { class: "matrix" }, machine.inertia.map((row) => list(row)).join("\n")),
-        study.units === "si" ? unitAfter("kg m2") : "",
+        unitAfter(study.label("inertia")),
       ],
-      ["gravity", list(machine.gravity), study.units === "si" ? unitAfter("m/s2") : ""],
+      ["gravity", list(machine.gravity), unitAfter(study.label("acceleration"))],
       length &&
         (length[0] || length[1]) && [
           "length limits",
@@ -303,7 +303,7 @@ function stabilitySection(study) {
     return section;
   }
   const unitText = unitAfter(study.gainUnit(0)).trim();
-  const rate = unitAfter(study.unit("t")) ? " [1/s]" : "";
+  const rate = unit(study.label("rate")) ? ` [${unit(study.label("rate"))}]` : "";
   const thresholds = thresholdsOf(stability);
   section.append(
     stabilityFacts(study),
@@ -386,7 +386,7 @@ export function showNumbers(host, study) {
 export function compareNumbers(host, studies) {
   const [first] = studies;
   // where studies are in different units, each number has its own
-  const mixed = studies.some((study) => study.units !== first.units);
+  const mixed = studies.some((study) => !study.isLike(first));
   const heading = (words, unitText) => (mixed ? words : withUnit(words, unitText));
   const own = (study, text, unitText) => (mixed ? `${text}${unitAfter(unitText)}` : text);
   const rows = studies.map((study) => [

@@ -4,8 +4,10 @@
 const REST = 1.2;
 
 export class Player {
-  /** @param duration end of the recording; @param step time between rows, the unit of stepping and scrubbing. */
-  constructor(duration, step) {
+  /** @param duration end of the recording; @param step time between rows, the unit of stepping and scrubbing;
+   *  @param pace units of time that pass in a second. */
+  constructor(duration, step, pace = 1) {
+    this.pace = pace;
     this.duration = duration;
     this.step = step;
     this.time = 0;
@@ -70,7 +72,7 @@ export class Player {
       if (this.rested < REST) return;
       return this.seek(0);
     }
-    this.time = Math.min(this.time + seconds * this.speed, this.duration);
+    this.time = Math.min(this.time + seconds * this.speed * this.pace, this.duration);
     this.changed();
   }
 }

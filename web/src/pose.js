@@ -1,8 +1,6 @@
 // Poses: position of the top frame's origin and its rotation in the base frame, R = Rz(yaw) Ry(pitch) Rx(roll), or in the order
 // "xyz" R = Rx(roll) Ry(pitch) Rz(yaw).
 
-const DEGREE = Math.PI / 180;
-
 /** R as nine numbers by rows, from angles in radians. */
 export function rotation(roll, pitch, yaw, order) {
   // Rx Ry Rz of three angles is the transpose of Rz Ry Rx of the opposite ones
@@ -39,15 +37,16 @@ export function placed(pose, point) {
   return [pose.position[0] + x, pose.position[1] + y, pose.position[2] + z];
 }
 
-/** Pose from x, y, z, roll, pitch, yaw; angles in degrees. */
-export const poseOf = ([x, y, z, roll, pitch, yaw], order) => ({
+/** Pose from x, y, z, roll, pitch, yaw; `radian` is a radian in the unit of the angles, `order` theirs. */
+export const poseOf = ([x, y, z, roll, pitch, yaw], radian, order) => ({
   position: [x, y, z],
-  rotation: rotation(roll * DEGREE, pitch * DEGREE, yaw * DEGREE, order),
+  rotation: rotation(roll / radian, pitch / radian, yaw / radian, order),
 });
 
-/** Between two angles in degrees, the short way round. */
-export function blendAngle(a, b, share) {
-  const difference = ((((b - a) % 360) + 540) % 360) - 180;
+/** Between two angles, the short way round; `radian` is a radian in their unit. */
+export function blendAngle(a, b, share, radian) {
+  const turn = 2 * Math.PI * radian;
+  const difference = ((((b - a) % turn) + 1.5 * turn) % turn) - turn / 2;
   return a + share * difference;
 }
 

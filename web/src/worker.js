@@ -90,7 +90,7 @@ function run(on) {
 const orders = {
   async begin({ module, flat, settings }) {
     core = await Core.load(module);
-    core.begin(flat, settings.si);
+    core.begin(flat, settings.chosen);
     ({ step, reach, grain } = settings);
     postMessage({ kind: "ready", columns: core.columns });
     report();

@@ -53,8 +53,8 @@ static bool is_given(const double *bound, int sides, bool length) {
     return isfinite(bound[sides - 1]) || (length && bound[0] > 0);
 }
 
-static double in_degrees(const gough_study *study, gough_unit unit) {
-    return gough_unit_factor(&(gough_units){study->dimensionless, 1, 1, 1}, unit);
+static double factor_of(const gough_study *study, gough_unit unit) {
+    return gough_unit_factor(&study->units, unit);
 }
 
 /* ---- for reading ---- */
@@ -111,7 +111,7 @@ static bool print_platform_limits(const gough_study *study, const gough_limits *
         any = true;
         snprintf(label, sizeof label, "%s%s", gough_component_name(c), platform_limits[k].label);
         printf("  %-20s ", label);
-        print_bound(bound, 2, in_degrees(study, of));
+        print_bound(bound, 2, factor_of(study, of));
         printf("%s\n", unit_word(unit, of));
     }
     return any;
@@ -122,7 +122,7 @@ void print_limits(const gough_study *study, const gough_units *unit) {
     bool any = false;
     for (int k = 0; k < LEG_LIMITS; k++) {
         const gough_unit of = leg_limits[k].unit;
-        any |= print_leg_limit(&l, k, in_degrees(study, of), unit_word(unit, of));
+        any |= print_leg_limit(&l, k, factor_of(study, of), unit_word(unit, of));
     }
     for (int k = 0; k < PLATFORM_LIMITS; k++) any |= print_platform_limits(study, &l, k, unit);
     if (!any) printf("  limits               none given\n");
@@ -145,7 +145,7 @@ json_t *limits_object(const gough_study *study) {
         json_t *array = json_array();
         for (int v = 0; v < GOUGH_LEGS; v++)
             json_array_append_new(
-                array, bound_json(bound + sides * v, sides, in_degrees(study, leg_limits[k].unit)));
+                array, bound_json(bound + sides * v, sides, factor_of(study, leg_limits[k].unit)));
         json_object_set_new(legs, leg_limits[k].key, array);
     }
     for (int k = 0; k < PLATFORM_LIMITS; k++) {
@@ -153,11 +153,13 @@ json_t *limits_object(const gough_study *study) {
         for (int c = 0; c < GOUGH_COMPONENTS; c++)
             json_array_append_new(
                 array, bound_json(numbers_at(&l, platform_limits[k].at) + 2 * (ptrdiff_t)c, 2,
-                                  in_degrees(study, c >= GOUGH_ROLL ? platform_limits[k].turning
-                                                                    : platform_limits[k].unit)));
+                                  factor_of(study, c >= GOUGH_ROLL ? platform_limits[k].turning
+                                                                   : platform_limits[k].unit)));
         json_object_set_new(platform, platform_limits[k].key, array);
     }
-    json_object_set_new(platform, "about", json_numbers(l.about, 3));
+    double about[3];
+    for (int k = 0; k < 3; k++) about[k] = factor_of(study, GOUGH_UNIT_LENGTH) * l.about[k];
+    json_object_set_new(platform, "about", json_numbers(about, 3));
     json_object_set_new(object, "legs", legs);
     json_object_set_new(object, "platform", platform);
     return object;
@@ -165,7 +167,8 @@ json_t *limits_object(const gough_study *study) {
 
 json_t *limits_common_length(const gough_study *study) {
     const gough_limits l = limits_in_study(study);
-    double common[2] = {l.length[0][0], l.length[0][1]};
+    const double factor = factor_of(study, GOUGH_UNIT_LENGTH);
+    double common[2] = {factor * l.length[0][0], factor * l.length[0][1]};
     for (int v = 1; v < GOUGH_LEGS; v++)
         if (memcmp(l.length[v], l.length[0], sizeof l.length[0]) != 0) common[0] = common[1] = NAN;
     return json_numbers(common, 2);

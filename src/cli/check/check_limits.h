@@ -9,7 +9,7 @@
 /* Those of legs and platform that are given, or that there are none. */
 void print_limits(const gough_study *study, const gough_units *unit);
 
-/* All of them, angles in degrees; null where there is no limit. */
+/* All of them, in the units of the study; null where there is no limit. */
 json_t *limits_object(const gough_study *study);
 
 /* The least and greatest length if they are those of all legs, else two nulls. */

@@ -4,25 +4,28 @@
 
 #include <math.h>
 
+#include "cli/common/scale.h"
+
 typedef struct words {
-    const char *value, *acceleration, *time, *frequency;
+    const char *value, *acceleration, *time;
+    char frequency[40];
 } words;
 
 /* Without dimensions angles alone have units, and their accelerations need one of time. */
-static words words_of(bool dimensionless, int c) {
+static words words_of(const gough_units *units, int c) {
     const bool angle = c >= GOUGH_ROLL;
-    words w = {gough_unit_word(angle ? GOUGH_UNIT_ANGLE : GOUGH_UNIT_LENGTH, dimensionless),
-               gough_unit_word(angle ? GOUGH_UNIT_ANGULAR_ACCELERATION : GOUGH_UNIT_ACCELERATION,
-                               dimensionless),
-               gough_unit_word(GOUGH_UNIT_TIME, dimensionless),
-               dimensionless ? " cycles per unit of time" : " cycles per s"};
-    if (dimensionless && angle) w.acceleration = " deg per unit of time squared";
+    words w = {unit_word(units, component_unit(c)),
+               unit_word(units, angle ? GOUGH_UNIT_ANGULAR_ACCELERATION : GOUGH_UNIT_ACCELERATION),
+               unit_word(units, GOUGH_UNIT_TIME), ""};
+    if (units->dimensionless && angle) w.acceleration = " deg per unit of time squared";
+    snprintf(w.frequency, sizeof w.frequency, " cycles per%s", *w.time ? w.time : " unit of time");
     return w;
 }
 
-static void print_column(FILE *stream, const gough_record *record, int c, bool dimensionless) {
+static void print_column(FILE *stream, const gough_record *record, int c,
+                         const gough_units *units) {
     const gough_record_column *column = &record->column[c];
-    const words unit = words_of(dimensionless, c);
+    const words unit = words_of(units, c);
     fprintf(stream, "  record of %-10s ", gough_component_name(c));
     if (column->step > 0)
         fprintf(stream, "in steps of %.3g%s, ", column->step, unit.value);
@@ -39,8 +42,8 @@ static void print_column(FILE *stream, const gough_record *record, int c, bool d
                 unit.value);
 }
 
-void record_print(FILE *stream, const gough_record *record, bool dimensionless) {
-    const words unit = words_of(dimensionless, 0);
+void record_print(FILE *stream, const gough_record *record, const gough_units *units) {
+    const words unit = words_of(units, 0);
     fprintf(stream, "  rows                 %s %.6g%s", record->even ? "each" : "on average every",
             record->interval, unit.time);
     if (record->time_step > 0)
@@ -48,13 +51,12 @@ void record_print(FILE *stream, const gough_record *record, bool dimensionless) 
                 record->retimed ? " (read as equal intervals)" : "");
     fputc('\n', stream);
     if (record->turned)
-        fprintf(
-            stream,
-            "  rotations            interpolated about turned axes, %.2g deg or more from their\n"
-            "                       pole; roll, pitch and yaw below are angles about these\n",
-            record->pole_distance);
+        fprintf(stream,
+                "  rotations            interpolated about turned axes, %.2g%s or more from their\n"
+                "                       pole; roll, pitch and yaw below are angles about these\n",
+                record->pole_distance, unit_word(units, GOUGH_UNIT_ANGLE));
     for (int c = 0; c < GOUGH_COMPONENTS; c++)
-        if (record->column[c].given) print_column(stream, record, c, dimensionless);
+        if (record->column[c].given) print_column(stream, record, c, units);
 }
 
 json_t *record_object(const gough_record *record) {

@@ -15,9 +15,7 @@
 #include "cli/common/talk.h"
 #include "cli/sweep/sweep_report.h"
 
-static const double DEGREES = 57.295779513082320877;
-
-/* Everything that is printed, in the study's units; ranges in degrees where they are angles. */
+/* Everything that is printed; ranges in the study's units. */
 typedef struct check {
     const gough_study *study;
     const gough_sweep *sweep; /* NULL: none */
@@ -49,10 +47,14 @@ static const option pose_option[] = {
      .many = true,
      .read = read_pose_option,
      .text = "lengths, static forces, condition, stiffness and compliance in this pose, given by "
-             "its components from home (angles in degrees), as in surge=0.1,yaw=5"},
+             "its components from home (in the units of the study), as in surge=0.1,yaw=5"},
     {0}};
 
 static const option_group pose_group = {pose_option, NULL, NULL};
+
+static double own(const check *c, gough_unit unit, double value) {
+    return in_units(c->unit, unit, value);
+}
 
 /* Words and the value of a key of the study. */
 static void print_part(const check *c, const char *words, const char *path) {
@@ -79,10 +81,10 @@ static void print_legs(const check *c) {
                              {top.text, "x", {0}, 5},   {top.text, "y", {0}, 5},
                              {top.text, "z", {0}, 5},   {0}};
     for (int i = 0; i < GOUGH_LEGS; i++) {
-        column[0].value[i] = c->machine->home_length[i];
+        column[0].value[i] = own(c, GOUGH_UNIT_LENGTH, c->machine->home_length[i]);
         for (int k = 0; k < 3; k++) {
-            column[1 + k].value[i] = platform->base[i][k];
-            column[4 + k].value[i] = platform->top[i][k];
+            column[1 + k].value[i] = own(c, GOUGH_UNIT_LENGTH, platform->base[i][k]);
+            column[4 + k].value[i] = own(c, GOUGH_UNIT_LENGTH, platform->top[i][k]);
         }
     }
     table_print(stdout, column, false);
@@ -97,6 +99,12 @@ static const char *weakest_name(const machine_view *view) {
     return gough_component_name(largest);
 }
 
+/* of J, in length^3 */
+static double determinant_of(const check *c) {
+    const double length = own(c, GOUGH_UNIT_LENGTH, 1);
+    return length * length * length * c->view.determinant;
+}
+
 static void print_singularity(const check *c) {
     const machine_view *view = &c->view;
     printf("\nAt home\n");
@@ -105,13 +113,13 @@ static void print_singularity(const check *c) {
     else
         printf("  condition            over 1e8: home is singular, and leg forces cannot carry "
                "every load there\n");
-    printf("  |det J|              %.6g%s%s\n", fabs(view->determinant),
+    printf("  |det J|              %.6g%s%s\n", fabs(determinant_of(c)),
            unit_word(c->unit, GOUGH_UNIT_LENGTH),
            *unit_word(c->unit, GOUGH_UNIT_LENGTH) ? "^3" : "");
     printf("  least singular value %.6g of J (moments divided by %.6g%s; 0 is singular);\n"
            "                       the weakest direction is %s\n",
-           view->least_singular, view->arm, unit_word(c->unit, GOUGH_UNIT_LENGTH),
-           weakest_name(view));
+           view->least_singular, own(c, GOUGH_UNIT_LENGTH, view->arm),
+           unit_word(c->unit, GOUGH_UNIT_LENGTH), weakest_name(view));
 }
 
 static void print_load(const check *c) {
@@ -121,8 +129,10 @@ static void print_load(const check *c) {
     print_part(c, "  mass                 ", "load.mass");
     print_part(c, ", centre of mass ", "load.center_of_mass");
     printf("\n");
-    printf("  principal moments    %.6g, %.6g, %.6g%s\n", c->view.moments[0], c->view.moments[1],
-           c->view.moments[2], unit_word(c->unit, GOUGH_UNIT_INERTIA));
+    printf("  principal moments    %.6g, %.6g, %.6g%s\n",
+           own(c, GOUGH_UNIT_INERTIA, c->view.moments[0]),
+           own(c, GOUGH_UNIT_INERTIA, c->view.moments[1]),
+           own(c, GOUGH_UNIT_INERTIA, c->view.moments[2]), unit_word(c->unit, GOUGH_UNIT_INERTIA));
     static const char *const axis_names[] = {"axis of the first", "axis of the second",
                                              "axis of the third"};
     for (int a = 0; a < 3; a++) {
@@ -143,7 +153,8 @@ static void print_leg_mass(const check *c) {
     if (!c->machine->platform.legs_have_mass) return;
     printf("  mass of the legs     %.6g%s, of which the top bears %.6g%s at home (%.4g %% of the "
            "load)\n",
-           view->leg_mass, mass, view->hanging, mass, 100 * view->hanging / c->machine->load.mass);
+           own(c, GOUGH_UNIT_MASS, view->leg_mass), mass, own(c, GOUGH_UNIT_MASS, view->hanging),
+           mass, 100 * view->hanging / c->machine->load.mass);
 }
 
 static void gain_range(const double gain[GOUGH_LEGS], double range[2]) {
@@ -178,11 +189,11 @@ static void print_friction(const check *c) {
     gain_range(m->smoothing_speed, creep);
     if (!(breakaway[1] > 0)) return;
     printf("  dry friction         breakaway ");
-    print_range(breakaway, 1, unit_word(c->unit, GOUGH_UNIT_FORCE));
+    print_range(breakaway, own(c, GOUGH_UNIT_FORCE, 1), unit_word(c->unit, GOUGH_UNIT_FORCE));
     printf(", of which the smooth law reaches about %.3g %%;\n"
            "                       a leg that should rest under half of it creeps at about ",
            100 * reached);
-    print_range(creep, 1 / sqrt(3), unit_word(c->unit, GOUGH_UNIT_SPEED));
+    print_range(creep, own(c, GOUGH_UNIT_SPEED, 1 / sqrt(3)), unit_word(c->unit, GOUGH_UNIT_SPEED));
     printf("\n");
 }
 
@@ -204,7 +215,7 @@ static bool print_formulas(const check *c, const gough_formula formula[3], gough
         double now[3];
         gough_formula_evaluate(&formula[i], 0, now);
         any |= varies(&formula[i], c->study->simulation.duration);
-        printf("%s%.6g", i ? ", " : "", now[0] + 0.0);
+        printf("%s%.6g", i ? ", " : "", own(c, unit, now[0]) + 0.0);
     }
     printf("%s", unit_word(c->unit, unit));
     return any;
@@ -224,8 +235,9 @@ static void print_external(const check *c) {
         changes |= print_formulas(c, e->moment, GOUGH_UNIT_MOMENT);
         printf(
             "%s\n                       at %.6g, %.6g, %.6g%s in the top frame, axes of the %s\n",
-            changes ? " at t = 0" : "", at[0], at[1], at[2], unit_word(c->unit, GOUGH_UNIT_LENGTH),
-            e->turns ? "top" : "base");
+            changes ? " at t = 0" : "", own(c, GOUGH_UNIT_LENGTH, at[0]),
+            own(c, GOUGH_UNIT_LENGTH, at[1]), own(c, GOUGH_UNIT_LENGTH, at[2]),
+            unit_word(c->unit, GOUGH_UNIT_LENGTH), e->turns ? "top" : "base");
     }
 }
 
@@ -233,7 +245,8 @@ static void print_groups(const check *c) {
     const gough_machine *m = c->machine;
     const double R = m->base_radius, M = m->load.mass, g = m->gravity_magnitude;
     printf("\nDimensionless groups\n");
-    printf("  R_b                  %.6g%s\n", R, unit_word(c->unit, GOUGH_UNIT_LENGTH));
+    printf("  R_b                  %.6g%s\n", own(c, GOUGH_UNIT_LENGTH, R),
+           unit_word(c->unit, GOUGH_UNIT_LENGTH));
     printf("  h/R_b                %.6g\n", m->platform.height / R);
     printf("  r/R_b                %.6g\n", c->view.top_radius / R);
     printf("  J/(M R_b^2)          %.6g, %.6g, %.6g\n", c->view.moments[0] / (M * R * R),
@@ -249,8 +262,8 @@ static void print_groups(const check *c) {
     print_range(stiffness, R / (M * g), "\n");
     printf("  D sqrt(R_b/g)/M      ");
     print_range(damping, c->view.time_unit / M, "\n");
-    printf("  sqrt(R_b/g)          %.6g%s, the unit of time\n", c->view.time_unit,
-           unit_word(c->unit, GOUGH_UNIT_TIME));
+    printf("  sqrt(R_b/g)          %.6g%s, the unit of time\n",
+           own(c, GOUGH_UNIT_TIME, c->view.time_unit), unit_word(c->unit, GOUGH_UNIT_TIME));
 }
 
 static void print_program(const check *c) {
@@ -261,8 +274,8 @@ static void print_program(const check *c) {
     else if (motion->kind == GOUGH_MOTION_SAMPLES)
         printf("  %zu samples, t = %.6g to %.6g%s, interpolated by a cubic spline (C2, not-a-knot "
                "ends)\n",
-               motion->samples.count, motion->samples.time[0],
-               motion->samples.time[motion->samples.count - 1],
+               motion->samples.count, own(c, GOUGH_UNIT_TIME, motion->samples.time[0]),
+               own(c, GOUGH_UNIT_TIME, motion->samples.time[motion->samples.count - 1]),
                unit_word(c->unit, GOUGH_UNIT_TIME));
     else
         printf("  formulas in t\n");
@@ -272,11 +285,11 @@ static void print_program(const check *c) {
     for (int k = 0; k < GOUGH_COMPONENTS; k++) {
         if (!(fabs(c->least[k]) > 0) && !(fabs(c->greatest[k]) > 0)) continue;
         printf("  %-20s %.6g to %.6g%s\n", gough_component_name(k), c->least[k], c->greatest[k],
-               k < GOUGH_ROLL ? unit_word(c->unit, GOUGH_UNIT_LENGTH) : " deg");
+               unit_word(c->unit, component_unit(k)));
         moving++;
     }
     if (!moving) printf("  rest at home\n");
-    if (c->study->record) record_print(stdout, c->study->record, c->study->dimensionless);
+    if (c->study->record) record_print(stdout, c->study->record, c->unit);
     const double *about = motion->about;
     if (fabs(about[0]) + fabs(about[1]) + fabs(about[2]) > 0) {
         print_part(c, "  of the point         ", "motion.about");
@@ -291,9 +304,10 @@ static void print_control(const check *c) {
     gain_range(control->damping, damping);
     printf("\nControl\n  feedforward          %s\n  stiffness G          ",
            control->feedforward ? "the program's forces" : "none");
-    print_range(stiffness, 1, unit_word(c->unit, GOUGH_UNIT_STIFFNESS));
+    print_range(stiffness, own(c, GOUGH_UNIT_STIFFNESS, 1),
+                unit_word(c->unit, GOUGH_UNIT_STIFFNESS));
     printf("%s\n  damping D            ", stiffness[1] > 0 ? "" : ": open loop");
-    print_range(damping, 1, unit_word(c->unit, GOUGH_UNIT_DAMPING));
+    print_range(damping, own(c, GOUGH_UNIT_DAMPING, 1), unit_word(c->unit, GOUGH_UNIT_DAMPING));
     printf("\n");
 }
 
@@ -314,7 +328,8 @@ static void print_settings(const check *c) {
     if (s->method >= GOUGH_RATTLE2)
         printf("kept by the method\n");
     else if (s->constraints == GOUGH_BAUMGARTE)
-        printf("Baumgarte, alpha %.6g, beta %.6g\n", s->baumgarte[0], s->baumgarte[1]);
+        printf("Baumgarte, alpha %.6g, beta %.6g\n", own(c, GOUGH_UNIT_RATE, s->baumgarte[0]),
+               own(c, GOUGH_UNIT_RATE, s->baumgarte[1]));
     else
         printf("%s\n", s->constraints == GOUGH_PROJECTION ? "projection" : "none");
 }
@@ -322,7 +337,7 @@ static void print_settings(const check *c) {
 static void print_check(const check *c) {
     print_title(stdout, c->study->title);
     print_line(stdout, "%s is a valid study; %s", c->study->name,
-               units_sentence(c->study, c->unit));
+               units_sentence(c->study, c->unit).text);
     printf("\nLegs\n");
     print_legs(c);
     print_singularity(c);
@@ -363,10 +378,10 @@ static json_t *program_object(const check *c) {
     json_object_set_new(program, "kind", json_string(kinds[motion->kind]));
     json_object_set_new(program, "order", json_field(c->study, "motion.order"));
     if (motion->kind == GOUGH_MOTION_SAMPLES) {
-        const double span[2] = {motion->samples.time[0],
-                                motion->samples.time[motion->samples.count - 1]};
+        const two_numbers span = two_in_units(c->unit, GOUGH_UNIT_TIME, motion->samples.time[0],
+                                              motion->samples.time[motion->samples.count - 1]);
         json_object_set_new(program, "samples", json_integer((json_int_t)motion->samples.count));
-        json_object_set_new(program, "span", json_numbers(span, 2));
+        json_object_set_new(program, "span", json_numbers(span.value, 2));
         json_object_set_new(program, "ends", json_string("not-a-knot"));
         if (c->study->record)
             json_object_set_new(program, "record", record_object(c->study->record));
@@ -377,7 +392,15 @@ static json_t *program_object(const check *c) {
     return program;
 }
 
-static json_t *external_array(const gough_machine *m) {
+static json_t *own_numbers(const check *c, gough_unit unit, const double *value, int count) {
+    json_t *array = json_array();
+    for (int i = 0; i < count; i++)
+        json_array_append_new(array, json_number(own(c, unit, value[i])));
+    return array;
+}
+
+static json_t *external_array(const check *c) {
+    const gough_machine *m = c->machine;
     json_t *array = json_array();
     for (size_t n = 0; n < m->externals; n++) {
         const gough_external *e = &m->external[n];
@@ -388,10 +411,11 @@ static json_t *external_array(const gough_machine *m) {
             value[i] = now[0];
         }
         json_t *object = json_object();
-        json_object_set_new(object, "force", json_numbers(value, 3));
-        json_object_set_new(object, "moment", json_numbers(value + 3, 3));
-        json_object_set_new(object, "at",
-                            json_numbers(e->at_given ? e->at : m->load.center_of_mass, 3));
+        json_object_set_new(object, "force", own_numbers(c, GOUGH_UNIT_FORCE, value, 3));
+        json_object_set_new(object, "moment", own_numbers(c, GOUGH_UNIT_MOMENT, value + 3, 3));
+        json_object_set_new(
+            object, "at",
+            own_numbers(c, GOUGH_UNIT_LENGTH, e->at_given ? e->at : m->load.center_of_mass, 3));
         json_object_set_new(object, "axes", json_string(e->turns ? "top" : "base"));
         json_array_append_new(array, object);
     }
@@ -410,28 +434,33 @@ static int print_check_json(const check *c) {
     json_object_set_new(simulation, "duration", json_field(c->study, "simulation.duration"));
     json_object_set_new(simulation, "output_step", json_field(c->study, "simulation.output_step"));
     json_object_set_new(simulation, "method", json_field(c->study, "simulation.method"));
-    json_object_set_new(simulation, "step", json_number(s->step > 0 ? s->step : NAN));
+    json_object_set_new(simulation, "step",
+                        json_number(s->step > 0 ? own(c, GOUGH_UNIT_TIME, s->step) : NAN));
     json_object_set_new(simulation, "tolerance", json_number(s->step > 0 ? NAN : s->tolerance));
 
     json_object_set_new(object, "verb", json_string("check"));
     json_object_set_new(object, "title", json_words(c->study->title));
-    json_object_set_new(object, "units",
-                        json_string(c->study->dimensionless ? "dimensionless" : "si"));
-    json_object_set_new(object, "home_length", json_numbers(m->home_length, GOUGH_LEGS));
+    json_object_set_new(object, "units", json_units(c->unit));
+    json_object_set_new(object, "home_length",
+                        own_numbers(c, GOUGH_UNIT_LENGTH, m->home_length, GOUGH_LEGS));
     json_object_set_new(object, "stroke", limits_common_length(c->study));
     json_object_set_new(object, "limits", limits_object(c->study));
     json_object_set_new(object, "condition", json_number(c->view.condition));
-    json_object_set_new(object, "determinant", json_number(c->view.determinant));
+    json_object_set_new(object, "determinant", json_number(determinant_of(c)));
     json_object_set_new(object, "least_singular_value", json_number(c->view.least_singular));
     json_object_set_new(object, "weakest_motion", json_string(weakest_name(&c->view)));
-    json_object_set_new(object, "principal_moments", json_numbers(c->view.moments, 3));
+    json_object_set_new(object, "principal_moments",
+                        own_numbers(c, GOUGH_UNIT_INERTIA, c->view.moments, 3));
     json_object_set_new(object, "principal_axes", axes);
-    json_object_set_new(object, "leg_mass", json_number(c->view.leg_mass));
-    json_object_set_new(object, "leg_mass_on_top", json_number(c->view.hanging));
-    json_object_set_new(object, "external", external_array(m));
-    json_object_set_new(object, "pose", pose_view_object(c->model, &c->pose));
-    json_object_set_new(object, "base_radius", json_number(m->base_radius));
-    json_object_set_new(object, "time_unit", json_number(c->view.time_unit));
+    json_object_set_new(object, "leg_mass", json_number(own(c, GOUGH_UNIT_MASS, c->view.leg_mass)));
+    json_object_set_new(object, "leg_mass_on_top",
+                        json_number(own(c, GOUGH_UNIT_MASS, c->view.hanging)));
+    json_object_set_new(object, "external", external_array(c));
+    json_object_set_new(object, "pose", pose_view_object(c->model, c->unit, &c->pose));
+    json_object_set_new(object, "base_radius",
+                        json_number(own(c, GOUGH_UNIT_LENGTH, m->base_radius)));
+    json_object_set_new(object, "time_unit",
+                        json_number(own(c, GOUGH_UNIT_TIME, c->view.time_unit)));
     json_object_set_new(object, "groups", groups_object(c));
     json_object_set_new(object, "program", program_object(c));
     json_object_set_new(object, "simulation", simulation);
@@ -441,14 +470,12 @@ static int print_check_json(const check *c) {
 
 static gough_status check_study(const command_line *line, const pose_view *pose,
                                 const gough_study *study, const gough_sweep *sweep) {
-    static const gough_units own[2] = {{.dimensionless = false, .length = 1, .mass = 1, .time = 1},
-                                       {.dimensionless = true, .length = 1, .mass = 1, .time = 1}};
     check c = {.study = study,
                .sweep = sweep,
                .model = study->model,
                .machine = &study->model->machine,
                .view = machine_view_of(&study->model->machine),
-               .unit = &own[study->dimensionless],
+               .unit = &study->units,
                .pose = *pose};
     gough_error error = {0};
     gough_status status = gough_simulation_check(study->model, &study->simulation, &error);
@@ -456,12 +483,14 @@ static gough_status check_study(const command_line *line, const pose_view *pose,
         status = gough_motion_range(&study->model->motion, study->simulation.duration,
                                     study->simulation.output_step, c.least, c.greatest, &error);
     if (status) {
-        complain_of(line->verb, study, error.message);
+        complain_of(line->verb, study, &error);
         return status;
     }
-    for (int k = GOUGH_ROLL; k < GOUGH_COMPONENTS; k++)
-        c.least[k] *= DEGREES, c.greatest[k] *= DEGREES;
-    pose_view_find(c.model, &c.pose);
+    for (int k = 0; k < GOUGH_COMPONENTS; k++) {
+        c.least[k] = in_units(c.unit, component_unit(k), c.least[k]);
+        c.greatest[k] = in_units(c.unit, component_unit(k), c.greatest[k]);
+    }
+    pose_view_find(c.model, c.unit, &c.pose);
     check_warnings(line->verb, study, c.unit);
     if (line->json) return print_check_json(&c) ? GOUGH_ERROR_FILE : GOUGH_OK;
     if (!line->quiet) print_check(&c);

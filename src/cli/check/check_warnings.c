@@ -9,8 +9,6 @@
 #include "cli/common/talk.h"
 #include "cli/run/limits_used.h"
 
-static const double DEGREES = 57.295779513082320877;
-
 /* displacements smaller than this, in base radii and radians, and rates that would not make more than SLOW over the run, are those
  * of decimals that were rounded */
 static const double NOTHING = 1e-9, SLOW = 1e-4;
@@ -59,9 +57,11 @@ static void warn_home(const warning *w) {
         }
         if (worst < 0) continue;
         WARN(w, "home is outside the limits: %s, length %.6g%s, %s length %.6g%s",
-             names_of(beyond, text), model->machine.home_length[worst],
+             names_of(beyond, text),
+             in_units(w->unit, GOUGH_UNIT_LENGTH, model->machine.home_length[worst]),
              unit_word(w->unit, GOUGH_UNIT_LENGTH), kind ? "greatest" : "least",
-             l.length[worst][kind], unit_word(w->unit, GOUGH_UNIT_LENGTH));
+             in_units(w->unit, GOUGH_UNIT_LENGTH, l.length[worst][kind]),
+             unit_word(w->unit, GOUGH_UNIT_LENGTH));
     }
 }
 
@@ -80,14 +80,13 @@ static void warn_start(const warning *w) {
             const double scale = order ? SLOW / NOTHING / w->study->simulation.duration : 1;
             if (!(fabs(value) > NOTHING * scale * (turns ? 1 : radius))) continue;
             const size_t used = strlen(text);
+            const gough_unit unit = turns   ? order ? GOUGH_UNIT_ANGULAR_SPEED : GOUGH_UNIT_ANGLE
+                                    : order ? GOUGH_UNIT_SPEED
+                                            : GOUGH_UNIT_LENGTH;
             snprintf(text + used, sizeof text - used, "%s%s %.6g%s%s", used ? ", " : "",
-                     gough_component_name(c), turns ? DEGREES * value : value,
-                     turns        ? " deg"
-                     : order == 0 ? unit_word(w->unit, GOUGH_UNIT_LENGTH)
-                                  : unit_word(w->unit, GOUGH_UNIT_SPEED),
-                     turns && order
-                         ? *unit_word(w->unit, GOUGH_UNIT_TIME) ? "/s" : " per unit of time"
-                         : "");
+                     gough_component_name(c), in_units(w->unit, unit, value),
+                     unit_word(w->unit, unit),
+                     turns && order && w->unit->dimensionless ? " per unit of time" : "");
         }
         if (*text) WARN(w, "the program %s: %s at t = 0", where[order], text);
     }
@@ -95,7 +94,7 @@ static void warn_start(const warning *w) {
 
 static void say_end(const warning *w, gough_end *end, const char *what) {
     const gough_end_words words = limit_words(w->unit);
-    end->limit *= gough_unit_factor(w->unit, limit_unit(end->cause, end->component));
+    end_scale(end, w->unit);
     gough_end_say(end, &words);
     WARN(w, "%s: %s", what, end->message);
 }
@@ -129,7 +128,8 @@ static void warn_rows(const warning *w) {
         WARN(w,
              "simulation.output_step %.6g%s is longer than the duration %.6g%s: a table has one "
              "row, at t = 0",
-             s->output_step, unit_word(w->unit, GOUGH_UNIT_TIME), s->duration,
+             in_units(w->unit, GOUGH_UNIT_TIME, s->output_step),
+             unit_word(w->unit, GOUGH_UNIT_TIME), in_units(w->unit, GOUGH_UNIT_TIME, s->duration),
              unit_word(w->unit, GOUGH_UNIT_TIME));
     if (motion->kind != GOUGH_MOTION_MOVES) return;
     const double pace = motion->scaled ? motion->frequency : 1;
@@ -143,12 +143,25 @@ static void warn_rows(const warning *w) {
              "simulation.output_step %.6g%s is longer than %zu of the moves, the shortest of "
              "%.6g%s: "
              "rows do not show them",
-             s->output_step, unit_word(w->unit, GOUGH_UNIT_TIME), missed, shortest,
-             unit_word(w->unit, GOUGH_UNIT_TIME));
+             in_units(w->unit, GOUGH_UNIT_TIME, s->output_step),
+             unit_word(w->unit, GOUGH_UNIT_TIME), missed,
+             in_units(w->unit, GOUGH_UNIT_TIME, shortest), unit_word(w->unit, GOUGH_UNIT_TIME));
+}
+
+/* Lengths in mm with gravity in mm/s^2 give wrong forces of 1000 times the size wherever the masses are in kg. */
+static void warn_units(const warning *w) {
+    const double gravity =
+        in_units(w->unit, GOUGH_UNIT_ACCELERATION, w->study->model->machine.gravity_magnitude);
+    if (w->unit->dimensionless || w->unit->name[GOUGH_BASE_LENGTH] != 0 || !(gravity > 100)) return;
+    WARN(w,
+         "gravity is %.6g%s, which is ten times that of the earth or more: if the study's lengths "
+         "are in mm, say so with `units: {length: mm}`",
+         gravity, unit_word(w->unit, GOUGH_UNIT_ACCELERATION));
 }
 
 void check_warnings(const char *verb, const gough_study *study, const gough_units *unit) {
     const warning w = {verb, study, unit};
+    warn_units(&w);
     warn_home(&w);
     warn_start(&w);
     warn_way(&w);

@@ -25,6 +25,20 @@ json_t *json_numbers(const double *value, size_t count) {
     return array;
 }
 
+json_t *json_units(const gough_units *units) {
+    static const char *const key[GOUGH_BASE_UNITS] = {"length", "force", "mass", "angle", "time"};
+    json_t *object = json_object();
+    bool si = true;
+    for (int b = 0; b < GOUGH_BASE_UNITS; b++) {
+        json_object_set_new(object, key[b],
+                            json_string(gough_unit_choice((gough_base_unit)b, units->name[b])));
+        si = si && units->name[b] == 0;
+    }
+    if (!units->dimensionless && !si) return object;
+    json_decref(object);
+    return json_string(units->dimensionless ? "dimensionless" : "si");
+}
+
 void json_set_members(json_t *json, const void *object, const scaled_member *member, size_t count) {
     for (size_t m = 0; m < count; m++) {
         if (!member[m].key) continue;

@@ -12,6 +12,9 @@ json_t *json_number(double value);
 json_t *json_numbers(const double *value, size_t count);
 json_t *json_words(const char *text);
 
+/* The units of an object's numbers: "si", "dimensionless", or the words of the five base units. */
+json_t *json_units(const gough_units *units);
+
 /* The members of a struct that have a key in the table, in its order; null for all of them without an object. */
 void json_set_members(json_t *json, const void *object, const scaled_member *member, size_t count);
 

@@ -16,7 +16,7 @@ void scale_members(void *object, const scaled_member *member, size_t count,
 }
 
 const char *unit_word(const gough_units *units, gough_unit unit) {
-    return gough_unit_word(unit, units->dimensionless);
+    return gough_unit_word(units, unit);
 }
 
 table_heading heading_of(const char *what, const char *unit) {
@@ -36,8 +36,37 @@ static bool is_own(const gough_units *units) {
     return own;
 }
 
-const char *units_sentence(const gough_study *study, const gough_units *units) {
-    if (!units->dimensionless) return "SI units, angles in degrees";
-    if (study->dimensionless && is_own(units)) return "dimensionless, angles in degrees";
-    return "dimensionless: lengths in R_b, masses in M, times in sqrt(R_b/g); angles in degrees";
+static bool is_si(const gough_units *units) {
+    bool si = true;
+    for (int b = 0; b < GOUGH_BASE_UNITS; b++) si = si && units->name[b] == 0;
+    return si;
+}
+
+units_words units_sentence(const gough_study *study, const gough_units *units) {
+    units_words words;
+    const char *sentence =
+        "dimensionless: lengths in R_b, masses in M, times in sqrt(R_b/g); angles in degrees";
+    if (!units->dimensionless && is_si(units)) sentence = "SI units, angles in degrees";
+    if (study->dimensionless && is_own(units)) sentence = "dimensionless, angles in degrees";
+    if (units->dimensionless || is_si(units))
+        snprintf(words.text, sizeof words.text, "%s", sentence);
+    else
+        snprintf(words.text, sizeof words.text,
+                 "lengths in%s, forces in%s, masses in%s, angles in%s, times in%s",
+                 unit_word(units, GOUGH_UNIT_LENGTH), unit_word(units, GOUGH_UNIT_FORCE),
+                 unit_word(units, GOUGH_UNIT_MASS), unit_word(units, GOUGH_UNIT_ANGLE),
+                 unit_word(units, GOUGH_UNIT_TIME));
+    return words;
+}
+
+gough_unit component_unit(int component) {
+    return component < GOUGH_ROLL ? GOUGH_UNIT_LENGTH : GOUGH_UNIT_ANGLE;
+}
+
+double in_units(const gough_units *units, gough_unit unit, double value) {
+    return gough_unit_factor(units, unit) * value;
+}
+
+two_numbers two_in_units(const gough_units *units, gough_unit unit, double first, double second) {
+    return (two_numbers){{in_units(units, unit, first), in_units(units, unit, second)}};
 }

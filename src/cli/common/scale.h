@@ -43,7 +43,22 @@ typedef struct table_heading {
 } table_heading;
 table_heading heading_of(const char *what, const char *unit);
 
-/* What the numbers mean, for the head of a summary: "SI units", "lengths in R_b …". */
-const char *units_sentence(const gough_study *study, const gough_units *units);
+/* What the numbers mean, for the head of a summary: "SI units", "lengths in R_b …", "lengths in mm …". */
+typedef struct units_words {
+    char text[100];
+} units_words;
+units_words units_sentence(const gough_study *study, const gough_units *units);
+
+/* The unit of a component of a pose or a motion, surge … yaw. */
+gough_unit component_unit(int component);
+
+/* A number of the run in the units of the output. */
+double in_units(const gough_units *units, gough_unit unit, double value);
+
+/* The same for two: the least and the greatest of something. */
+typedef struct two_numbers {
+    double value[2];
+} two_numbers;
+two_numbers two_in_units(const gough_units *units, gough_unit unit, double first, double second);
 
 #endif

@@ -16,13 +16,17 @@ static const char *word_of(const char *range, int index, size_t *length) {
     return range;
 }
 
-static json_t *numbers_of(const gough_field *field, const double *value) {
-    if (field->place.count == 1) return json_number(*value);
+static json_t *numbers_of(const gough_field *field, const gough_units *units, const double *value) {
+    enum { MOST = 18 };
+    double number[MOST];
+    for (size_t i = 0; i < field->place.count && i < MOST; i++)
+        number[i] = in_units(units, gough_unit_of_field(field->unit), value[i]);
+    if (field->place.count == 1) return json_number(*number);
     if (field->shape != GOUGH_SHAPE_POINTS && field->shape != GOUGH_SHAPE_INERTIA)
-        return json_numbers(value, field->place.count);
+        return json_numbers(number, field->place.count);
     json_t *rows = json_array();
     for (size_t i = 0; i < field->place.count; i += 3)
-        json_array_append_new(rows, json_numbers(value + i, 3));
+        json_array_append_new(rows, json_numbers(number + i, 3));
     return rows;
 }
 
@@ -39,7 +43,7 @@ static json_t *value_of(const gough_field *field, const gough_study *study) {
     const char *word;
     switch (field->place.kind) {
     case GOUGH_KIND_NUMBER:
-        return numbers_of(field, value);
+        return numbers_of(field, &study->units, value);
     case GOUGH_KIND_FLAG:
         return json_boolean(*(const bool *)value);
     case GOUGH_KIND_CHOICE:
@@ -85,7 +89,7 @@ json_t *json_section(const gough_study *study, const char *section) {
 
 void print_field(FILE *stream, const gough_study *study, const char *path) {
     const gough_field *field = find_field(path);
-    const gough_units own = {study->dimensionless, 1, 1, 1};
+    const gough_units *own = &study->units;
     if (!field) return;
     const gough_unit unit = gough_unit_of_field(field->unit);
     const void *value = place_in(field, study);
@@ -97,6 +101,6 @@ void print_field(FILE *stream, const gough_study *study, const char *path) {
     if (field->place.kind != GOUGH_KIND_NUMBER) return;
     for (size_t i = 0; i < field->place.count; i++) /* no "-0" */
         fprintf(stream, "%s%.6g", i ? ", " : "",
-                gough_unit_factor(&own, unit) * ((const double *)value)[i] + 0.0);
-    fputs(unit_word(&own, unit), stream);
+                in_units(own, unit, ((const double *)value)[i]) + 0.0);
+    fputs(unit_word(own, unit), stream);
 }

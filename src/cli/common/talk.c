@@ -117,7 +117,9 @@ char *place_of(const gough_study *study, const char *sentence) {
     return place;
 }
 
-void complain_of(const char *verb, const gough_study *study, const char *sentence) {
+void complain_of(const char *verb, const gough_study *study, gough_error *error) {
+    gough_error_say(error, &study->units);
+    const char *sentence = error->message;
     char *place = place_of(study, sentence);
     complain(verb, "%s: %s", place ? place : study->name, sentence);
     free(place);

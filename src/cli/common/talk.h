@@ -24,7 +24,7 @@ void complain(const char *verb, const char *format, ...) __attribute__((format(p
 char *place_of(const gough_study *study, const char *sentence);
 /* The same of a sentence about a study: "gough VERB: error: own.yaml:12:10: …" with the place of the key that it begins with, or
  * else the name of the study. */
-void complain_of(const char *verb, const gough_study *study, const char *sentence);
+void complain_of(const char *verb, const gough_study *study, gough_error *error);
 /* "gough VERB: …" */
 void remark(const char *verb, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

@@ -92,10 +92,48 @@ static bool legs_take_force(const gough_machine *m) {
 }
 
 /* Masses and centres of one part of all legs. */
-static json_t *part_object(const gough_leg_part *part) {
+static json_t *part_object(const gough_leg_part *part, const gough_units *units) {
     json_t *object = json_object();
-    json_object_set_new(object, "mass", json_numbers(part->mass, GOUGH_LEGS));
-    json_object_set_new(object, "center", json_numbers(part->center, GOUGH_LEGS));
+    double mass[GOUGH_LEGS], center[GOUGH_LEGS];
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        mass[v] = in_units(units, GOUGH_UNIT_MASS, part->mass[v]);
+        center[v] = in_units(units, GOUGH_UNIT_LENGTH, part->center[v]);
+    }
+    json_object_set_new(object, "mass", json_numbers(mass, GOUGH_LEGS));
+    json_object_set_new(object, "center", json_numbers(center, GOUGH_LEGS));
+    return object;
+}
+
+/* For each kind of number the factor from units of the run to those of the study, and the name of its unit as in tables; and which
+ * units are chosen, for the live run's sentences. */
+static json_t *quantities_object(const gough_units *units) {
+    static const struct {
+        const char *name;
+        gough_unit unit;
+    } kinds[] = {{"length", GOUGH_UNIT_LENGTH},
+                 {"mass", GOUGH_UNIT_MASS},
+                 {"time", GOUGH_UNIT_TIME},
+                 {"angle", GOUGH_UNIT_ANGLE},
+                 {"rate", GOUGH_UNIT_RATE},
+                 {"speed", GOUGH_UNIT_SPEED},
+                 {"angular_speed", GOUGH_UNIT_ANGULAR_SPEED},
+                 {"acceleration", GOUGH_UNIT_ACCELERATION},
+                 {"force", GOUGH_UNIT_FORCE},
+                 {"power", GOUGH_UNIT_POWER},
+                 {"energy", GOUGH_UNIT_ENERGY},
+                 {"stiffness", GOUGH_UNIT_STIFFNESS},
+                 {"damping", GOUGH_UNIT_DAMPING},
+                 {"inertia", GOUGH_UNIT_INERTIA}};
+    json_t *object = json_object(), *chosen = json_array();
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        json_t *one = json_object();
+        json_object_set_new(one, "factor", json_number(gough_unit_factor(units, kinds[i].unit)));
+        json_object_set_new(one, "label", json_string(gough_unit_label(units, kinds[i].unit)));
+        json_object_set_new(object, kinds[i].name, one);
+    }
+    for (int b = 0; b < GOUGH_BASE_UNITS; b++)
+        json_array_append_new(chosen, json_integer(units->dimensionless ? -1 : units->name[b]));
+    json_object_set_new(object, "chosen", chosen);
     return object;
 }
 
@@ -113,25 +151,35 @@ static json_t *machine_object(const gough_study *study) {
     const gough_limits l = gough_limits_of(m, &study->model->motion);
     const double least = l.length[0][0], sum = l.force[0][0] + l.force[0][1];
     const bool either = differs(l.force[0], 2) || sum < 0 || sum > 0;
+    const gough_units *u = &study->units;
     json_t *object = json_object(), *limits = json_object();
+    double home[GOUGH_LEGS];
+    for (int v = 0; v < GOUGH_LEGS; v++)
+        home[v] = in_units(u, GOUGH_UNIT_LENGTH, m->home_length[v]);
 
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
         json_object_set_new(object, keys[i][0],
-                            keys[i][1] ? json_field(study, keys[i][1])
-                                       : json_number(m->base_radius));
-    json_object_set_new(limits, "length",
-                        json_numbers((double[]){least > 0 ? least : NAN, l.length[0][1]}, 2));
+                            keys[i][1]
+                                ? json_field(study, keys[i][1])
+                                : json_number(in_units(u, GOUGH_UNIT_LENGTH, m->base_radius)));
+    json_object_set_new(
+        limits, "length",
+        json_numbers(
+            two_in_units(u, GOUGH_UNIT_LENGTH, least > 0 ? least : NAN, l.length[0][1]).value, 2));
     if (differs(l.length[0], 2)) json_object_set_new(limits, "length", json_numbers(none, 2));
-    json_object_set_new(limits, "speed", json_number(differs(l.speed, 1) ? NAN : l.speed[0]));
-    json_object_set_new(limits, "force", json_number(either ? NAN : l.force[0][1]));
+    json_object_set_new(
+        limits, "speed",
+        json_number(differs(l.speed, 1) ? NAN : in_units(u, GOUGH_UNIT_SPEED, l.speed[0])));
+    json_object_set_new(limits, "force",
+                        json_number(either ? NAN : in_units(u, GOUGH_UNIT_FORCE, l.force[0][1])));
     json_object_set_new(object, "limits", limits);
     json_object_set_new(object, "all_limits", limits_object(study));
-    json_object_set_new(object, "home_length", json_numbers(m->home_length, GOUGH_LEGS));
+    json_object_set_new(object, "home_length", json_numbers(home, GOUGH_LEGS));
     json_object_set_new(object, "home_condition", json_number(m->home_condition));
     json_object_set_new(object, "legs_have_mass", json_boolean(m->platform.legs_have_mass));
     json_object_set_new(object, "legs_take_force", json_boolean(legs_take_force(m)));
-    json_object_set_new(object, "cylinder", part_object(&m->platform.cylinder));
-    json_object_set_new(object, "piston", part_object(&m->platform.piston));
+    json_object_set_new(object, "cylinder", part_object(&m->platform.cylinder, u));
+    json_object_set_new(object, "piston", part_object(&m->platform.piston, u));
     return object;
 }
 
@@ -182,7 +230,7 @@ static gough_status add_run(const command_line *line, const gough_study *study, 
                             columns_of(result, !simulated));
         if (simulated) json_object_set_new(object, "end", end_object(&report.end));
     } else {
-        complain_of(line->verb, study, error.message);
+        complain_of(line->verb, study, &error);
     }
     free(report.crossings.list);
     gough_result_free(result);
@@ -197,7 +245,7 @@ static void add_stability(const gough_study *study, json_t *object) {
     if (report) {
         report->verb = "stability";
         report->study = study;
-        report->units = (gough_units){study->dimensionless, 1, 1, 1};
+        report->units = study->units;
         status = stability_find(report, &error);
         if (status == GOUGH_ERROR_INPUT) {
             report->posed = true;
@@ -207,7 +255,9 @@ static void add_stability(const gough_study *study, json_t *object) {
             if (status) error = at_rest;
         }
     }
+    if (!status) stability_scale(report);
     json_object_set_new(object, "stability", status ? json_null() : stability_json(report, NULL));
+    gough_error_say(&error, &study->units);
     json_object_set_new(object, "stability_message", json_words(error.message));
     free(report);
 }
@@ -221,7 +271,8 @@ gough_status page_study(const command_line *line, gough_study *study, json_t **o
     json_object_set_new(page, "name", json_words(study->name));
     json_object_set_new(page, "title", json_words(study->title));
     json_object_set_new(page, "text", json_words(study->text));
-    json_object_set_new(page, "units", json_string(study->dimensionless ? "dimensionless" : "si"));
+    json_object_set_new(page, "units", json_units(&study->units));
+    json_object_set_new(page, "quantities", quantities_object(&study->units));
     json_object_set_new(page, "machine", machine_object(study));
     json_object_set_new(motion, "about", json_field(study, "motion.about"));
     json_object_set_new(motion, "order", json_field(study, "motion.order"));

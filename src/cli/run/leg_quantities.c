@@ -73,9 +73,9 @@ static const leg_quantity quantities[] = {
     {"power", GOUGH_UNIT_POWER, AT(power_max), NULL, LEG_LOADS, 5, "power", "greatest", 5,
      GREATEST},
     {"energy", GOUGH_UNIT_ENERGY, AT(energy), NULL, LEG_LOADS, 6, "energy", "net", 5, SUM},
-    {"swing.base", GOUGH_UNIT_ANGLE, AT(swing_base), NULL, LEG_MOTION, 5, "swing [deg] at", "base",
-     4, GREATEST},
-    {"swing.top", GOUGH_UNIT_ANGLE, AT(swing_top), NULL, LEG_MOTION, 6, "swing [deg] at", "top", 4,
+    {"swing.base", GOUGH_UNIT_ANGLE, AT(swing_base), NULL, LEG_MOTION, 5, "swing [] at", "base", 4,
+     GREATEST},
+    {"swing.top", GOUGH_UNIT_ANGLE, AT(swing_top), NULL, LEG_MOTION, 6, "swing [] at", "top", 4,
      GREATEST},
     {"stroke_used", GOUGH_UNIT_NONE, 0, leg_stroke_share, LEG_MOTION, 3, "stroke", "used %", 3,
      GREATEST},
@@ -120,7 +120,11 @@ static const double INTEGRAL_ERROR = 1e-8;
 
 /* Sets to 0 each work that is smaller than the error of its integral, as where positive and negative work cancel. */
 static void settle_works(const run_report *report, double value[GOUGH_LEGS + 1]) {
-    const double span = report->summary.last_time - report->summary.first_time;
+    const gough_units *u = &report->units;
+    const double span = (report->summary.last_time - report->summary.first_time) *
+                        gough_unit_factor(u, GOUGH_UNIT_ENERGY) /
+                        gough_unit_factor(u, GOUGH_UNIT_POWER) /
+                        gough_unit_factor(u, GOUGH_UNIT_TIME);
     double most = 0;
     for (int i = 0; i < GOUGH_LEGS; i++) {
         const gough_leg_summary *leg = &report->summary.leg[i];
@@ -147,8 +151,11 @@ static void fill(const run_report *report, const leg_quantity *q, double value[G
 /* A column of its own has its name over its unit, or its name alone; those of a group have the unit in its heading. */
 static void head(table_column *column, const leg_quantity *q, const gough_units *units,
                  table_heading *heading) {
-    const bool named = strchr(q->group, '[') != NULL; /* with its unit */
-    *heading = heading_of(q->head ? q->group : "", named ? "" : unit_word(units, q->unit));
+    const char *unit = unit_word(units, q->unit), *hole = strstr(q->group, "[]");
+    *heading = heading_of(q->head ? q->group : "", unit);
+    if (hole) /* the unit has its place within the words */
+        snprintf(heading->text, sizeof heading->text, "%.*s[%s%s", (int)(hole - q->group), q->group,
+                 unit + 1, hole + 1);
     column->group = q->head ? heading->text : *heading->text ? q->group : "";
     column->head = q->head ? q->head : *heading->text ? heading->text : q->group;
     column->digits = q->digits;

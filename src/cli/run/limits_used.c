@@ -54,6 +54,11 @@ gough_end_words limit_words(const gough_units *units) {
                                  unit_word(units, GOUGH_UNIT_ANGULAR_ACCELERATION)};
 }
 
+void end_scale(gough_end *end, const gough_units *units) {
+    end->time *= gough_unit_factor(units, GOUGH_UNIT_TIME);
+    end->limit *= gough_unit_factor(units, limit_unit(end->cause, end->component));
+}
+
 /* "leg 3 greatest force", "heave velocity, greatest"; `limit` alone without its leg */
 static void name_limit(const limit_use *u, bool with_leg, char *text, size_t size) {
     static const char *const quantity[ORDERS] = {"", " velocity", " acceleration"};

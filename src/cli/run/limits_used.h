@@ -31,6 +31,9 @@ gough_unit limit_unit(gough_cause cause, int component);
 /* The words for the message of an end in these units. */
 gough_end_words limit_words(const gough_units *units);
 
+/* Time and limit of an end in the units of the output; its sentence stays. */
+void end_scale(gough_end *end, const gough_units *units);
+
 /* Those that the study gives, kind by kind; returns how many. The report is scaled. */
 int limits_used(const run_report *report, limit_use use[MOST_LIMITS]);
 

@@ -75,6 +75,7 @@ json_t *run_report_json(const run_report *report) {
 
     json_object_set_new(object, "verb", json_string(report->verb));
     json_object_set_new(object, "title", json_words(report->study->title));
+    json_object_set_new(object, "units", json_units(&report->units));
     json_object_set_new(object, "end", end);
     json_object_set_new(object, "legs", legs);
     json_object_set_new(object, "condition", json_number(s->condition));

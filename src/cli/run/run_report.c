@@ -39,8 +39,7 @@ static void scale_crossing(gough_crossing *crossing, const gough_units *u) {
 /* time and limit in the output's units, and the sentence with them */
 static void scale_end(gough_end *end, const gough_units *u) {
     const gough_end_words words = limit_words(u);
-    end->time *= gough_unit_factor(u, GOUGH_UNIT_TIME);
-    end->limit *= gough_unit_factor(u, limit_unit(end->cause, end->component));
+    end_scale(end, u);
     gough_end_say(end, &words);
 }
 
@@ -254,7 +253,7 @@ void run_report_print(FILE *stream, const run_report *report) {
                 unit_word(unit, GOUGH_UNIT_TIME));
     else
         fprintf(stream, "no rows\n");
-    fprintf(stream, "%s\n\n", units_sentence(report->study, &report->units));
+    fprintf(stream, "%s\n\n", units_sentence(report->study, &report->units).text);
     if (s->rows > 0) {
         leg_table_print(stream, report, LEG_MOTION);
         print_stroke(stream, report);
@@ -270,8 +269,9 @@ void run_report_print(FILE *stream, const run_report *report) {
                 s->condition, s->condition_time, unit_word(unit, GOUGH_UNIT_TIME));
     }
     if (report->simulated && s->rows > 0) {
-        fprintf(stream, "  deviation   at most %.4g%s and %.4g deg from the program\n",
-                s->position_deviation, unit_word(unit, GOUGH_UNIT_LENGTH), s->angle_deviation);
+        fprintf(stream, "  deviation   at most %.4g%s and %.4g%s from the program\n",
+                s->position_deviation, unit_word(unit, GOUGH_UNIT_LENGTH), s->angle_deviation,
+                unit_word(unit, GOUGH_UNIT_ANGLE));
         fprintf(stream,
                 "  drift       at most %.2g (violation of the constraints before projection)\n",
                 s->drift);

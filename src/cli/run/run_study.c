@@ -146,7 +146,7 @@ static gough_status run_and_report(const command_line *line, run_report *report)
     gough_error error = {0};
     gough_status status = gough_units_of_study(study, line->dimensionless, &report->units, &error);
     if (status) {
-        complain_of(line->verb, study, error.message);
+        complain_of(line->verb, study, &error);
         return status;
     }
     gough_result *result = NULL;
@@ -170,7 +170,7 @@ static gough_status run_and_report(const command_line *line, run_report *report)
         explain_end(line, report);
         if (written || printed) status = written ? written : printed;
     } else {
-        complain_of(line->verb, study, error.message);
+        complain_of(line->verb, study, &error);
     }
     gough_result_free(result);
     return status;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/common/paragraph.h"
+#include "cli/common/scale.h"
 #include "cli/stability/stability_report.h"
 
 enum { AXES = 6 };
@@ -44,12 +45,23 @@ static int largest_component(const double complex shape[AXES], double arm) {
     return largest;
 }
 
-/* "surge 0.1 m with pitch -3.1 deg", "yaw alone": the displacement sized so that what moves a joint most is 0.1 or 10 degrees. */
+/* What the component that moves a joint most is given as: 0.1, 0.1 m or 10 degrees; in other units the power of ten below that. */
+static double given_size(const gough_units *units, int axis) {
+    const gough_units usual = gough_units_si();
+    const gough_unit unit = component_unit(axis);
+    const double size = axis < 3 ? 0.1 : gough_unit_read(&usual, unit, 10);
+    if (units->dimensionless) return axis < 3 ? size : 10;
+    return pow(10, floor(log10(in_units(units, unit, size)) + 1e-9));
+}
+
+/* "surge 0.1 m with pitch -3.1 deg", "yaw alone" */
 static void append_shape(char words[MODE_WORDS], const double complex shape[AXES], double arm,
-                         const char *length_unit) {
+                         const gough_units *units) {
     const int lead = largest_component(shape, arm);
     const double least = least_told * component_size(shape, lead, arm);
-    const double complex factor = (lead < 3 ? 0.1 : 10 / DEGREES) / shape[lead];
+    /* shifts are in the units of the output already, rotations in radians */
+    const double turn = gough_unit_factor(units, GOUGH_UNIT_ANGLE), given = given_size(units, lead);
+    const double complex factor = given / (lead < 3 ? 1 : turn) / shape[lead];
     int told = 0;
     for (int a = 0; a < AXES; a++) told += component_size(shape, a, arm) > least;
     append(words, axis_name[lead]);
@@ -57,15 +69,14 @@ static void append_shape(char words[MODE_WORDS], const double complex shape[AXES
         append(words, " alone");
         return;
     }
-    append(words, lead < 3 ? " 0.1" : " 10 deg");
-    append(words, lead < 3 ? length_unit : "");
+    append_ratio(words, given, unit_word(units, component_unit(lead)));
     const char *joint = " with ";
     for (int a = 0; a < AXES; a++) {
         if (a == lead || !(component_size(shape, a, arm) > least)) continue;
         append(words, joint);
         append(words, axis_name[a]);
-        append_ratio(words, (a < 3 ? 1 : DEGREES) * factor * shape[a],
-                     a < 3 ? length_unit : " deg");
+        append_ratio(words, (a < 3 ? 1 : turn) * factor * shape[a],
+                     unit_word(units, component_unit(a)));
         joint = ", ";
     }
 }
@@ -82,7 +93,7 @@ static bool combine(const double complex v[AXES], const double complex w[AXES], 
 }
 
 void stability_mode_words(const gough_mode *const *mode, int count, double arm,
-                          const char *length_unit, char words[MODE_WORDS]) {
+                          const gough_units *units, char words[MODE_WORDS]) {
     double complex shape[2][AXES], along[2][AXES];
     words[0] = '\0';
     for (int m = 0; m < 2 && m < count; m++)
@@ -97,7 +108,7 @@ void stability_mode_words(const gough_mode *const *mode, int count, double arm,
     }
     for (int m = 0; m < 2 && m < count; m++) {
         if (m) append(words, "; ");
-        append_shape(words, shape[m], arm, length_unit);
+        append_shape(words, shape[m], arm, units);
     }
 }
 

@@ -103,6 +103,7 @@ json_t *stability_json(const stability_report *report, const stability_matrix *m
     json_t *object = json_object();
     json_object_set_new(object, "verb", json_string(report->verb));
     json_object_set_new(object, "title", json_words(report->study->title));
+    json_object_set_new(object, "units", json_units(&report->units));
     json_object_set_new(object, "friction_left_out",
                         json_boolean(leaves_out_friction(report->study->model)));
     set_rest(object, &report->rest, report->pose);

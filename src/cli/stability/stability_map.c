@@ -86,8 +86,12 @@ static const option map_option[] = {
 
 const option_group map_group = {map_option, NULL, NULL};
 
-static gough_map_range range_of(const axis_values *values) {
-    return (gough_map_range){values->from, values->to, values->count, values->logarithmic};
+/* An axis in the study's units as one in those of the run. */
+static gough_map_range range_of(const axis_values *values, const gough_units *units,
+                                gough_unit unit) {
+    return (gough_map_range){gough_unit_read(units, unit, values->from),
+                             gough_unit_read(units, unit, values->to), values->count,
+                             values->logarithmic};
 }
 
 static gough_map_axis axis_of(const char *name) {
@@ -219,9 +223,11 @@ gough_status stability_map(const stability_line *asked, const gough_study *study
     gough_status status = check_data_and_pictures(line);
     if (status) return status;
     report.options = gough_map_options_default();
-    report.options.stiffness = range_of(&asked->map.stiffness);
+    report.options.stiffness = range_of(&asked->map.stiffness, &study->units, GOUGH_UNIT_STIFFNESS);
     report.options.axis = axis_of(asked->map.second.option);
-    report.options.second = range_of(&asked->map.second);
+    report.options.second =
+        range_of(&asked->map.second, &study->units,
+                 report.options.axis == GOUGH_MAP_DAMPING ? GOUGH_UNIT_DAMPING : GOUGH_UNIT_NONE);
     report.options.lanes = asked->lanes;
     report.options.threads = asked->threads;
     report.rows = gough_map_rows(&report.options);
@@ -229,7 +235,7 @@ gough_status stability_map(const stability_line *asked, const gough_study *study
     status = gough_units_of_study(study, line->dimensionless, &report.units, &error);
     if (!status) status = find(line, &report, &error);
     if (status) {
-        complain_of(line->verb, study, error.message);
+        complain_of(line->verb, study, &error);
     } else {
         find_thresholds(&report);
         report.own_row = find_own_row(&report);

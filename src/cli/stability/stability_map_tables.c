@@ -145,13 +145,13 @@ char *map_tongues_path(const char *path) {
 }
 
 gough_status map_write(const map_report *report, const char *path, gough_error *error) {
-    const bool plain = report->units.dimensionless;
+    const gough_units *units = &report->units;
     const gough_unit damping =
         report->options.axis == GOUGH_MAP_DAMPING ? GOUGH_UNIT_DAMPING : GOUGH_UNIT_NONE;
     const char *axis = map_axis_name(report),
-               *stiffness = gough_unit_label(GOUGH_UNIT_STIFFNESS, plain),
-               *rate = gough_unit_label(GOUGH_UNIT_RATE, plain),
-               *second = gough_unit_label(damping, plain);
+               *stiffness = gough_unit_label(units, GOUGH_UNIT_STIFFNESS),
+               *rate = gough_unit_label(units, GOUGH_UNIT_RATE),
+               *second = gough_unit_label(units, damping);
     const char *const grid_name[] = {"stiffness",
                                      axis ? axis : "growth_per_period",
                                      "growth_per_period",

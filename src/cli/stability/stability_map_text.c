@@ -31,7 +31,7 @@ static void print_axes(FILE *stream, const map_report *report) {
                 report->options.axis == GOUGH_MAP_DAMPING ? "" : ", a factor on the study's");
         print_range(stream, &report->options.second, second_unit(report));
     }
-    fprintf(stream, "\n%s\n", units_sentence(report->study, &report->units));
+    fprintf(stream, "\n%s\n", units_sentence(report->study, &report->units).text);
     print_left_out_friction(stream, report->study->model);
 }
 
@@ -245,6 +245,7 @@ int map_print_json(const map_report *report) {
 
     json_object_set_new(object, "verb", json_string(report->verb));
     json_object_set_new(object, "title", json_words(report->study->title));
+    json_object_set_new(object, "units", json_units(&report->units));
     json_object_set_new(object, "friction_left_out",
                         json_boolean(leaves_out_friction(report->study->model)));
     json_object_set_new(object, "thresholds", threshold_list(report->rest));

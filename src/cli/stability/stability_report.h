@@ -17,10 +17,10 @@ typedef struct stability_report {
     double arm; /* R_b: by it rotations compare with displacements */
     bool damped;
     bool posed;                    /* a pose was asked for, and no program */
-    double pose[GOUGH_COMPONENTS]; /* of `rest`: lengths and degrees, from home */
+    double pose[GOUGH_COMPONENTS]; /* of `rest`, from home: in the study's units */
     gough_rest rest;
     bool ends; /* the program ends at rest elsewhere than at home: `last` holds there */
-    double last_pose[GOUGH_COMPONENTS]; /* lengths and degrees */
+    double last_pose[GOUGH_COMPONENTS]; /* likewise */
     gough_rest last;
     bool periodic; /* and then the two below hold */
     gough_period period;
@@ -28,8 +28,11 @@ typedef struct stability_report {
     double sag; /* distance of the top from the program when the period begins */
 } stability_report;
 
-/* Finds all of it, at rest and about the program, for the study and the pose in the report, in the study's units. */
+/* Finds all of it, at rest and about the program, for the study and the pose in the report, in units of the run. */
 gough_status stability_find(stability_report *report, gough_error *error);
+
+/* Brings it to the units of the report. */
+void stability_scale(stability_report *report);
 
 /* Whether nothing grows: about the program, or where it rests. */
 bool stability_holds(const stability_report *report);
@@ -49,7 +52,7 @@ typedef struct stability_line {
     command_line line;
     struct loop_options {
         bool posed, matrix;
-        double pose[GOUGH_COMPONENTS]; /* lengths and degrees, from home */
+        double pose[GOUGH_COMPONENTS]; /* from home, in the study's units */
         double at;                     /* NaN: not asked for */
     } loop;
     struct map_options {
@@ -69,7 +72,7 @@ enum { MODE_WORDS = 200 };
 
 /* What moves, of `count` modes of one value: "surge 0.1 m with pitch -3.1 deg; sway 0.1 m with roll 3.1 deg". */
 void stability_mode_words(const gough_mode *const *mode, int count, double arm,
-                          const char *length_unit, char words[MODE_WORDS]);
+                          const gough_units *units, char words[MODE_WORDS]);
 
 /* Pads to a width in columns of the terminal, where bytes of UTF-8 do not count alike. */
 void stability_pad(FILE *stream, const char *text, int width);

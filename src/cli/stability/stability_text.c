@@ -109,8 +109,7 @@ static void print_moves(FILE *stream, const stability_report *report, const valu
     int count = 0;
     for (int i = 0; i < group->count; i++) /* λ = 0 of what drifts is double, with one shape */
         if (!count || !same_shape(mode[count - 1], group->mode[i])) mode[count++] = group->mode[i];
-    stability_mode_words(mode, count, report->arm, unit_word(&report->units, GOUGH_UNIT_LENGTH),
-                         words);
+    stability_mode_words(mode, count, report->arm, &report->units, words);
     if (used + 3 + text_columns(words) <= 100) {
         fprintf(stream, "   %s\n", words);
     } else {
@@ -139,6 +138,9 @@ static void print_eigenvalues(FILE *stream, const stability_report *report,
                               const gough_rest *rest) {
     enum { RATE = 13, FREQUENCY = 18, TIME = 15 };
     const gough_units *unit = &report->units;
+    const char *time = unit_word(unit, GOUGH_UNIT_TIME);
+    char frequency_unit[16] = "";
+    if (*time) snprintf(frequency_unit, sizeof frequency_unit, " rad/%s", time + 1);
     mode_value value[GOUGH_LINEAR];
     value_group group[GOUGH_LINEAR];
     for (int i = 0; i < GOUGH_LINEAR; i++)
@@ -150,8 +152,7 @@ static void print_eigenvalues(FILE *stream, const stability_report *report,
                     "    ");
     stability_pad(stream, "mode", width);
     print_heading(stream, "growth", unit_word(unit, GOUGH_UNIT_RATE), RATE);
-    print_heading(stream, "frequency", *unit_word(unit, GOUGH_UNIT_TIME) ? " rad/s" : "",
-                  FREQUENCY);
+    print_heading(stream, "frequency", frequency_unit, FREQUENCY);
     print_heading(stream, "tenfold in", unit_word(unit, GOUGH_UNIT_TIME), TIME);
     print_heading(stream, "period", unit_word(unit, GOUGH_UNIT_TIME), TIME);
     fprintf(stream, "   moves\n");
@@ -342,7 +343,7 @@ static void print_pose(FILE *stream, const double pose[GOUGH_COMPONENTS], const 
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         if (!(fabs(pose[c]) > 0)) continue;
         fprintf(stream, "%s%s %.6g%s", joint, gough_component_name(c), pose[c],
-                c < GOUGH_ROLL ? unit_word(unit, GOUGH_UNIT_LENGTH) : " deg");
+                unit_word(unit, component_unit(c)));
         joint = ", ";
     }
     if (!*joint) fprintf(stream, "home");
@@ -516,7 +517,7 @@ void stability_print(FILE *stream, const stability_report *report) {
                     "Stability of the closed loop: %s, stiffness G = %s, damping D = %s",
                     control->feedforward ? "the program's forces fed forward" : "no feed-forward",
                     stiffness.text, damping.text);
-    fprintf(stream, "%s\n", units_sentence(report->study, u));
+    fprintf(stream, "%s\n", units_sentence(report->study, u).text);
     print_left_out_friction(stream, report->study->model);
     print_rest(stream, report, &report->rest, report->pose, "");
     if (report->ends)

@@ -11,8 +11,6 @@
 #include "cli/common/talk.h"
 #include "cli/stability/stability_report.h"
 
-static const double DEGREES = 57.295779513082320877;
-
 /* ---- options ----------------------------------------------------------------------------------------------------- */
 
 static void read_pose_option(const struct argp_state *state, const option *o, const char *text,
@@ -34,8 +32,8 @@ static const option loop_option[] = {
      .value = "C=X,...",
      .many = true,
      .read = read_pose_option,
-     .text = "stability at rest in this pose, given by its components from home (angles in "
-             "degrees), as in heave=0.1,yaw=10; the program is ignored"},
+     .text = "stability at rest in this pose, given by its components from home, as in "
+             "heave=0.1,yaw=10; the program is ignored"},
     {.name = "matrix",
      .read = read_flag,
      .at = offsetof(struct loop_options, matrix),
@@ -117,13 +115,21 @@ static const scaled_member floquet_members[] = {SCALED(stability_report, floquet
                                                 SCALED(stability_report, floquet.period, TIME),
                                                 SCALED(stability_report, sag, LENGTH)};
 
-static void stability_scale(stability_report *report) {
+/* From the study's units; a pose keeps the digits that it was given with. */
+static void scale_pose(double pose[GOUGH_COMPONENTS], const gough_units *own,
+                       const gough_units *u) {
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        const gough_unit unit = component_unit(c);
+        if (fabs(gough_unit_factor(own, unit) - gough_unit_factor(u, unit)) > 0)
+            pose[c] = in_units(u, unit, gough_unit_read(own, unit, pose[c]));
+    }
+}
+
+void stability_scale(stability_report *report) {
     const gough_units *u = &report->units;
     SCALE(report, report_members, u);
-    for (int c = 0; c < GOUGH_ROLL; c++) {
-        report->pose[c] *= gough_unit_factor(u, GOUGH_UNIT_LENGTH);
-        report->last_pose[c] *= gough_unit_factor(u, GOUGH_UNIT_LENGTH);
-    }
+    scale_pose(report->pose, &report->study->units, u);
+    scale_pose(report->last_pose, &report->study->units, u);
     scale_rest(&report->rest, u);
     if (report->ends) scale_rest(&report->last, u);
     if (!report->periodic) return;
@@ -146,19 +152,20 @@ static bool is_damped(const gough_model *model) {
     return damped;
 }
 
-static void to_radians(const double pose[GOUGH_COMPONENTS], double component[GOUGH_COMPONENTS]) {
+/* A pose in the study's units as components of the run. */
+static void read_components(const gough_study *study, const double pose[GOUGH_COMPONENTS],
+                            double component[GOUGH_COMPONENTS]) {
     for (int c = 0; c < GOUGH_COMPONENTS; c++)
-        component[c] = pose[c] / (c < GOUGH_ROLL ? 1.0 : DEGREES);
+        component[c] = gough_unit_read(&study->units, component_unit(c), pose[c]);
 }
 
 /* Where a program that comes to rest ends: its pose there, and whether that is not home. */
-static bool find_last_pose(const gough_motion *motion, double start,
-                           double pose[GOUGH_COMPONENTS]) {
+static bool find_last_pose(const gough_study *study, double start, double pose[GOUGH_COMPONENTS]) {
     double component[GOUGH_COMPONENTS][3];
     bool elsewhere = false;
-    gough_motion_evaluate(motion, start, component);
+    gough_motion_evaluate(&study->model->motion, start, component);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
-        pose[c] = component[c][0] * (c < GOUGH_ROLL ? 1.0 : DEGREES);
+        pose[c] = in_units(&study->units, component_unit(c), component[c][0]);
         elsewhere = elsewhere || fabs(component[c][0]) > 1e-9;
     }
     return elsewhere;
@@ -188,9 +195,9 @@ static gough_status find_about_program(stability_report *report, gough_error *er
         if (!status) report->sag = find_sag(model, &report->floquet);
         return status;
     }
-    report->ends = find_last_pose(&model->motion, report->period.start, report->last_pose);
+    report->ends = find_last_pose(report->study, report->period.start, report->last_pose);
     if (!report->ends) return GOUGH_OK;
-    to_radians(report->last_pose, component);
+    read_components(report->study, report->last_pose, component);
     return gough_stability_at_rest(model, component, &report->last, error);
 }
 
@@ -203,11 +210,12 @@ gough_status stability_find(stability_report *report, gough_error *error) {
     const bool fed = report->study->model->control.feedforward;
     if (status == GOUGH_ERROR_INPUT || (status == GOUGH_ERROR_NUMERICAL && fed)) {
         gough_error cause = *error;
+        gough_error_say(&cause, &report->study->units);
         gough_fail(error, status, "%s. For the stability at rest alone, use --pose surge=0",
                    cause.message);
     }
     if (status) return status;
-    to_radians(report->pose, component);
+    read_components(report->study, report->pose, component);
     return gough_stability_at_rest(report->study->model, component, &report->rest, error);
 }
 
@@ -221,11 +229,13 @@ static gough_status find_matrix(const struct loop_options *loop, const gough_stu
     gough_rest *rest = NULL;
     gough_status status;
     if (isfinite(loop->at)) {
-        status = gough_linearise(study->model, loop->at, NULL, GOUGH_LINEAR, matrix->row[0], error);
+        status =
+            gough_linearise(study->model, gough_unit_read(&study->units, GOUGH_UNIT_TIME, loop->at),
+                            NULL, GOUGH_LINEAR, matrix->row[0], error);
     } else {
         rest = malloc(sizeof *rest);
         if (!rest) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
-        to_radians(loop->pose, component);
+        read_components(study, loop->pose, component);
         status = gough_stability_at_rest(study->model, component, rest, error);
         if (!status) memcpy(matrix->row, rest->matrix, sizeof matrix->row);
         free(rest);
@@ -258,7 +268,7 @@ static gough_status answer(const stability_line *asked, stability_report *report
     }
     if (!status) status = stability_find(report, &error);
     if (status) {
-        complain_of(line->verb, report->study, error.message);
+        complain_of(line->verb, report->study, &error);
         return status;
     }
     stability_scale(report);

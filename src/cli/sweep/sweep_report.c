@@ -222,6 +222,7 @@ int sweep_print_run_json(const gough_sweep *sweep, size_t run, const double *val
     if (sweep_numbers_noise(sweep))
         json_object_set_new(set, "disturbance.noise.run", json_integer((json_int_t)run));
     json_object_set_new(object, "run", json_integer((json_int_t)run));
+    json_object_set_new(object, "units", json_units(&gough_sweep_study(sweep)->units));
     json_object_set_new(object, "set", set);
     return json_print(object);
 }
@@ -252,6 +253,7 @@ static int print_summary_json(const sweep_report *report) {
                                 json_integer((json_int_t)s->ended[c]));
     json_object_set_new(object, "verb", json_string(report->verb));
     json_object_set_new(object, "title", report->title ? json_words(report->title) : json_null());
+    json_object_set_new(object, "units", json_units(&report->units));
     json_object_set_new(object, "runs", json_integer((json_int_t)s->runs));
     json_object_set_new(object, "resumed", json_integer((json_int_t)s->resumed));
     json_object_set_new(object, "done", json_integer((json_int_t)s->ended[GOUGH_END_DONE]));

@@ -159,6 +159,7 @@ int tune_print_json(const tune_report *report) {
         json_array_append_new(list, choice_object(&report->choice[c]));
     json_object_set_new(object, "verb", json_string(report->verb));
     json_object_set_new(object, "title", json_words(report->study->title));
+    json_object_set_new(object, "units", json_units(&report->units));
     json_object_set_new(object, "asked", asked_object(report));
     json_object_set_new(object, "threshold", threshold);
     json_object_set_new(object, "choices", list);

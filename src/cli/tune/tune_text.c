@@ -150,9 +150,10 @@ static void print_choice(FILE *stream, const tune_choice *choice, const gough_un
         fprintf(stream,
                 "  damping     D = %.9g%s; damping ratio of the least damped mode at home %.4g\n",
                 tuning->damping, unit_word(unit, GOUGH_UNIT_DAMPING), tuning->damping_ratio);
-        fprintf(stream, "  deviation   %.5g%s at t = %.6g%s, and %.4g deg at t = %.6g%s\n",
+        fprintf(stream, "  deviation   %.5g%s at t = %.6g%s, and %.4g%s at t = %.6g%s\n",
                 tuning->deviation, unit_word(unit, GOUGH_UNIT_LENGTH), tuning->deviation_time,
-                unit_word(unit, GOUGH_UNIT_TIME), tuning->angle_deviation, tuning->angle_time,
+                unit_word(unit, GOUGH_UNIT_TIME), tuning->angle_deviation,
+                unit_word(unit, GOUGH_UNIT_ANGLE), tuning->angle_time,
                 unit_word(unit, GOUGH_UNIT_TIME));
         print_binding(stream, tuning, unit);
         print_legs(stream, tuning, unit);
@@ -171,9 +172,10 @@ void tune_print(FILE *stream, const tune_report *report) {
     print_title(stream, report->study->title);
     fprintf(stream, "Feedback for a deviation of at most %.6g%s", asked->deviation,
             unit_word(unit, GOUGH_UNIT_LENGTH));
-    if (isfinite(asked->angle_deviation)) fprintf(stream, " and %.6g deg", asked->angle_deviation);
+    if (isfinite(asked->angle_deviation))
+        fprintf(stream, " and %.6g%s", asked->angle_deviation, unit_word(unit, GOUGH_UNIT_ANGLE));
     fprintf(stream, ", with a margin of %.3g %% in G to instability\n%s\n", 100 * asked->margin,
-            units_sentence(report->study, &report->units));
+            units_sentence(report->study, &report->units).text);
     if (first->threshold > 0)
         fprintf(stream,
                 "At rest at home, with feed-forward, the machine needs G above %.6g%s (%s)\n",
@@ -205,10 +207,10 @@ static const struct {
                {"asked", GOUGH_UNIT_LENGTH}};
 enum { COLUMNS = sizeof columns / sizeof columns[0] };
 
-static void name_columns(gough_table *table, bool dimensionless, double *column[COLUMNS]) {
+static void name_columns(gough_table *table, const gough_units *units, double *column[COLUMNS]) {
     for (int c = 0; c < COLUMNS; c++)
         column[c] = gough_table_name(table, (size_t)c, columns[c].name,
-                                     gough_unit_label(columns[c].unit, dimensionless));
+                                     gough_unit_label(units, columns[c].unit));
 }
 
 static void set_row(double *const column[COLUMNS], size_t row, const tune_report *report,
@@ -254,7 +256,7 @@ gough_table *tune_table(const tune_report *report) {
         rows += report->choice[c].tuning.points + report->choice[c].tuning.found;
     gough_table *table = gough_table_new(report->study->title, report->verb, COLUMNS, rows);
     if (!table) return NULL;
-    name_columns(table, report->units.dimensionless, column);
+    name_columns(table, &report->units, column);
     const gough_simulation *simulation = &report->study->simulation;
     if (simulation->step > 0)
         table->step = simulation->step * gough_unit_factor(&report->units, GOUGH_UNIT_TIME);

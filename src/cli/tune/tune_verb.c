@@ -14,8 +14,6 @@
 #include "cli/common/talk.h"
 #include "cli/run/run_report.h"
 
-static const double DEGREES = 57.295779513082320877;
-
 enum { WITHOUT, WITH, BOTH };
 
 /* What gough tune is asked for; NaN: not said. */
@@ -51,7 +49,7 @@ static void read_deviation(const struct argp_state *state, const option *o, cons
 static void read_angle(const struct argp_state *state, const option *o, const char *text,
                        void *group) {
     struct tune_options *tune = group;
-    tune->angle = read_asked(state, o, text, 1e-300, INFINITY, "greater than 0, in degrees");
+    tune->angle = read_asked(state, o, text, 1e-300, INFINITY, "greater than 0");
 }
 
 static void read_ratio(const struct argp_state *state, const option *o, const char *text,
@@ -99,9 +97,10 @@ static const option tune_option[] = {
      .text = "greatest distance from the program allowed, in the study's unit of length "
              "(required)"},
     {.name = "angle-deviation",
-     .value = "DEG",
+     .value = "X",
      .read = read_angle,
-     .text = "greatest angle from the program allowed, in degrees (default: any)"},
+     .text =
+         "greatest angle from the program allowed, in the study's unit of angle (default: any)"},
     {.name = "damping-ratio",
      .value = "Z",
      .read = read_ratio,
@@ -232,12 +231,8 @@ static gough_status search(const command_line *line, tune_report *report, gough_
                .all = report->choices,
                .fails = NAN};
     gough_tuning_options options = report->asked;
-    gough_units own; /* the library's sentences have numbers in the study's own units */
     size_t bytes = 0;
-    (void)gough_units_of_study(study, false, &own, NULL);
-    options.length_unit = unit_word(&own, GOUGH_UNIT_LENGTH);
-    options.time_unit = unit_word(&own, GOUGH_UNIT_TIME);
-    options.stiffness_unit = unit_word(&own, GOUGH_UNIT_STIFFNESS);
+    options.units = &study->units; /* of the library's sentences */
     options.progress = look;
     options.context = &w;
     gough_status status = gough_tune_size(study->model, &options, &bytes, error);
@@ -262,15 +257,16 @@ static gough_status search(const command_line *line, tune_report *report, gough_
 
 /* ---- the verb ----------------------------------------------------------------------------------------------------- */
 
-static gough_tuning_options asked_of(const tune_line *line) {
+static gough_tuning_options asked_of(const tune_line *line, const gough_units *units) {
     gough_tuning_options asked = gough_tuning_options_default();
-    asked.deviation = line->tune.deviation;
-    if (isfinite(line->tune.angle)) asked.angle_deviation = line->tune.angle / DEGREES;
+    asked.deviation = gough_unit_read(units, GOUGH_UNIT_LENGTH, line->tune.deviation);
+    if (isfinite(line->tune.angle))
+        asked.angle_deviation = gough_unit_read(units, GOUGH_UNIT_ANGLE, line->tune.angle);
     asked.damping_ratio = line->tune.ratio;
     if (isfinite(line->tune.margin)) asked.margin = line->tune.margin;
     if (line->tune.bounded) {
-        asked.least = line->tune.from;
-        asked.greatest = line->tune.to;
+        asked.least = gough_unit_read(units, GOUGH_UNIT_STIFFNESS, line->tune.from);
+        asked.greatest = gough_unit_read(units, GOUGH_UNIT_STIFFNESS, line->tune.to);
     }
     asked.threads = line->threads;
     return asked;
@@ -342,7 +338,7 @@ static gough_status tune_study(const tune_line *asked, const gough_study *study)
     if (!status) {
         report->verb = line->verb;
         report->study = study;
-        report->asked = asked_of(asked);
+        report->asked = asked_of(asked, &study->units);
         for (int with = 1; with >= 0; with--)
             if (asked->tune.feedforward == BOTH || (asked->tune.feedforward == WITH) == with)
                 report->choice[report->choices++].feedforward = with != 0;
@@ -351,7 +347,7 @@ static gough_status tune_study(const tune_line *asked, const gough_study *study)
     if (!status) status = search(line, report, &error);
     if (!status) status = refuse_formulas(report, &error);
     if (status)
-        complain_of(line->verb, study, error.message);
+        complain_of(line->verb, study, &error);
     else
         status = tell(asked, report);
     for (int c = 0; report && c < 2; c++) free(report->choice[c].point);

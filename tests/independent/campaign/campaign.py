@@ -164,7 +164,7 @@ class Case:
         status = (0,) if run.end["status"] == "done" else (1,)
         table = ["-o", "table.csv"] + (["--reactions", "--joints"] if reactions else [])
         data = self.data(run.verb, name, "--json", *options, allowed=status)
-        self.tree_of(run.verb, data, run.json(), units)
+        self.tree_of(run.verb, data, run.json() | {"units": units.name}, units)
         done = self.run(run.verb, name, *options, *table, allowed=status)
         lines, wanted = run.limit_lines(units)
         known = verbs.summary_lines(self.meaning, units, run.simulated, title) + run.end_lines(units) + lines
@@ -238,7 +238,7 @@ class Case:
         units = facts.Units(self.meaning, scaled)
         name = os.path.basename(self.path)
         options = ["--dimensionless"] if scaled else []
-        self.tree_of("sweep", self.data("sweep", name, "--json", *options), sweep.json(), units)
+        self.tree_of("sweep", self.data("sweep", name, "--json", *options), sweep.json() | {"units": units.name}, units)
         done = self.run("sweep", name, *options, "-o", "sweep.csv")
         known = sweep.lines(units) + [printed.Line("wrote sweep.csv", units.name)]
         rest = self.text("sweep", done.stdout, known, sweep.facts(), units)
@@ -266,7 +266,7 @@ class Case:
         for number in {1 + self.number % len(sweep.runs), len(sweep.runs)}:
             wanted = sweep.set_of(number)
             data = self.data("sweep", name, "--run", str(number), "--json")
-            self.tree_of("sweep", data, {"run": number, "set": wanted}, units)
+            self.tree_of("sweep", data, {"run": number, "units": facts.Units(self.meaning, False).name, "set": wanted}, units)
             words = self.run("sweep", name, "--run", str(number)).stdout.split()
             pairs = dict(word.split("=") for word in words[1::2])
             self.same("sweep run", (set(words[::2]), set(pairs)), ({"--set"}, set(wanted)))
