@@ -158,7 +158,7 @@ expect_code 1 "no rest without any force"
 
 # ---- usage ----
 refused "did you mean 'heave'?" stability heave.yaml --pose heav=0.1
-refused "lengths and degrees" stability heave.yaml --pose heave
+refused "in the study's units" stability heave.yaml --pose heave
 refused "must be a number" stability heave.yaml --pose heave=0.1x
 refused "given twice" stability heave.yaml --pose heave=0.1,heave=0.2
 refused "give both" stability heave.yaml --at 1

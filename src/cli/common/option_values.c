@@ -32,7 +32,7 @@ static bool refuse_component(const char *name, size_t length, gough_error *error
     const char *near = nearest_word(word, known, GOUGH_COMPONENTS);
     gough_fail(error, GOUGH_ERROR_INPUT,
                "--pose has no component '%s'%s%s%s; the components are surge, sway, heave "
-               "(lengths), roll, pitch and yaw (degrees)",
+               "(lengths), roll, pitch and yaw (angles), in the study's units",
                word, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
     return false;
 }
@@ -45,7 +45,7 @@ bool read_pose(const char *text, double pose[GOUGH_COMPONENTS], gough_error *err
         if (!equal) {
             gough_fail(error, GOUGH_ERROR_INPUT,
                        "--pose takes displacements from home, as in --pose heave=0.1,yaw=10 "
-                       "(lengths and degrees); got '%s'",
+                       "(in the study's units); got '%s'",
                        text);
             return false;
         }
