@@ -63,4 +63,13 @@ for line in '[N/mm, N/rad; N, N mm/rad]' '[mm/N, 1/N; rad/N, rad/(N mm)]' 'At re
     grep -qF "$line" millimetres.txt || fail "check --pose in mm lacks '$line': $(grep -A3 -E 'External|rest at|control and' millimetres.txt)"
 done
 grep -qF '[N/m, N/rad; N, N m/rad]' metres.txt || fail "check --pose in m: $(grep control metres.txt)"
+
+# ---- what other units do to layout: headings stay apart, six equal strokes are one ----
+run stability millimetres.yaml --set units='{length: mm, time: ms, angle: mrad}' --set external='[{force: [0, 0, 300]}]'
+sed 's/^    mode.*growth/mode growth/' "$out" | grep -qE '^mode growth \[1/ms\] +frequency \[rad/ms\] +tenfold in \[ms\] +period \[ms\]' ||
+    fail "headings of stability: $(grep growth "$out" | head -1)"
+run check millimetres.yaml --set platform.legs.stroke='[-200, 300]'
+[[ $(grep 'length limits' "$out" | grep -o ' to ' | wc -l) == 1 ]] || fail "six equal strokes: $(grep 'length limits' "$out")"
+run forces millimetres.yaml --set platform.legs.stroke='[-200, 300]'
+[[ $(grep -c 'mm available' "$out") == 1 ]] || fail "six equal strokes: $(grep available "$out")"
 finish

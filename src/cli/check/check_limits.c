@@ -84,7 +84,7 @@ static bool print_leg_limit(const gough_limits *l, int k, double factor, const c
         even = even && is_even(bound + sides * v);
         given = given || is_given(bound + sides * v, sides, k == 0);
         for (int i = 0; i < sides; i++)
-            alike = alike && !(bound[sides * v + i] < bound[i] || bound[sides * v + i] > bound[i]);
+            alike = alike && nearly_same(bound[sides * v + i], bound[i]);
     }
     if (!given) return false;
     printf("  %-20s ", even ? "greatest force" : leg_limits[k].label);
@@ -170,6 +170,7 @@ json_t *limits_common_length(const gough_study *study) {
     const double factor = factor_of(study, GOUGH_UNIT_LENGTH);
     double common[2] = {factor * l.length[0][0], factor * l.length[0][1]};
     for (int v = 1; v < GOUGH_LEGS; v++)
-        if (memcmp(l.length[v], l.length[0], sizeof l.length[0]) != 0) common[0] = common[1] = NAN;
+        for (int side = 0; side < 2; side++)
+            if (!nearly_same(l.length[v][side], l.length[0][side])) common[0] = common[1] = NAN;
     return json_numbers(common, 2);
 }

@@ -70,3 +70,8 @@ double in_units(const gough_units *units, gough_unit unit, double value) {
 two_numbers two_in_units(const gough_units *units, gough_unit unit, double first, double second) {
     return (two_numbers){{in_units(units, unit, first), in_units(units, unit, second)}};
 }
+
+bool nearly_same(double a, double b) {
+    if (isinf(a) || isinf(b)) return !(a < b || a > b);
+    return fabs(a - b) <= 1e-12 * fmax(fabs(a), fabs(b));
+}

@@ -55,6 +55,9 @@ gough_unit component_unit(int component);
 /* A number of the run in the units of the output. */
 double in_units(const gough_units *units, gough_unit unit, double value);
 
+/* Whether two numbers are the same but for rounding. */
+bool nearly_same(double a, double b);
+
 /* The same for two: the least and the greatest of something. */
 typedef struct two_numbers {
     double value[2];

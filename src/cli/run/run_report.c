@@ -137,7 +137,8 @@ static void print_stroke(FILE *stream, const run_report *report) {
     for (int v = 0; v < GOUGH_LEGS; v++) {
         const double *stroke = report->stroke[v];
         limited = limited || isfinite(leg_stroke_share(report, &report->summary.leg[v]));
-        alike = alike && memcmp(stroke, report->stroke[0], sizeof report->stroke[0]) == 0;
+        for (int side = 0; side < 2; side++)
+            alike = alike && nearly_same(stroke[side], report->stroke[0][side]);
     }
     if (!limited) return;
     for (int v = 0; v < (alike ? 1 : GOUGH_LEGS); v++) {

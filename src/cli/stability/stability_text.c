@@ -127,9 +127,13 @@ static int print_cell(FILE *stream, double value, int width) {
     return width;
 }
 
-static void print_heading(FILE *stream, const char *what, const char *unit, int width) {
+/* A heading in a cell; where it would touch the one before, the cell is wider. Returns the width. */
+static int print_heading(FILE *stream, const char *what, const char *unit, int width) {
     const table_heading heading = heading_of(what, unit);
+    const int needed = (int)strlen(heading.text) + 1;
+    if (width < needed) width = needed;
     fprintf(stream, "%*s", width, heading.text);
+    return width;
 }
 
 /* ---- at rest ----------------------------------------------------------------------------------------------------- */
@@ -151,18 +155,20 @@ static void print_eigenvalues(FILE *stream, const stability_report *report,
                     "lambda are listed once\n"
                     "    ");
     stability_pad(stream, "mode", width);
-    print_heading(stream, "growth", unit_word(unit, GOUGH_UNIT_RATE), RATE);
-    print_heading(stream, "frequency", frequency_unit, FREQUENCY);
-    print_heading(stream, "tenfold in", unit_word(unit, GOUGH_UNIT_TIME), TIME);
-    print_heading(stream, "period", unit_word(unit, GOUGH_UNIT_TIME), TIME);
+    const char *per_time = unit_word(unit, GOUGH_UNIT_RATE);
+    int cell[4];
+    cell[0] = print_heading(stream, "growth", per_time, RATE);
+    cell[1] = print_heading(stream, "frequency", frequency_unit, FREQUENCY);
+    cell[2] = print_heading(stream, "tenfold in", time, TIME);
+    cell[3] = print_heading(stream, "period", time, TIME);
     fprintf(stream, "   moves\n");
     for (int g = 0; g < groups; g++) {
         const double rate = group[g].value[0], frequency = group[g].value[1];
         int used = print_name(stream, &group[g], width);
-        used += print_cell(stream, rate, RATE);
-        used += print_cell(stream, frequency, FREQUENCY);
-        used += print_cell(stream, TENFOLD / fabs(rate), TIME);
-        used += print_cell(stream, TWO_PI / frequency, TIME);
+        used += print_cell(stream, rate, cell[0]);
+        used += print_cell(stream, frequency, cell[1]);
+        used += print_cell(stream, TENFOLD / fabs(rate), cell[2]);
+        used += print_cell(stream, TWO_PI / frequency, cell[3]);
         print_moves(stream, report, &group[g], used);
     }
 }
