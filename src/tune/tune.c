@@ -276,12 +276,6 @@ gough_status gough_tune_size(const gough_model *model, const gough_tuning_option
     *bytes = 0;
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
     if (status == GOUGH_OK) status = control_keeps_program(&model->machine, &model->control, error);
-    if (status == GOUGH_OK && machine_has_dry_friction(&model->machine)) {
-        status = gough_fail_key(error, GOUGH_ERROR_INPUT, "platform.legs.friction",
-                                "the gain is not computed for legs with dry friction or losses of "
-                                "a screw: leave viscous friction alone, tune, and simulate with "
-                                "the others");
-    }
     if (status == GOUGH_OK) status = bytes_for_map(model, options, &for_map, error);
     if (status != GOUGH_OK) return status;
     *bytes = rounded(sizeof(tune)) + 2 * rounded(sizeof(gough_model)) +

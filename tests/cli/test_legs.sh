@@ -59,9 +59,21 @@ jq .eigenvalues out | cmp -s - rough || fail "$what: eigenvalues change"
 run forces heavy.yaml --set 'motion.heave=0.1*t' --set platform.legs.friction.coulomb=100 --set platform.legs.friction.smoothing_speed=1e-6 -o rows.csv
 run forces heavy.yaml --set 'motion.heave=0.1*t' -o smooth.csv
 near "$what: a rising leg needs the friction more" "$(paste -d- <(column rows.csv f2) <(column smooth.csv f2) | tail -1 | awk -F- '{ print $1 - $2 }')" 100 1e-6
-run tune heavy.yaml --deviation 1e-3 --set platform.legs.friction.coulomb=100
-expect_code 2 tune with dry friction
-grep -q 'the gain is not computed for legs with dry friction' err || fail "$what: $(cat err)"
+# tune: the stiffness found meets the accuracy with the friction in the motion, one that is 10 % less does not
+pushed=(--set platform.legs.friction.coulomb=100 --set 'disturbance.force=[0, 0, "2000*sin(3*t)"]' --set control.damping=2e4
+    --set 'simulation={duration: 4, output_step: 0.1}')
+run tune heavy.yaml --deviation 1e-3 "${pushed[@]}" --json
+expect_code 0 tune with dry friction
+[[ $(jq .friction_left_out out) == true ]] || fail "$what: friction_left_out of tune"
+found=$(jq '.choices[0].stiffness' out)
+run tune heavy.yaml --deviation 1e-3 "${pushed[@]}"
+tr -s "\n " " " <out | grep -q 'runs with the dry friction of the legs' || fail "$what: tune does not say what it leaves out"
+for part in 1 0.9; do
+    run simulate heavy.yaml "${pushed[@]}" --set "control.stiffness=$(awk -v g="$found" -v k=$part 'BEGIN { print g * k }')" --json
+    jq .deviation.position out
+done >deviations
+paste -sd' ' deviations | awk '{ exit !($1 > 5e-4 && $1 <= 1.0001e-3 && $2 > 1e-3) }' ||
+    fail "$what: G = $found N/m and 0.9 of it leave $(paste -sd' ' deviations) m"
 
 run check heavy.yaml --set platform.legs.friction='{coulomb: 100, breakaway: 150, stribeck_speed: 0.02}'
 says "dry friction         breakaway 150 N, of which the smooth law reaches about 95.9 %;"

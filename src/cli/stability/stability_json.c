@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "cli/common/json.h"
-#include "cli/stability/left_out.h"
+#include "cli/common/left_out.h"
 #include "cli/stability/stability_report.h"
 
 static json_t *complex_pair(const double value[2]) { return json_numbers(value, 2); }

@@ -3,10 +3,10 @@
 #include <string.h>
 
 #include "cli/common/json.h"
+#include "cli/common/left_out.h"
 #include "cli/common/scale.h"
 #include "cli/common/talk.h"
 #include "cli/run/run_report.h"
-#include "cli/stability/left_out.h"
 #include "cli/stability/stability_map.h"
 
 /* ---- for reading ------------------------------------------------------------------------------------------------- */

@@ -2,11 +2,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli/common/left_out.h"
 #include "cli/common/paragraph.h"
 #include "cli/common/scale.h"
 #include "cli/common/talk.h"
 #include "cli/run/run_report.h"
-#include "cli/stability/left_out.h"
 #include "cli/stability/stability_report.h"
 
 static const double DEGREES = 57.295779513082320877;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/common/json.h"
+#include "cli/common/left_out.h"
 #include "cli/tune/tune_report.h"
 
 /* ---- what each number measures, and its key in the JSON ----------------------------------------------------------- */
@@ -160,6 +161,8 @@ int tune_print_json(const tune_report *report) {
     json_object_set_new(object, "verb", json_string(report->verb));
     json_object_set_new(object, "title", json_words(report->study->title));
     json_object_set_new(object, "units", json_units(&report->units));
+    json_object_set_new(object, "friction_left_out",
+                        json_boolean(leaves_out_friction(report->study->model)));
     json_object_set_new(object, "asked", asked_object(report));
     json_object_set_new(object, "threshold", threshold);
     json_object_set_new(object, "choices", list);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/common/left_out.h"
 #include "cli/common/paragraph.h"
 #include "cli/common/scale.h"
 #include "cli/common/talk.h"
@@ -181,6 +182,7 @@ void tune_print(FILE *stream, const tune_report *report) {
                 "At rest at home, with feed-forward, the machine needs G above %.6g%s (%s)\n",
                 first->threshold, unit_word(unit, GOUGH_UNIT_STIFFNESS), first->least_mode.name);
     for (int c = 0; c < report->choices; c++) print_choice(stream, &report->choice[c], unit);
+    print_linear_friction(stream, report->study->model);
 }
 
 /* ---- table -------------------------------------------------------------------------------------------------------- */

@@ -12,4 +12,7 @@ bool leaves_out_friction(const gough_model *model);
 /* The sentences for it, after an empty line; nothing where nothing is left out. */
 void print_left_out_friction(FILE *stream, const gough_model *model);
 
+/* The same where runs include it and only linearised loops leave it out. */
+void print_linear_friction(FILE *stream, const gough_model *model);
+
 #endif
