@@ -146,7 +146,7 @@ export class Study {
   }
 
   /** Name of the unit of a kind, as in the tables. */
-  label(kind) {
+  unitOf(kind) {
     return this.quantities[kind].label;
   }
 
@@ -159,7 +159,7 @@ export class Study {
     if (this.dimensionless) return "Dimensionless";
     if (this.units === "si") return "SI units";
     const kinds = ["length", "force", "mass", "angle", "time"];
-    return `Units ${kinds.map((kind) => unit(this.label(kind))).join(", ")}`;
+    return `Units ${kinds.map((kind) => unit(this.unitOf(kind))).join(", ")}`;
   }
 
   /** Whether another study has the same units. */
@@ -270,7 +270,7 @@ export class Study {
 
   /** Unit of the stiffness (order 0) or the damping (order 1) of a leg's feedback, as in the tables. */
   gainUnit(order) {
-    return this.label(["stiffness", "damping"][order]);
+    return this.unitOf(["stiffness", "damping"][order]);
   }
 
   /** Whether the legs' forces do not depend on where the top is. */

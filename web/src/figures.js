@@ -277,7 +277,7 @@ function energyFigures(study) {
   const { kinetic, potential } = loadEnergy(study);
   const total = kinetic.map((value, row) => value + potential[row]);
   const done = total.map((_, row) => work.reduce((sum, leg) => sum + leg[row], 0));
-  const energyUnit = study.label("energy");
+  const energyUnit = study.unitOf("energy");
   return [
     {
       id: "energy",
@@ -448,7 +448,7 @@ export function figuresOfAll(studies) {
   const shown = studies.filter((study) => study.run.rows);
   if (!shown.length) return [];
   const mixed = shown.some((study) => !study.isLike(shown[0]));
-  const turned = shown.some((study) => study.label("angle") !== shown[0].label("angle"));
+  const turned = shown.some((study) => study.unitOf("angle") !== shown[0].unitOf("angle"));
   const paper = shown.filter((study) => study.isPaper);
   const figures = [
     ...(paper.length > 1 ? [{ ...figure4(paper), wide: true }] : []),
@@ -458,7 +458,7 @@ export function figuresOfAll(studies) {
   // where units differ, only the shapes can be compared, and the figure says so
   return mixed
     ? figures.map((figure) =>
-        figure.unit === "1" || (!turned && figure.unit === shown[0].label("angle"))
+        figure.unit === "1" || (!turned && figure.unit === shown[0].unitOf("angle"))
           ? figure
           : { ...figure, unit: "", note: joined(figure.note, "Each study in its own units.") },
       )

@@ -62,7 +62,7 @@ export class Hand {
     const words = byId("push-size");
     words.setAttribute("x", to[0] + 12);
     words.setAttribute("y", to[1] - 10);
-    words.textContent = `${number(size, 3)} ${this.study.dimensionless ? "M g" : unit(this.study.label("force"))}`;
+    words.textContent = `${number(size, 3)} ${this.study.dimensionless ? "M g" : unit(this.study.unitOf("force"))}`;
   }
 
   letGo() {

@@ -530,7 +530,7 @@ export class Live {
     const { study } = this;
     this.off.textContent = [
       study.say(off, "ex", 3) + unitAfter(study.unit("ex")),
-      study.say(angle, "eroll", 3) + unitAfter(study.label("angle")),
+      study.say(angle, "eroll", 3) + unitAfter(study.unitOf("angle")),
     ].join(", ");
     this.pace.textContent =
       this.ratio > 0

@@ -69,7 +69,7 @@ const PEAK_NOISE = 10;
 function legTable(study, summary, caption, testid, program) {
   const units = (name) => study.unit(name);
   const noise = (name) => PEAK_NOISE * study.noise(name, program);
-  const energy = study.label("energy");
+  const energy = study.unitOf("energy");
   const peak = ([least, greatest]) => Math.max(Math.abs(least), Math.abs(greatest));
   const limited = summary.legs.some(
     (leg) => leg.stroke_used !== null && leg.stroke_used !== undefined,
@@ -128,7 +128,7 @@ function endFacts(study) {
       simulate?.deviation && [
         "greatest deviation",
         `${study.say(simulate.deviation.position, "ex")}${unitAfter(study.unit("ex"))} from the program, `,
-        `${study.say(simulate.deviation.angle, "eroll")}${unitAfter(study.label("angle"))} of angle`,
+        `${study.say(simulate.deviation.angle, "eroll")}${unitAfter(study.unitOf("angle"))} of angle`,
       ],
       simulate && ["drift of the constraints", `at most ${number(simulate.drift, 3)}`],
       simulate && ["condition", `at most ${number(simulate.condition, 5)}`],
@@ -198,15 +198,15 @@ function machineFacts(study) {
       ["condition at home", number(machine.home_condition, 6)],
       [
         "load",
-        `mass ${number(machine.mass, 6)}${unitAfter(study.label("mass"))}, `,
+        `mass ${number(machine.mass, 6)}${unitAfter(study.unitOf("mass"))}, `,
         `centre of mass ${list(machine.center_of_mass)}${metre}`,
       ],
       [
         "inertia about it",
         element("span", { class: "matrix" }, machine.inertia.map((row) => list(row)).join("\n")),
-        unitAfter(study.label("inertia")),
+        unitAfter(study.unitOf("inertia")),
       ],
-      ["gravity", list(machine.gravity), unitAfter(study.label("acceleration"))],
+      ["gravity", list(machine.gravity), unitAfter(study.unitOf("acceleration"))],
       length &&
         (length[0] || length[1]) && [
           "length limits",
@@ -303,7 +303,7 @@ function stabilitySection(study) {
     return section;
   }
   const unitText = unitAfter(study.gainUnit(0)).trim();
-  const rate = unit(study.label("rate")) ? ` [${unit(study.label("rate"))}]` : "";
+  const rate = unit(study.unitOf("rate")) ? ` [${unit(study.unitOf("rate"))}]` : "";
   const thresholds = thresholdsOf(stability);
   section.append(
     stabilityFacts(study),
