@@ -23,8 +23,11 @@
 #else
 #define KERNEL_APART __attribute__((noinline, unused)) static
 #endif
-/* the loop that follows is laid out whole, so that what it works on can stay in registers */
-#if defined(__clang__)
+/* the loop that follows is laid out whole, so that what it works on can stay in registers; not in the page's core, where size
+ * counts more */
+#if defined(__wasm__)
+#define KERNEL_UNROLL
+#elif defined(__clang__)
 #define KERNEL_UNROLL _Pragma("clang loop unroll(full)")
 #else
 #define KERNEL_UNROLL _Pragma("GCC unroll 24")
