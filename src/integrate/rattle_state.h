@@ -6,7 +6,7 @@
 #include "kernel/legs.h"
 
 /* What acts on the body at rest in a pose: force in base axes, moment in central axes; damping: how both fall with (ρ̇, Ω), not
- * touched where the caller of the stepper said that there is none. */
+ * written if the rule is not damped. */
 typedef void (*wrench_function)(void *context, real t, const coordinates *x, number wrench[6],
                                 number damping[6][6]);
 

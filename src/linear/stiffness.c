@@ -9,7 +9,7 @@
 #include "plant/can_move.h"
 #include "program/program_valid.h"
 
-/* a stiffness below this part of the largest, per mass, is none */
+/* a stiffness per mass below this part of the largest counts as 0 */
 static const double least_stiffness = 1e-12;
 
 /* R v of a point of the top frame less another */

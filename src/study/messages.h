@@ -40,7 +40,7 @@ void study_say(study_messages *messages, gough_status status, study_place place,
 const char *study_messages_first(const study_messages *messages);
 
 /* The status of a reading and, unless `text` is NULL, the allocated text of all its messages in the order of the files (NULL if
- * there are none). If there is no memory for the text, *text is NULL and the status is GOUGH_ERROR_FILE. */
+ * there is no message). If there is no memory for the text, *text is NULL and the status is GOUGH_ERROR_FILE. */
 gough_status study_messages_end(const study_messages *messages, char **text);
 
 /* Line and column, from 1, of a place. */

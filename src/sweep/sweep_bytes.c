@@ -34,7 +34,7 @@ static void put_text(FILE *stream, const char *text) {
     fwrite(text, 1, strlen(text), stream);
 }
 
-/* The study's units in one number: whether there are none, and a byte for each base unit. */
+/* The study's units in one number: whether it is dimensionless, and a byte for each base unit. */
 static uint64_t units_number(const gough_units *own) {
     uint64_t number = own->dimensionless;
     for (int b = 0; b < GOUGH_BASE_UNITS; b++) number |= (uint64_t)own->name[b] << (8 * b + 8);

@@ -43,7 +43,7 @@ for i in 1 2; do
     near "$what" "$(column sweep.csv position_deviation | sed -n "${i}p")" "$(jq .deviation.position out)" 1e-9
 done
 
-# what is wrong is said at its place
+# errors name the place in the file
 what="errors"
 printf 'external:\n  - {force: [0, 0, 1], at: [0, 0, .inf]}\n' | cat own.yaml - >wrong.yaml
 run check wrong.yaml

@@ -130,7 +130,7 @@ void print_limits(const gough_study *study, const gough_units *unit) {
 
 /* ---- JSON ---- */
 
-/* a bound, or [least, greatest]; null where there is none */
+/* a bound, or [least, greatest]; null if the study gives none */
 static json_t *bound_json(const double *bound, int sides, double factor) {
     const double scaled[2] = {factor * bound[0], factor * bound[sides - 1]};
     return sides == 1 ? json_number(scaled[0]) : json_numbers(scaled, 2);

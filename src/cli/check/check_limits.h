@@ -6,7 +6,7 @@
 
 #include "gough/gough.h"
 
-/* Those of legs and platform that are given, or that there are none. */
+/* Prints the limits of legs and platform that the study gives; says so if it gives none. */
 void print_limits(const gough_study *study, const gough_units *unit);
 
 /* All of them, in the units of the study; null where there is no limit. */
