@@ -164,4 +164,26 @@ jq -e --slurpfile si "$scratch/forces.json" '
     (of(.; "platform_acceleration").worst * 9.80665 / of($si[0]; "platform_acceleration").worst - 1 | fabs) < 1e-12 and
     (.end.message | test("least acceleration in heave -0\\.0305[0-9]* at t = [0-9.]+"))' "$scratch/out" >/dev/null || fail "--dimensionless: $(jq -c .end "$scratch/out")"
 
+# limits on angles in either order, in lanes and alone: a program that is kept to leaves them where the inverse functions say
+cat >"$scratch/angles.yaml" <<'EOF'
+platform: {base: {radius: 1.5, half_angle: 10}, top: {radius: 1.0, half_angle: 10}, height: 1.2}
+load: {mass: 500, inertia: [100, 100, 150]}
+motion: {roll: 9.5*sin(t), pitch: 8*sin(1.3*t), yaw: 14*sin(0.8*t)}
+control: {stiffness: 200000, damping: 20000}
+simulation: {duration: 1.5, output_step: 0.1, method: rk4, step: 0.001}
+sweep: {seed: 1, runs: 5, keys: {load.mass: {uniform: [400, 600]}}}
+EOF
+for order in zyx xyz; do
+    while read -r limit when; do
+        set=(--set motion.order=$order --set "platform.limits={${limit/:/: }}")
+        run sweep "$scratch/angles.yaml" "${set[@]}" -q -o "$scratch/lanes.csv"
+        run sweep "$scratch/angles.yaml" "${set[@]}" --lanes 1 -q -o "$scratch/alone.csv"
+        cmp -s "$scratch/lanes.csv" "$scratch/alone.csv" || fail "$order, $limit: lanes differ from single runs"
+        [[ $(column "$scratch/lanes.csv" end_cause | sort -u) == platform_pose ]] || fail "$order, $limit: $(column "$scratch/lanes.csv" end_cause)"
+        column "$scratch/lanes.csv" end_time |
+            awk -v t="$when" '!($1 - t < 1e-8 && t - $1 < 1e-8) { bad = 1 } END { exit bad || NR != 5 }' ||
+            fail "$order, $limit: ends at $(column "$scratch/lanes.csv" end_time | paste -sd' ') instead of $when s"
+    done < <(python3 -c 'from math import asin
+print("roll:9", asin(9 / 9.5)); print("pitch:7", asin(7 / 8) / 1.3); print("yaw:[-12,11]", asin(11 / 14) / 0.8)')
+done
 finish
