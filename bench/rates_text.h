@@ -16,8 +16,8 @@ static void rates_begin(void *memory, const reference *ref, double state[24]) {
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         component[c] = jet_constant(ref->model.initial.component[c]);
     }
-    coordinates_of_motion(h, ref->model.machine.platform.height, ref->model.motion.about, NULL,
-                          component, x);
+    coordinates_of_motion(h, ref->model.machine.platform.height, ref->model.motion.about,
+                          motion_frame(&ref->model.motion), component, x);
     coordinates_store(&x[0], state);
     for (int i = COORDINATES; i < STATE_SIZE; i++) state[i] = 0;
 }
