@@ -25,11 +25,17 @@ enum {
 };
 _Static_assert((int)LOOKS_COLUMNS == (int)BATCH_LOOK, "a look, one lane of it");
 
+/* second differences at a look, from the looks before and after it: the largest of any leg, and those of the deviations */
+typedef struct {
+    number force, speed, power, distance, turn;
+} looks_bends;
+
 typedef struct {
     double time[QUADRATURE_ROWS]; /* the last looks, the latest last */
     number look[QUADRATURE_ROWS][LOOKS_COLUMNS];
-    int newest; /* the place of the latest, which goes round */
-    int count;  /* since a corner */
+    looks_bends before, bends; /* at the last look but two, and at the last but one */
+    int newest;                /* the place of the latest, which goes round */
+    int count;                 /* since a corner */
     number force, speed, distance, turn, drift;
     number power, braking; /* greatest of p and of −p, of any leg */
     number energy;
@@ -49,6 +55,9 @@ static inline void looks_begin(looks *l) {
     l->newest = QUADRATURE_ROWS - 1;
     l->force = l->speed = l->distance = l->turn = l->drift = l->energy = number_of(0);
     l->power = l->braking = number_of(-HUGE_VAL);
+    for (int i = 0; i < QUADRATURE_ROWS; i++) {
+        for (int c = 0; c < LOOKS_COLUMNS; c++) l->look[i][c] = number_of(0);
+    }
 }
 
 /* the look before `age` others */
@@ -134,6 +143,51 @@ static inline number looks_bound(const number y[QUADRATURE_ROWS]) {
            number_of(0.071) * (number_magnitude(first) + number_magnitude(second));
 }
 
+/* the second difference of the middle one of three looks */
+static inline number looks_second(const number *a, const number *b, const number *c, int column) {
+    return number_magnitude(a[column] - number_of(2) * b[column] + c[column]);
+}
+
+/* the largest one of all legs */
+static inline number looks_bend(const number *a, const number *b, const number *c, int column) {
+    number most = looks_second(a, b, c, column);
+
+    KERNEL_UNROLL
+    for (int v = 1; v < LEGS; v++) most = number_larger(most, looks_second(a, b, c, column + v));
+    return most;
+}
+
+/* the second differences at the last look but one */
+static inline looks_bends looks_bend_all(looks *l) {
+    const number *a = looks_back(l, 2), *b = looks_back(l, 1), *c = looks_back(l, 0);
+
+    return (looks_bends){looks_bend(a, b, c, LOOKS_FORCE), looks_bend(a, b, c, LOOKS_SPEED),
+                         looks_bend(a, b, c, LOOKS_POWER), looks_second(a, b, c, LOOKS_DISTANCE),
+                         looks_second(a, b, c, LOOKS_TURN)};
+}
+
+/* how far looks_bound() of any leg may be above the peak so far: from the largest value and second difference of all legs */
+static inline number looks_over(const looks_interval *f, int column, number before, number bend,
+                                number peak) {
+    return number_larger(f->row[1][column], f->row[2][column]) +
+           number_of(0.071) * (before + bend) - peak;
+}
+
+/* Whether any peak may lie between the middle two of four looks equally far apart. Where not, which is almost always, looks_reach()
+ * need not ask each column: no bound there is greater, rounding included. */
+static inline int looks_any(const looks *l, const looks_interval *f) {
+    const looks_bends *a = &l->before, *b = &l->bends;
+    number most = looks_over(f, LOOKS_MOST_FORCE, a->force, b->force, l->force);
+
+    most = number_larger(most, looks_over(f, LOOKS_MOST_SPEED, a->speed, b->speed, l->speed));
+    most = number_larger(most, looks_over(f, LOOKS_MOST_POWER, a->power, b->power, l->power));
+    most = number_larger(most, looks_over(f, LOOKS_MOST_BRAKING, a->power, b->power, l->braking));
+    most =
+        number_larger(most, looks_over(f, LOOKS_DISTANCE, a->distance, b->distance, l->distance));
+    most = number_larger(most, looks_over(f, LOOKS_TURN, a->turn, b->turn, l->turn));
+    return number_any(number_greater(most, number_of(0)));
+}
+
 /* Whether the polynomial of one of some columns may be above the peak in a lane. Where looks in the middle of four do not turn,
  * peak_between() finds nothing. All columns are asked at once, without a branch for each, which mostly settles it. */
 static inline int looks_reach(const looks_interval *f, int column, int columns, number sign,
@@ -188,6 +242,7 @@ static inline void looks_peaks(looks *l, number heard, int count, int a) {
     for (int i = 0; i < QUADRATURE_ROWS; i++) f.row[i] = looks_back(l, QUADRATURE_ROWS - 1 - i);
     f.middle = count == QUADRATURE_ROWS && a == 1;
     f.even = f.middle && looks_even(l);
+    if (f.even && !looks_any(l, &f)) return;
     looks_peaks_of(l, heard, LOOKS_FORCE, LEGS, plus, &f, &l->force);
     looks_peaks_of(l, heard, LOOKS_SPEED, LEGS, plus, &f, &l->speed);
     looks_peaks_of(l, heard, LOOKS_POWER, LEGS, plus, &f, &l->power);
@@ -237,6 +292,8 @@ static inline void looks_take(looks *l, number heard, number drift, double t) {
     for (int i = 0; i + 1 < QUADRATURE_ROWS; i++) l->time[i] = l->time[i + 1];
     l->time[QUADRATURE_ROWS - 1] = t;
     l->count++;
+    l->before = l->bends;
+    l->bends = looks_bend_all(l);
     l->drift = looks_raise(heard, drift, l->drift);
     l->distance = looks_raise(heard, look[LOOKS_DISTANCE], l->distance);
     l->turn = looks_raise(heard, look[LOOKS_TURN], l->turn);

@@ -25,7 +25,7 @@ static inline body body_of(number mass, number Ix, number Iy, number Iz) {
 }
 
 /* (1.4): M ρ̈ = F, gravity not in F */
-static inline vector body_acceleration(const body *b, vector F, vector gravity) {
+KERNEL_SMALL vector body_acceleration(const body *b, vector F, vector gravity) {
     return along(gravity, b->inverse_mass, F);
 }
 

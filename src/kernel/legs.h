@@ -71,16 +71,16 @@ KERNEL_INLINE void legs_at(const hexapod *h, const coordinates *x, legs *g) {
 }
 
 /* top joint v less a point that is at rest, in coordinates, or its velocity or acceleration in their derivatives */
-static inline vector joint_of(const hexapod *h, const coordinates *x, int v) {
+KERNEL_SMALL vector joint_of(const hexapod *h, const coordinates *x, int v) {
     return add(x->rho, out_of(&x->q, h->arm[v]));
 }
 
 /* (legs-4): l̇ = n·(ρ̇ + x i̇ + y j̇ + z k̇), of leg v */
-static inline number leg_rate(const hexapod *h, const coordinates *rate, int v, vector n) {
+KERNEL_SMALL number leg_rate(const hexapod *h, const coordinates *rate, int v, vector n) {
     return dot(n, joint_of(h, rate, v));
 }
 
-static inline void legs_rates(const hexapod *h, const coordinates *rate, legs *g) {
+KERNEL_SMALL void legs_rates(const hexapod *h, const coordinates *rate, legs *g) {
     for (int v = 0; v < LEGS; v++) g->rate[v] = leg_rate(h, rate, v, g->n[v]);
 }
 
@@ -110,7 +110,7 @@ static inline push push_none(void) {
 }
 
 /* a force on top joint v */
-static inline void push_add(push *p, const hexapod *h, int v, vector f) {
+KERNEL_SMALL void push_add(push *p, const hexapod *h, int v, vector f) {
     p->F = add(p->F, f);
     p->Q.i = along(p->Q.i, h->arm[v].x, f);
     p->Q.j = along(p->Q.j, h->arm[v].y, f);
@@ -122,7 +122,7 @@ static inline push push_sum(const push *a, const push *b) {
 }
 
 /* (2.6) in central axes: L_x = Σ (y F_z − z F_y) = Q_j·k − Q_k·j … */
-static inline vector push_moment(const push *p, const triad *q) {
+KERNEL_SMALL vector push_moment(const push *p, const triad *q) {
     return (vector){
         dot(p->Q.j, q->k) - dot(p->Q.k, q->j),
         dot(p->Q.k, q->i) - dot(p->Q.i, q->k),

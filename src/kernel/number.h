@@ -17,6 +17,15 @@
 
 /* where a call through memory would cost more than the function */
 #define KERNEL_INLINE __attribute__((always_inline)) static inline
+/* Where speed counts more than size, which is not in the page's core and not for numbers that are slow themselves: a few
+ * instructions are laid out at each call, however large the caller is, and what most machines need has a text without the rest. */
+#if (defined(NUMBER_DOUBLE) || defined(NUMBER_LANES)) && !defined(__wasm__)
+#define KERNEL_SMALL KERNEL_INLINE
+enum { KERNEL_QUICK = 1 };
+#else
+#define KERNEL_SMALL static inline
+enum { KERNEL_QUICK = 0 };
+#endif
 /* one copy for all callers where the number is a scalar: calls cost little there, and code that is laid out whole much */
 #if defined(NUMBER_LANES)
 #define KERNEL_APART static inline

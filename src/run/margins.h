@@ -65,25 +65,36 @@ static inline number limits_above(const limit_range *range, number x) {
     return x * range->scale - range->least + number_of(limit_slack);
 }
 
-/* lengths, rates, forces of the legs, relative */
+/* of leg v, relative: its length, rate and force */
+KERNEL_SMALL number limit_short(const limit_set *s, const signals *m, int v) {
+    return m->g.length[v] * s->shortest[v] - number_of(1) + number_of(limit_slack);
+}
+KERNEL_SMALL number limit_long(const limit_set *s, const signals *m, int v) {
+    return number_of(1) - m->g.length[v] * s->longest[v] + number_of(limit_slack);
+}
+KERNEL_SMALL number limit_speed(const limit_set *s, const signals *m, int v) {
+    return number_of(1) - number_magnitude(m->g.rate[v]) * s->speed[v] + number_of(limit_slack);
+}
+KERNEL_SMALL number limit_force(const limit_set *s, const signals *m, int pulls, int v) {
+    return limits_below(&s->force[v], pulls ? m->force[v] : number_magnitude(m->force[v]));
+}
+KERNEL_SMALL number limit_pull(const limit_set *s, const signals *m, int v) {
+    return limits_above(&s->force[v], m->force[v]);
+}
+
 static inline void limits_legs(const struct system *r, const signals *m, number margin[MARGINS]) {
-    const number one = number_of(1), slack = number_of(limit_slack);
     const limit_set *s = &r->limits;
     const int pulls = limit_has(s, LIMIT_PULL);
-    number *const low = margin + LIMIT_SIX * LIMIT_SHORT, *const high =
-                                                              margin + LIMIT_SIX * LIMIT_LONG;
-    number *const fast = margin + LIMIT_SIX * LIMIT_SPEED;
-    number *const strong = margin + LIMIT_SIX * LIMIT_FORCE, *const pull =
-                                                                 margin + LIMIT_SIX * LIMIT_PULL;
 
-    for (int v = 0; v < LEGS; v++) low[v] = m->g.length[v] * s->shortest[v] - one + slack;
+    for (int v = 0; v < LEGS; v++) margin[LIMIT_SIX * LIMIT_SHORT + v] = limit_short(s, m, v);
     for (int v = 0; limit_has(s, LIMIT_LONG) && v < LEGS; v++)
-        high[v] = one - m->g.length[v] * s->longest[v] + slack;
+        margin[LIMIT_SIX * LIMIT_LONG + v] = limit_long(s, m, v);
     for (int v = 0; limit_has(s, LIMIT_SPEED) && v < LEGS; v++)
-        fast[v] = one - number_magnitude(m->g.rate[v]) * s->speed[v] + slack;
+        margin[LIMIT_SIX * LIMIT_SPEED + v] = limit_speed(s, m, v);
     for (int v = 0; limit_has(s, LIMIT_FORCE) && v < LEGS; v++)
-        strong[v] = limits_below(&s->force[v], pulls ? m->force[v] : number_magnitude(m->force[v]));
-    for (int v = 0; pulls && v < LEGS; v++) pull[v] = limits_above(&s->force[v], m->force[v]);
+        margin[LIMIT_SIX * LIMIT_FORCE + v] = limit_force(s, m, pulls, v);
+    for (int v = 0; pulls && v < LEGS; v++)
+        margin[LIMIT_SIX * LIMIT_PULL + v] = limit_pull(s, m, v);
 }
 
 /* six margins of magnitudes that have one limit each */
@@ -148,23 +159,41 @@ static inline void limits_angles_cheaply(const limit_set *s, int order, const tr
     limits_angle(s, 2, R->i.y, R->i.x, margin);
 }
 
-/* the least margin in each lane; below zero where a limit may be exceeded */
-static inline number limits_least(const struct system *r, const signals *m) {
-    number margin[MARGINS], least;
+static inline number limits_less(number least, number here) {
+    return number_select(number_greater(least, here), here, least);
+}
+
+/* the least margin in each lane of the limits that need more than lengths, rates and forces, and `least` */
+static inline number limits_least_measured(const struct system *r, const signals *m, number least) {
+    number margin[MARGINS];
     measured q;
 
     limits_measure(r, m, &q);
     limits_fill(r, m, &q, margin);
     limits_angles_cheaply(&r->limits, (int)r->motion->order, &q.R, margin);
-    least = margin[0];
-    for (int kind = 0; kind < LIMIT_KINDS; kind++) {
+    for (int kind = LIMIT_ACCELERATION; kind < LIMIT_KINDS; kind++) {
         if (!limit_has(&r->limits, kind)) continue;
-        for (int i = 0; i < LIMIT_SIX; i++) {
-            const number here = margin[LIMIT_SIX * kind + i];
-            least = number_select(number_greater(least, here), here, least);
-        }
+        for (int i = 0; i < LIMIT_SIX; i++)
+            least = limits_less(least, margin[LIMIT_SIX * kind + i]);
     }
     return least;
+}
+
+/* the least margin in each lane; below zero where a limit may be exceeded */
+static inline number limits_least(const struct system *r, const signals *m) {
+    const limit_set *s = &r->limits;
+    const int pulls = limit_has(s, LIMIT_PULL);
+    number least = limit_short(s, m, 0);
+
+    for (int v = 1; v < LEGS; v++) least = limits_less(least, limit_short(s, m, v));
+    for (int v = 0; limit_has(s, LIMIT_LONG) && v < LEGS; v++)
+        least = limits_less(least, limit_long(s, m, v));
+    for (int v = 0; limit_has(s, LIMIT_SPEED) && v < LEGS; v++)
+        least = limits_less(least, limit_speed(s, m, v));
+    for (int v = 0; limit_has(s, LIMIT_FORCE) && v < LEGS; v++)
+        least = limits_less(least, limit_force(s, m, pulls, v));
+    for (int v = 0; pulls && v < LEGS; v++) least = limits_less(least, limit_pull(s, m, v));
+    return s->kinds >> LIMIT_ACCELERATION ? limits_least_measured(r, m, least) : least;
 }
 
 #endif

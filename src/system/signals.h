@@ -9,14 +9,16 @@
 #include "system/wanted.h"
 
 /* drive forces: (law-1), with the disturbances of the legs */
-static inline void signals_forces(const struct system *r, const wanted *s, const legs *g,
+KERNEL_INLINE void signals_forces(const struct system *r, const wanted *s, const legs *g,
                                   number u[LEGS]) {
+    if (!(r->traits & NEEDS_RATES)) {
+        for (int v = 0; v < LEGS; v++)
+            u[v] = law_stiff(s->force[v], r->G[v], s->program.length[v], g->length[v]);
+        return;
+    }
     for (int v = 0; v < LEGS; v++) {
-        u[v] = law_stiff(s->force[v], r->G[v], s->program.length[v], g->length[v]);
-        if (r->traits & NEEDS_RATES) {
-            u[v] = law_force(s->force[v], r->G[v], r->D[v], s->program.length[v],
-                             s->program.rate[v], g->length[v], g->rate[v]);
-        }
+        u[v] = law_force(s->force[v], r->G[v], r->D[v], s->program.length[v], s->program.rate[v],
+                         g->length[v], g->rate[v]);
     }
 }
 
@@ -54,10 +56,40 @@ KERNEL_INLINE coordinates signals_acceleration(const struct system *r, const wan
     return a;
 }
 
+/* Whether the drives' forces and the weight are all that acts, on legs without mass: then a shorter text serves, in which nothing
+ * is passed to other functions, so that it stays in registers. */
+static inline int signals_plain(const struct system *r) {
+    return KERNEL_QUICK && !(r->traits & (MOVING_MASS | FRICTION | EXTERNAL)) && !r->loaded &&
+           r->options->constraints != GOUGH_BAUMGARTE;
+}
+
+/* signals_acceleration() then */
+KERNEL_INLINE coordinates signals_plain_acceleration(const struct system *r, const coordinates *x,
+                                                     const coordinates *rate, const legs *g,
+                                                     const number F[LEGS]) {
+    const push p = legs_push(&r->h, g, F);
+
+    return accelerations_under(&r->h, x, rate, &p, NULL, NULL);
+}
+
 static inline void system_signals(struct system *r, real t, const number *y, signals *m) {
     const wanted *s = system_wanted(r, t);
 
     r->evaluations++;
+    if (signals_plain(r)) {
+        const coordinates x = coordinates_load(y), rate = coordinates_load(y + COORDINATES);
+        number F[LEGS];
+        legs g;
+        legs_at(&r->h, &x, &g);
+        legs_rates(&r->h, &rate, &g);
+        signals_forces(r, s, &g, F);
+        m->acceleration = signals_plain_acceleration(r, &x, &rate, &g, F);
+        m->x = x;
+        m->rate = rate;
+        m->g = g;
+        for (int v = 0; v < LEGS; v++) m->force[v] = m->leg[v] = F[v];
+        return;
+    }
     m->x = coordinates_load(y);
     m->rate = coordinates_load(y + COORDINATES);
     legs_at(&r->h, &m->x, &m->g);

@@ -6,16 +6,13 @@
 #include "integrate/rattle.h"
 #include "system/signals.h"
 
-/* The rate_function of a run: system_signals() without the rates of legs that only rows and limits need */
-static inline void system_rates(void *context, real t, const number *y, number *rate) {
-    struct system *r = context;
-    const wanted *s = system_wanted(r, t);
-    const coordinates x = coordinates_load(y), v = coordinates_load(y + COORDINATES);
+/* the rates from x and its rates v, whatever acts */
+static inline void system_rates_whole(struct system *r, const wanted *s, const coordinates x,
+                                      const coordinates v, number *rate) {
     number u[LEGS], F[LEGS];
     coordinates a;
     legs g;
 
-    r->evaluations++;
     legs_at(&r->h, &x, &g);
     if (r->traits & NEEDS_RATES) legs_rates(&r->h, &v, &g);
     signals_forces(r, s, &g, u);
@@ -23,6 +20,27 @@ static inline void system_rates(void *context, real t, const number *y, number *
     a = signals_acceleration(r, s, &x, &v, &g, F);
     coordinates_store(&v, rate);
     coordinates_store(&a, rate + COORDINATES);
+}
+
+/* The rate_function of a run: system_signals() without the rates of legs that only rows and limits need */
+static inline void system_rates(void *context, real t, const number *y, number *rate) {
+    struct system *r = context;
+    const wanted *s = system_wanted(r, t);
+    const coordinates x = coordinates_load(y), v = coordinates_load(y + COORDINATES);
+
+    r->evaluations++;
+    if (signals_plain(r)) {
+        number F[LEGS];
+        legs g;
+        legs_at(&r->h, &x, &g);
+        if (r->traits & NEEDS_RATES) legs_rates(&r->h, &v, &g);
+        signals_forces(r, s, &g, F);
+        const coordinates a = signals_plain_acceleration(r, &x, &v, &g, F);
+        coordinates_store(&v, rate);
+        coordinates_store(&a, rate + COORDINATES);
+        return;
+    }
+    system_rates_whole(r, s, x, v, rate);
 }
 
 /* The wrench_function of a run: forces with the legs at rest, and damping Σ D w wᵀ, where l̇ = w·(ρ̇, Ω), w = (n, arm × n) */
