@@ -20,7 +20,8 @@ gough_units study_units_of(const study_node *root) {
     if (node->kind == STUDY_SCALAR) units.dimensionless = strcmp(node->text, "dimensionless") == 0;
     for (int b = 0; node->kind == STUDY_MAPPING && b < GOUGH_BASE_UNITS; b++) {
         const study_node *word = study_node_child(node, base_names[b]);
-        if (word && word->kind == STUDY_SCALAR) gough_units_choose(&units, b, word->text);
+        if (word && word->kind == STUDY_SCALAR)
+            gough_units_choose(&units, (gough_base_unit)b, word->text);
     }
     return units;
 }
@@ -36,7 +37,7 @@ bool study_units_check(study_messages *messages, study_node *node, const char *p
     const char *word = study_quote(messages->arena, node->text, node->length);
     const study_place place = study_node_place(node, node->empty);
     for (int b = 0; b < GOUGH_BASE_UNITS; b++) {
-        if (!gough_units_choose(&any, b, node->text)) continue;
+        if (!gough_units_choose(&any, (gough_base_unit)b, node->text)) continue;
         if (strcmp(base_names[b], path + 6) == 0) return false;
         study_node_say(messages, node, place, "`%s` must be a unit of %s; `%s` is one of %s", path,
                        path + 6, word, base_names[b]);
