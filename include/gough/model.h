@@ -99,8 +99,28 @@ typedef struct gough_platform_limits {
     bool about_given;       /**< false: the point `about` of the motion */
 } gough_platform_limits;
 
-/** Joints, limits, and mass and friction of the legs. gough_platform_default() has no joints, no limits, and legs without mass and
- *  friction. */
+/** How a drive turns its command into a force. */
+typedef enum gough_actuator_kind {
+    GOUGH_ACTUATOR_IDEAL, /**< the force is the command */
+    GOUGH_ACTUATOR_LAG,   /**< the force follows the command late, by a first or second order */
+    GOUGH_ACTUATOR_KINDS
+} gough_actuator_kind;
+
+/** The drives of the legs, (act-1). Each number is one for each leg, from 1 to 6. Zero-filled: ideal drives. All drives are of one
+ *  kind and one order. */
+typedef struct gough_actuators {
+    gough_actuator_kind kind;         /**< of all six */
+    double max_force[GOUGH_LEGS][2];  /**< least and greatest command that a drive takes, beyond
+                                             which it stays at them; {0, 0}: no limit */
+    double time_constant[GOUGH_LEGS]; /**< T_a of a lag of first order, > 0; 0: second order */
+    double frequency[GOUGH_LEGS];     /**< ω_a/2π of a lag of second order, in cycles per unit of
+                                             time, > 0; 0: first order */
+    double damping_ratio[GOUGH_LEGS]; /**< ζ_a of a lag of second order, > 0 */
+    double max_rate[GOUGH_LEGS];      /**< greatest |df/dt| of a lag of first order; 0: no limit */
+} gough_actuators;
+
+/** Joints, limits, drives, and mass and friction of the legs. gough_platform_default() has no joints, no limits, ideal drives, and
+ *  legs without mass and friction. */
 typedef struct gough_platform {
     double base[GOUGH_LEGS][3]; /**< base joints, base frame */
     double top[GOUGH_LEGS][3];  /**< top joints, top frame; leg n joins base[n] and top[n] */
@@ -119,6 +139,7 @@ typedef struct gough_platform {
     bool legs_have_mass; /**< use the equations of legs with mass, even if all of it is 0; set by
                                 gough_machine_init() where some is not */
     gough_friction friction;      /**< of the legs */
+    gough_actuators actuators;    /**< drives of the legs */
     gough_leg_limits legs;        /**< limits of single legs */
     gough_platform_limits limits; /**< of the platform */
 } gough_platform;
@@ -473,14 +494,47 @@ static inline gough_limits gough_limits_of(const gough_machine *machine,
 
 /* ---- control, disturbance, initial state ---------------------------------------------------------------------- */
 
-/** F = F^p + G (l^p − l) + D (l̇^p − l̇) for each leg, (law-1). With all gains 0, open loop. */
+/** How a sampled controller finds the rate of the error of a leg's length. */
+typedef enum gough_velocity {
+    GOUGH_VELOCITY_EXACT,      /**< measured: l̇^p − l̇ */
+    GOUGH_VELOCITY_DIFFERENCE, /**< from the errors of this sample and the one before */
+    GOUGH_VELOCITIES
+} gough_velocity;
+
+/** A controller that looks at the legs at times k·period and holds its commands in between, (loop-1). Zero-filled: the controller
+ *  is continuous, and the other members are not used. */
+typedef struct gough_sampling {
+    double period; /**< T, > 0; 0: continuous */
+    double delay;  /**< τ, from a sample until its command acts; 0 to less than 100 periods */
+    double jitter; /**< largest further delay, at random in each sample; at most the period */
+    gough_velocity velocity; /**< how rates are found */
+    double cutoff;     /**< of the low pass of differences, in cycles per unit of time; 0: none */
+    double resolution; /**< q, one count of the measured lengths; 0: none */
+    double noise;      /**< root mean square of the error of a measured length */
+    uint64_t seed;     /**< of noise and jitter: a different seed gives different numbers */
+    uint64_t run;      /**< a different run gives different numbers */
+    double preview;    /**< how far ahead of the sample F^p is taken, >= 0 */
+} gough_sampling;
+
+/** F = F^p + G (l^p − l) + D (l̇^p − l̇) + I, (law-1), (loop-1). With all gains 0, open loop. */
 typedef struct gough_control {
     bool feedforward;      /**< F^p from inverse dynamics along the program; false: F^p ≡ 0 */
     bool ignores_legs;     /**< F^p is that of legs without mass */
     bool ignores_friction; /**< F^p is that of legs without friction */
     bool ignores_external; /**< F^p is that of a machine without external loads */
-    double stiffness[GOUGH_LEGS]; /**< G, force per length, >= 0 */
-    double damping[GOUGH_LEGS];   /**< D, force per speed, >= 0 */
+    bool coupled; /**< the errors of one leg move the others too: cross_stiffness and cross_damping
+                       are used */
+    double stiffness[GOUGH_LEGS]; /**< G, force per length, >= 0; if coupled, the diagonal of the
+                                       matrix, of any sign */
+    double damping[GOUGH_LEGS];   /**< D, force per speed, likewise */
+    double cross_stiffness[GOUGH_LEGS]
+                          [GOUGH_LEGS];           /**< if coupled: G outside its diagonal: [leg that
+                                             pushes][leg whose error it is]; its own diagonal is 0 */
+    double cross_damping[GOUGH_LEGS][GOUGH_LEGS]; /**< D likewise */
+    double integral[GOUGH_LEGS]; /**< K_I, force per length and time, >= 0; 0: no integral I */
+    double tracking_time;        /**< T_t, in which I gives way while the drives cannot follow the
+                                      command, > 0; 0: it does not */
+    gough_sampling sampling;     /**< in steps of time */
 } gough_control;
 
 /** Random forces: smooth noise, twice continuously differentiable, of zero mean, independent in each leg and along each

@@ -113,7 +113,10 @@ typedef struct gough_simulation {
     double baumgarte[2];           /**< α, β */
     gough_precision precision;     /**< of the whole run */
     bool reactions;                /**< fill the columns of Λ */
-    bool joints; /**< fill the columns of leg forces, joint forces and side loads */
+    bool joints;    /**< fill the columns of leg forces, joint forces and side loads */
+    bool commands;  /**< fill the columns of the controller's commands */
+    bool actuators; /**< fill the columns of measured lengths and of limits that hold the drives;
+                         then those of the commands too */
     struct gough_summary *summary; /**< filled by the run with peaks and time integrals of the
                                         motion itself, between rows too; NULL: not wanted */
     gough_statistics *statistics;  /**< filled by gough_simulate(), however the run ends; NULL: not

@@ -4,6 +4,7 @@
  *
  *   number    what the equations are written in: + - * / apply
  *   real      the scalar beside it: time, and all that is the same in every lane; broadcast by number_of_real
+ *   number_floor  the largest whole number that is not above
  *   mask      outcome of a comparison; number_any tells whether any lane has it, to leave a loop that all lanes are done with
  *
  * A text never branches on a number: it selects. "greater" compares real parts, so that an imaginary step follows the
@@ -56,6 +57,7 @@ enum { NUMBER_SWEEPS = 4, NUMBER_SURE_SWEEPS = 1, NUMBER_NEWTON = 8 };
 static inline number number_of_real(real x) { return x; }
 static inline real number_first(number x) { return x; }
 static inline number number_root(number x) { return sqrt(x); }
+static inline number number_floor(number x) { return floor(x); }
 static inline mask number_greater(number a, number b) { return a > b; }
 static inline number number_select(mask m, number a, number b) { return m ? a : b; }
 static inline number number_magnitude(number x) { return fabs(x); }
@@ -66,14 +68,16 @@ static inline int number_any(mask m) { return m; }
 #if defined(__SIZEOF_FLOAT128__)
 __extension__ typedef __float128 real;
 /* libquadmath's header is GCC's own; its functions are declared here so that Clang finds them too */
-extern real sqrtq(real);
+extern real sqrtq(real), floorq(real);
 /* the suffix is no part of the standard, which a table of such constants should not warn about */
 #define REAL_LITERAL(x) (__extension__ x##Q)
 static inline real real_root_quad(real x) { return sqrtq(x); }
+static inline real real_floor_quad(real x) { return floorq(x); }
 #else
 typedef long double real;
 #define REAL_LITERAL(x) x##L
 static inline real real_root_quad(real x) { return sqrtl(x); }
+static inline real real_floor_quad(real x) { return floorl(x); }
 #endif
 typedef real number;
 typedef int mask;
@@ -84,6 +88,7 @@ enum { NUMBER_SWEEPS = 5, NUMBER_SURE_SWEEPS = 1, NUMBER_NEWTON = 10 };
 static inline number number_of_real(real x) { return x; }
 static inline real number_first(number x) { return x; }
 static inline number number_root(number x) { return real_root_quad(x); }
+static inline number number_floor(number x) { return real_floor_quad(x); }
 static inline mask number_greater(number a, number b) { return a > b; }
 static inline number number_select(mask m, number a, number b) { return m ? a : b; }
 static inline number number_magnitude(number x) { return x < 0 ? -x : x; }
@@ -105,6 +110,8 @@ enum { NUMBER_SWEEPS = 5, NUMBER_SURE_SWEEPS = 2, NUMBER_NEWTON = 9 };
 static inline number number_of_real(real x) { return x; }
 static inline real number_first(number x) { return creal(x); }
 static inline number number_root(number x) { return csqrt(x); }
+/* a staircase: its derivative is 0 */
+static inline number number_floor(number x) { return floor(creal(x)); }
 static inline mask number_greater(number a, number b) { return creal(a) > creal(b); }
 static inline number number_select(mask m, number a, number b) { return m ? a : b; }
 static inline number number_magnitude(number x) { return creal(x) < 0 ? -x : x; }
@@ -143,6 +150,11 @@ static inline number number_root(number x) {
     return r;
 }
 #endif
+static inline number number_floor(number x) {
+    number r;
+    for (int i = 0; i < NUMBER_LANES; i++) r[i] = floor(x[i]);
+    return r;
+}
 #if NUMBER_LANES == 8 && defined(__AVX512F__)
 /* these registers choose by a mask of bits */
 static inline mask number_greater(number a, number b) {
@@ -192,6 +204,10 @@ static inline real number_lane(number x, int lane) {
 /* ---- what follows from the vocabulary, for every type alike ---- */
 
 static inline number number_of(double x) { return number_of_real((real)x); }
+static inline number number_between(number x, number least, number most) {
+    const number low = number_select(number_greater(least, x), least, x);
+    return number_select(number_greater(low, most), most, low);
+}
 static inline number number_larger(number a, number b) {
     return number_select(number_greater(b, a), b, a);
 }

@@ -8,7 +8,7 @@
 #if defined(NUMBER_QUAD) && defined(__SIZEOF_FLOAT128__)
 extern real sinq(real), cosq(real), tanq(real), asinq(real), acosq(real), atanq(real),
     atan2q(real, real);
-extern real expq(real), logq(real), tanhq(real), powq(real, real), floorq(real), hypotq(real, real);
+extern real expq(real), logq(real), tanhq(real), powq(real, real), hypotq(real, real);
 #define REAL_FUNCTION(name) name##q
 #elif defined(NUMBER_QUAD)
 #define REAL_FUNCTION(name) name##l

@@ -1,7 +1,7 @@
 /* The columns of every table, from gough/columns.def. */
 #include "gough/simulate.h"
 
-enum { ALWAYS, SIMULATED, REACTIONS, JOINTS };
+enum { ALWAYS, SIMULATED, REACTIONS, JOINTS, COMMANDS, ACTUATORS };
 
 typedef struct column_line {
     gough_column_info info;
@@ -39,5 +39,8 @@ bool gough_column_filled(int column, bool simulated, const gough_simulation *sim
     if (column < 0 || column >= GOUGH_COLUMNS) return false;
     if (columns[column].when == REACTIONS) return simulation->reactions;
     if (columns[column].when == JOINTS) return simulation->joints;
+    if (columns[column].when == COMMANDS)
+        return simulated && (simulation->commands || simulation->actuators);
+    if (columns[column].when == ACTUATORS) return simulated && simulation->actuators;
     return simulated || columns[column].when == ALWAYS;
 }

@@ -1,0 +1,65 @@
+/* One sample of a controller: lengths measured, errors, their rates, the command. Text over the number type. Theory:
+ * docs/theory/loop.md. */
+#ifndef GOUGH_KERNEL_SAMPLER_H
+#define GOUGH_KERNEL_SAMPLER_H
+
+#include "kernel/drive.h"
+#include "kernel/law.h"
+
+/* (loop-1): numbers of the controller that are the same in all legs */
+typedef struct {
+    int differences; /* rates are differences of errors */
+    number keep;     /* α of the low pass, 0 without */
+    number renew;    /* (1 − α)/T */
+    number period;   /* T */
+    number track;    /* T/T_t, 0 without */
+    number count;    /* q, 0 without */
+    number noise;    /* σ */
+} sampler;
+
+/* what it remembers of a leg from one sample to the next */
+typedef struct {
+    number error[LEGS], rate[LEGS], integral[LEGS];
+} sampler_memory;
+
+/* the length measured; `home`: where counts have their origin, `draw`: a normal number */
+static inline number sampler_length(const sampler *s, number length, number home, number draw) {
+    const number off = length + s->noise * draw, none = number_of(0);
+    const mask counts = number_greater(s->count, none);
+    const number count = number_select(counts, s->count, number_of(1));
+    const number whole = number_floor((off - home) / count + number_of(0.5));
+
+    return number_select(counts, home + count * whole, off);
+}
+
+/* e_{−1} and ė_{−1}, as if the error had always changed at its first rate */
+static inline void sampler_begin(const sampler *s, const number error[LEGS],
+                                 const number rate[LEGS], sampler_memory *m) {
+    for (int v = 0; v < LEGS; v++) {
+        m->rate[v] = rate[v];
+        m->error[v] = error[v] - s->period * rate[v];
+        m->integral[v] = number_of(0);
+    }
+}
+
+/* takes this sample's errors into the memory; `rate` is replaced where rates are differences */
+static inline void sampler_rates(const sampler *s, const number error[LEGS], number rate[LEGS],
+                                 sampler_memory *m) {
+    for (int v = 0; v < LEGS; v++) {
+        if (s->differences) rate[v] = s->keep * m->rate[v] + s->renew * (error[v] - m->error[v]);
+        m->error[v] = error[v];
+        m->rate[v] = rate[v];
+    }
+}
+
+/* I of the next sample, `r` being what was asked of the drive and u what it takes */
+static inline void sampler_integrate(const sampler *s, const number gain[LEGS],
+                                     const number r[LEGS], const number u[LEGS],
+                                     sampler_memory *m) {
+    for (int v = 0; v < LEGS; v++) {
+        m->integral[v] =
+            m->integral[v] + gain[v] * s->period * m->error[v] + (u[v] - r[v]) * s->track;
+    }
+}
+
+#endif
