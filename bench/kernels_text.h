@@ -113,7 +113,7 @@ static void kernel_rk4_step(void *memory) {
 
     for (int c = 0; c < KERNEL_CALLS; c++) {
         system_rates(&k->r, 5, k->y[0], k->rate[0]);
-        rk4_step(system_rates, &k->r, STATE_SIZE, 5 + c * h, h, k->y[0], k->rate[0], raw);
+        rk4_step(system_rates, &k->r, MOTION, 5 + c * h, h, k->y[0], k->rate[0], raw);
         keep(raw, k->y[0]);
     }
 }
@@ -125,7 +125,7 @@ static void kernel_dop853_step(void *memory) {
 
     for (int c = 0; c < KERNEL_CALLS; c++) {
         system_rates(&k->r, 5, k->y[0], k->work.slope[0]);
-        dop853_step(&k->work, system_rates, &k->r, STATE_SIZE, 5 + c * h, h, k->y[0], raw);
+        dop853_step(&k->work, system_rates, &k->r, MOTION, 5 + c * h, h, k->y[0], raw);
         keep(raw, k->y[0]);
     }
 }

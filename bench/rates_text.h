@@ -19,7 +19,7 @@ static void rates_begin(void *memory, const reference *ref, double state[24]) {
     coordinates_of_motion(h, ref->model.machine.platform.height, ref->model.motion.about,
                           motion_frame(&ref->model.motion), component, x);
     coordinates_store(&x[0], state);
-    for (int i = COORDINATES; i < STATE_SIZE; i++) state[i] = 0;
+    for (int i = COORDINATES; i < MOTION; i++) state[i] = 0;
 }
 
 static void rates(void *memory, double t, const double *y, double *rate) {

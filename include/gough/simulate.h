@@ -332,6 +332,9 @@ GOUGH_API void gough_summary_look(gough_summary *summary, const gough_machine *m
 /** Marks the last look as a corner: derivatives of the motion may jump there, and nothing is
  *  interpolated across it. Values up to it are exact there. */
 GOUGH_API void gough_summary_corner(gough_summary *summary);
+/** Marks the last look as one after which the motion goes on with other forces: the next look, which may be of the same time,
+ *  begins anew. */
+GOUGH_API void gough_summary_jump(gough_summary *summary);
 /** Completes the time integrals. Rows equally spaced are integrated to fourth order; cubics exactly but for rounding. */
 GOUGH_API void gough_summary_end(gough_summary *summary);
 

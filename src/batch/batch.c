@@ -260,6 +260,36 @@ static int appointments_all_same(const gough_batch_run *runs, size_t count) {
     return 1;
 }
 
+/* whether two runs have loops of the same parts that look and act at the same times, so that they may stand in lanes */
+static int loops_alike(const gough_batch_run *a, const gough_batch_run *b) {
+    const gough_actuators *one = &a->machine->platform.actuators;
+    const gough_actuators *two = &b->machine->platform.actuators;
+    const gough_sampling *s = &a->control->sampling, *t = &b->control->sampling;
+    const double times[][2] = {{s->period, t->period},
+                               {s->delay, t->delay},
+                               {s->jitter, t->jitter},
+                               {s->preview, t->preview}};
+
+    for (size_t i = 0; i < sizeof times / sizeof times[0]; i++) {
+        if (times[i][0] < times[i][1] || times[i][0] > times[i][1]) return 0;
+    }
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        const double *x = one->max_force[v], *y = two->max_force[v];
+        if ((x[0] < x[1]) != (y[0] < y[1])) return 0;
+        if ((one->time_constant[v] > 0) != (two->time_constant[v] > 0)) return 0;
+        if ((a->control->integral[v] > 0) != (b->control->integral[v] > 0)) return 0;
+    }
+    return s->velocity == t->velocity && one->kind == two->kind &&
+           a->control->coupled == b->control->coupled;
+}
+
+static int loops_all_same(const gough_batch_run *runs, size_t count) {
+    for (size_t i = 1; i < count; i++) {
+        if (!loops_alike(&runs[0], &runs[i])) return 0;
+    }
+    return 1;
+}
+
 static void plan(work *w, const gough_simulation *s, int lanes, int threads) {
     const int fixed = s->step > 0 && s->precision == GOUGH_DOUBLE;
     size_t share = (w->count + 2 * (size_t)threads - 1) / (2 * (size_t)threads);
@@ -324,7 +354,8 @@ gough_status gough_batch(const gough_motion *motion, const gough_simulation *sim
         all_same(runs, count, offsetof(gough_batch_run, machine), sizeof(gough_machine)) &&
         (w.disturbance_shared || !any_vertical(runs, count));
     plan(&w, simulation, lanes, threads);
-    if (w.width && !appointments_all_same(runs, count)) { /* steps of their own: each run alone */
+    if (w.width && !(appointments_all_same(runs, count) &&
+                     loops_all_same(runs, count))) { /* steps of their own: each run alone */
         w.width = width_of(1);
         w.chunk = 1;
     }

@@ -9,8 +9,8 @@ const struct batch_width batch_width_1 = {1, (sizeof(group) + 63) / 64 * 64, gro
 static simulate_parts parts_of(const batch_job *job, size_t which) {
     const gough_batch_run *r = &job->runs[which];
 
-    return (simulate_parts){job->motion,    r->machine, r->control,
-                            r->disturbance, r->initial, r->number};
+    return (simulate_parts){job->motion, r->machine, r->control, r->disturbance,
+                            r->initial,  r->number,  r->number};
 }
 
 /* ---- outcomes from rows ---- */
@@ -146,6 +146,7 @@ int batch_locate(const batch_job *job, size_t which, batch_step *step) {
         d.rate0[i] = step->rate0[i];
         d.raw[i] = step->raw[i];
     }
+    for (int v = 0; v < LEGS; v++) d.r.held[v] = step->held[v];
     if (forward_check(&d, step->residual, &until) == GOUGH_OK) return 0;
     look_at_end(&d, until, step);
     out->cause = end.cause;
@@ -191,15 +192,16 @@ static void record_stage(stage_tape *tape, double t, tape_record *record) {
     if (tape->machine_shared && r->solves) wanted_forces(r, record->vertical, &s);
     for (int v = 0; v < LEGS; v++) {
         record->force[v] = s.force[v];
+        record->shake[v] = s.shake[v];
         record->length[v] = s.program.length[v];
         record->rate[v] = s.program.rate[v];
-        s.force[v] = 0; /* what the disturbances add comes by itself */
+        s.force[v] = s.shake[v] = 0; /* what the disturbances add comes by itself */
     }
     coordinates_store(&s.x[0], record->pose);
     record->determinant = s.singularity.determinant;
     record->pivot_ratio = s.singularity.pivot_ratio;
     wanted_disturb(r, t, &s);
-    for (int v = 0; v < LEGS; v++) record->leg[v] = s.force[v];
+    for (int v = 0; v < LEGS; v++) record->leg[v] = wanted_shake(r, &s)[v];
     vector_store(s.push, record->push);
     vector_store(s.turn, record->turn);
 }
@@ -209,7 +211,8 @@ size_t batch_recorder_size(void) { return (sizeof(struct system) + 63) / 64 * 64
 void batch_recorder_begin(stage_tape *tape, const batch_job *job, void *recorder) {
     struct system *r = recorder;
     const gough_batch_run *one = &job->runs[0];
-    const system_lane lane = {one->machine, one->control, one->disturbance, one->number};
+    const system_lane lane = {one->machine, one->control, one->disturbance, one->number,
+                              one->number};
 
     system_begin(r, job->motion, job->simulation, &lane);
     tape->recorder = r;

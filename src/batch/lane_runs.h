@@ -6,6 +6,7 @@
 
 #include "batch/lane_runs_table.h"
 #include "batch/looks.h"
+#include "system/loop.h"
 #include "system/problem.h"
 
 typedef struct {
@@ -28,6 +29,7 @@ typedef struct {
     number determinant; /* of the pose at the last row */
     int watchful;
 
+    loop loop;    /* if the controllers are sampled, at the same times in all lanes */
     number drift; /* since the look before */
     number last[STATE_SIZE];
     vector center; /* of mass, from the top frame's origin, central axes */
@@ -80,12 +82,13 @@ static inline void group_solve(struct system *r, real t, const stage_tape *tape,
 static inline void group_disturb(struct system *r, real t, const stage_tape *tape,
                                  const tape_record *record) {
     wanted *s = &r->now;
+    number *shake = wanted_shake(r, s);
 
     if (!tape->disturbance_shared) {
         wanted_disturb(r, t, s);
     } else {
         for (int v = 0; v < LEGS; v++) {
-            if (r->shaken[v]) s->force[v] = s->force[v] + number_of(record->leg[v]);
+            if (r->shaken[v]) shake[v] = shake[v] + number_of(record->leg[v]);
         }
         if (r->loaded) {
             s->push = group_vector(record->push);
@@ -104,9 +107,10 @@ static inline void group_replay(struct system *r, real t) {
     if (tape->machine_shared) {
         for (int v = 0; v < LEGS; v++) {
             s->force[v] = number_of(record->force[v]);
+            s->shake[v] = number_of(record->shake[v]);
             s->program.length[v] = number_of(record->length[v]);
         }
-        for (int v = 0; (r->traits & NEEDS_RATES) && v < LEGS; v++) {
+        for (int v = 0; (r->traits & (NEEDS_RATES | PROGRAM_RATES)) && v < LEGS; v++) {
             s->program.rate[v] = number_of(record->rate[v]);
         }
         s->singularity =
@@ -169,7 +173,8 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
     g->count = count;
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         const gough_batch_run *one = &job->runs[group_run(g, i)];
-        lane[i] = (system_lane){one->machine, one->control, one->disturbance, one->number};
+        lane[i] =
+            (system_lane){one->machine, one->control, one->disturbance, one->number, one->number};
     }
     system_begin(&g->r, job->motion, job->simulation, lane);
     g->r.provide = group_replay;
@@ -191,12 +196,12 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
         number_put(&g->side_program, i, side[1]);
         for (int k = 0; k < g->r.states; k++) number_put(&g->at[0].y[k], i, state[k]);
     }
+    loop_begin(&g->r, &g->loop, job->simulation->step, g->at[0].y);
     for (int k = 0; k < g->r.states; k++) g->last[k] = g->at[0].y[k];
 
     g->now = 0;
     system_signals(&g->r, 0, g->at[0].y, &m);
-    coordinates_store(&m.rate, g->at[0].rate);
-    coordinates_store(&m.acceleration, g->at[0].rate + COORDINATES);
+    signals_rates(&g->r, &m, g->at[0].rate);
     g->drift = triad_violation(&m.x.q);
     group_look(g, system_wanted(&g->r, 0), &m, 0);
     g->rows = 1;
@@ -306,6 +311,7 @@ static inline void group_inspect(group *g, const batch_job *job, number trouble,
         group_lane(g->at[1 - g->now].y, i, step.y0, g->r.states);
         group_lane(g->at[1 - g->now].rate, i, step.rate0, g->r.states);
         group_lane(raw, i, step.raw, g->r.states);
+        group_lane(g->r.held, i, step.held, LEGS);
         if (!batch_locate(job, group_run(g, i), &step)) continue;
         group_end_within(g, job, &step, i);
     }
@@ -347,6 +353,19 @@ typedef struct {
     signals end; /* of the last part of a step */
 } group_loop;
 
+/* what sampled controllers do at the end of a step, after which other forces may act */
+static inline void group_sample(group *g, signals *m, double t) {
+    loop_reach(&g->r, &g->loop, t, g->at[g->now].y);
+    system_signals(&g->r, t, g->at[g->now].y, m);
+    signals_rates(&g->r, m, g->at[g->now].rate);
+    looks_jump(&g->looks, g->going_mask);
+    group_look(g, system_wanted(&g->r, t), m, t);
+    if (g->m.method >= MARCH_RATTLE) {
+        const march_problem problem = system_problem(&g->r);
+        rattle_begin(&problem.rule, t, &g->body);
+    }
+}
+
 /* one part of a step in all lanes; 1 where none goes on */
 static inline int group_move(void *context, long long k, int part) {
     group_loop *l = context;
@@ -366,9 +385,9 @@ static inline int group_move(void *context, long long k, int part) {
     g->now = 1 - g->now;
     coordinates_store(&x, g->at[g->now].y);
     coordinates_store(&v, g->at[g->now].y + COORDINATES);
+    for (int i = MOTION; i < g->r.states; i++) g->at[g->now].y[i] = raw[i];
     system_signals(&g->r, t, g->at[g->now].y, m);
-    coordinates_store(&m->rate, g->at[g->now].rate);
-    coordinates_store(&m->acceleration, g->at[g->now].rate + COORDINATES);
+    signals_rates(&g->r, m, g->at[g->now].rate);
 
     const number trouble = group_trouble(g, system_wanted(&g->r, t), m, residual);
     double sum = 0;
@@ -377,6 +396,7 @@ static inline int group_move(void *context, long long k, int part) {
     if (group_going(g) == 0) return 1;
     group_look(g, system_wanted(&g->r, t), m, t);
     if (group_row_ends(g, job, k)) group_row_due(g, m);
+    if (g->r.traits & SAMPLED && !(t < sample_clock_next(&g->loop.clock))) group_sample(g, m, t);
     return 0;
 }
 

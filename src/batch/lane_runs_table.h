@@ -43,6 +43,7 @@ enum { BATCH_LOOK = 3 * GOUGH_LEGS + 7 };
 typedef struct {
     double t0, h, t, residual; /* h: how long it is, t - t0 but for rounding */
     double y0[STATE_SIZE], rate0[STATE_SIZE], raw[STATE_SIZE], side[2];
+    double held[GOUGH_LEGS]; /* commands in force, of a sampled controller */
 
     /* found: when the run ends, and what is seen there if any motion is left to be seen */
     double until, look[BATCH_LOOK];

@@ -279,6 +279,12 @@ static inline void looks_corner(looks *l, number heard) {
     l->count = 1;
 }
 
+/* the motion goes on with other forces: the next look, of the same time, begins anew */
+static inline void looks_jump(looks *l, number heard) {
+    if (l->count >= 2) looks_finish(l, heard);
+    l->count = 0;
+}
+
 /* where the next look goes, which takes the place of the oldest */
 static inline number *looks_next(looks *l) {
     l->newest = (l->newest + 1) % QUADRATURE_ROWS;

@@ -12,7 +12,7 @@ typedef struct {
     number keep;     /* α of the low pass, 0 without */
     number renew;    /* (1 − α)/T */
     number period;   /* T */
-    number track;    /* T/T_t, 0 without */
+    number track;    /* T/T_t of legs with an integral, 0 without */
     number count;    /* q, 0 without */
     number noise;    /* σ */
 } sampler;
@@ -57,8 +57,9 @@ static inline void sampler_integrate(const sampler *s, const number gain[LEGS],
                                      const number r[LEGS], const number u[LEGS],
                                      sampler_memory *m) {
     for (int v = 0; v < LEGS; v++) {
-        m->integral[v] =
-            m->integral[v] + gain[v] * s->period * m->error[v] + (u[v] - r[v]) * s->track;
+        const number none = number_of(0);
+        const number track = number_select(number_greater(gain[v], none), s->track, none);
+        m->integral[v] = m->integral[v] + gain[v] * s->period * m->error[v] + (u[v] - r[v]) * track;
     }
 }
 

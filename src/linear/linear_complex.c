@@ -12,7 +12,7 @@ static const double imaginary_step = 1e-30;
 static const gough_disturbance undisturbed;
 
 static void begin(struct system *r, const linear_loop *loop, const gough_simulation *options) {
-    const system_lane lane = {loop->machine, loop->control, &undisturbed, 0};
+    const system_lane lane = {loop->machine, loop->control, &undisturbed, 0, 0};
 
     system_begin(r, loop->motion, options, &lane);
     system_take_dry_friction_off(r);

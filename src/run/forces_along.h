@@ -540,7 +540,7 @@ static inline gough_status walk_all(walk *a) {
 static inline gough_status walk_run(const gough_model *model, const gough_simulation *options,
                                     gough_sink sink, void *context, gough_crossing_sink crossings,
                                     void *crossings_context, gough_end *end) {
-    const system_lane lane = {&model->machine, &model->control, &model->disturbance, 0};
+    const system_lane lane = {&model->machine, &model->control, &model->disturbance, 0, 0};
     const real radius = (real)model->machine.base_radius, duration = (real)options->duration;
     gough_status status;
     walk a;

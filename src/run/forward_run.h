@@ -145,7 +145,9 @@ static inline real forward_length(void *context, real wish, int rejected) {
     const real duration = d->r.options->duration;
 
     if (!(d->t < duration)) return 0;
-    const real corner = (real)appointments_corner(&d->when, (double)d->t);
+    real corner = (real)appointments_corner(&d->when, (double)d->t);
+    if (d->r.traits & SAMPLED && sample_clock_next(&d->loop.clock) < corner)
+        corner = sample_clock_next(&d->loop.clock);
     d->statistics.rejected += rejected;
     a->stop = corner < duration ? corner : duration;
     if (wish < 16 * REAL_EPSILON * (d->t > a->unit ? d->t : a->unit)) {
@@ -199,6 +201,10 @@ static inline gough_status forward_adaptive(forward *d) {
         a.size[i] = i < 3 ? length : 1;
         a.size[COORDINATES + i] = a.size[i] / a.unit;
     }
+    for (int i = MOTION; i < d->r.states; i++) {
+        const int rates = d->r.traits & SECOND_ORDER && i >= MOTION + LEGS && i < d->r.sum.at;
+        a.size[i] = (real)machine->load.mass * length / (a.unit * a.unit * (rates ? a.unit : 1));
+    }
     d->dense = &a.work;
     d->m.method = MARCH_DOP853;
     system_rates(&d->r, 0, d->y, d->rate);
@@ -228,6 +234,10 @@ static inline int forward_move(void *context, long long k, int part) {
     if (f->status != GOUGH_OK) return 1;
     d->t = d->m.t1;
     f->status = forward_accept(d, 0);
+    if (d->renewed && f->status == GOUGH_OK && d->m.method >= MARCH_RATTLE) {
+        const march_problem problem = system_problem(&d->r);
+        rattle_begin(&problem.rule, d->t, &f->body);
+    }
     return f->status != GOUGH_OK;
 }
 
@@ -254,7 +264,8 @@ static inline gough_status forward_fixed(forward *d) {
 static inline void forward_open(forward *d, const simulate_parts *parts,
                                 const gough_simulation *options, gough_sink sink, void *context,
                                 gough_end *end) {
-    const system_lane lane = {parts->machine, parts->control, parts->disturbance, parts->number};
+    const system_lane lane = {parts->machine, parts->control, parts->disturbance, parts->number,
+                              parts->samples};
 
     system_begin(&d->r, parts->motion, options, &lane);
     d->initial = parts->initial;
@@ -263,7 +274,7 @@ static inline void forward_open(forward *d, const simulate_parts *parts,
     d->end = end;
     d->rows = (long long)floor(options->duration / options->output_step + 1e-9) + 1;
     d->dense = NULL;
-    d->prepared = 0;
+    d->prepared = d->renewed = 0;
     d->prefetched = NULL;
     d->m = system_march(options, &d->when);
     d->statistics = (gough_statistics){.steps = 0};
@@ -278,8 +289,10 @@ static inline gough_status forward_run(const simulate_parts *parts, const gough_
     forward d;
 
     forward_open(&d, parts, options, sink, context, end);
-    d.prefetched = &stages;
-    prefetched_begin(d.prefetched, &d.r);
+    if (!(d.r.share && d.r.traits & APART)) { /* blocks have one force of each leg */
+        d.prefetched = &stages;
+        prefetched_begin(d.prefetched, &d.r);
+    }
     forward_start(&d);
     status = forward_begin(&d);
     if (status == GOUGH_OK) {

@@ -7,6 +7,7 @@
 #include "run/prefetched.h"
 #include "run/row.h"
 #include "run/run.h"
+#include "system/loop.h"
 #include "system/problem.h"
 
 /* halvings of a bracket around an end: to round-off of the step */
@@ -35,6 +36,8 @@ typedef struct {
     int prepared;
     prefetched *prefetched; /* stages made ready, or NULL */
     appointments when;      /* times that no step may pass */
+    loop loop;              /* if the controller is sampled */
+    int renewed;            /* commands have changed at the end of the last step */
     gough_statistics statistics;
 
     /* the end of the step, and how far from trouble its beginning was */
@@ -95,6 +98,7 @@ static inline void forward_start(forward *d) {
     coordinates_project(&x[0], &rate);
     coordinates_store(&x[0], d->y);
     coordinates_store(&rate, d->y + COORDINATES);
+    loop_begin(&d->r, &d->loop, d->r.options->step, d->y);
 }
 
 /* GOUGH_ERROR_NUMERICAL with the end said */
@@ -376,8 +380,20 @@ static inline gough_status forward_not_finite(forward *d, real t) {
 /* rates in the state at the present time, from which the next step starts */
 static inline void forward_refresh(forward *d) {
     system_signals(&d->r, d->t, d->y, &d->now);
-    coordinates_store(&d->now.rate, d->rate);
-    coordinates_store(&d->now.acceleration, d->rate + COORDINATES);
+    signals_rates(&d->r, &d->now, d->rate);
+}
+
+/* what a sampled controller does at the present time; derivatives jump where its commands begin to act */
+static inline gough_status forward_sample(forward *d) {
+    d->renewed = d->r.traits & SAMPLED && !(d->t < sample_clock_next(&d->loop.clock));
+    if (!d->renewed) return GOUGH_OK;
+    loop_reach(&d->r, &d->loop, d->t, d->y);
+    if (d->r.fault.what) return limits_fault(&d->r, d->end);
+    forward_refresh(d);
+    if (d->r.options->summary == NULL) return GOUGH_OK;
+    gough_summary_jump(d->r.options->summary);
+    forward_look(d, d->t, d->y);
+    return GOUGH_OK;
 }
 
 /* what follows each step, d->raw being its outcome: drift, projection, the end if there is one. *until: end of the valid part */
@@ -400,7 +416,7 @@ static inline gough_status forward_accept(forward *d, int inside) {
     const gough_end end = *d->end;
     const gough_status status = forward_rows(d, until);
 
-    if (ended == GOUGH_OK) return status;
+    if (ended == GOUGH_OK) return status == GOUGH_OK ? forward_sample(d) : status;
     *d->end = end; /* rows before the end do not change its cause */
     return ended;
 }

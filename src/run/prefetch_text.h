@@ -18,7 +18,7 @@ static inline void prefetch_begin(void *room, const gough_motion *motion,
     system_lane lane[NUMBER_WIDTH];
 
     for (int i = 0; i < NUMBER_WIDTH; i++)
-        lane[i] = (system_lane){machine, control, disturbance, 0};
+        lane[i] = (system_lane){machine, control, disturbance, 0, 0};
     system_begin(room, motion, &unused, lane);
 }
 
@@ -108,7 +108,7 @@ static inline int prefetch_pack(struct system *r, prefetch_block *b, int first,
     }
 
     wanted_displacement(r, &d, &s);
-    if (r->traits & NEEDS_RATES) legs_rates(&r->h, &s.x[1], &s.program);
+    if (r->traits & (NEEDS_RATES | PROGRAM_RATES)) legs_rates(&r->h, &s.x[1], &s.program);
     if (r->feeds && r->knows & EXTERNAL) {
         real times[NUMBER_WIDTH];
         for (int i = 0; i < NUMBER_WIDTH; i++)
@@ -119,7 +119,8 @@ static inline int prefetch_pack(struct system *r, prefetch_block *b, int first,
     for (int v = 0; v < LEGS; v++) {
         prefetch_keep(&b->force[v][first], s.force[v]);
         prefetch_keep(&b->length[v][first], s.program.length[v]);
-        if (r->traits & NEEDS_RATES) prefetch_keep(&b->rate[v][first], s.program.rate[v]);
+        if (r->traits & (NEEDS_RATES | PROGRAM_RATES))
+            prefetch_keep(&b->rate[v][first], s.program.rate[v]);
     }
     prefetch_keep(&b->determinant[first], s.singularity.determinant);
     prefetch_keep(&b->pivot_ratio[first], s.singularity.pivot_ratio);

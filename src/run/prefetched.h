@@ -23,7 +23,8 @@ static inline void prefetched_take(struct system *r, real t, const prefetch_bloc
     for (int v = 0; v < LEGS; v++) {
         s->force[v] = b->force[v][at];
         s->program.length[v] = b->length[v][at];
-        if (r->traits & NEEDS_RATES) s->program.rate[v] = b->rate[v][at];
+        if (r->traits & (NEEDS_RATES | PROGRAM_RATES)) s->program.rate[v] = b->rate[v][at];
+        s->shake[v] = 0;
     }
     s->singularity = (elimination){b->determinant[at], b->pivot_ratio[at]};
     wanted_external(r, t, s);

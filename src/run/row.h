@@ -75,6 +75,20 @@ static inline void row_joints(const struct system *r, const signals *m, real *va
     }
 }
 
+/* commands, measured lengths, what holds the drives back */
+static inline void row_loop(const struct system *r, const signals *m, real *value) {
+    for (int v = 0; v < LEGS; v++) {
+        const int sampled = r->traits & SAMPLED;
+        const drive_signals *d = &m->loop;
+        value[GOUGH_U + v] = r->traits & LOOPED ? d->command[v] : m->force[v];
+        if (!r->options->actuators) continue;
+        value[GOUGH_MEASURED + v] = sampled ? r->measured[v] : m->g.length[v];
+        value[GOUGH_SATURATED + v] =
+            r->traits & LOOPED ? drive_held(&r->drives[v], d->asked[v], d->command[v], d->force[v])
+                               : 0;
+    }
+}
+
 /* Whether a summary looks at the joints of a run: of legs without mass and friction it knows them from the drive forces. */
 static inline int row_joints_summed(const struct system *r) {
     return r->options->summary && !r->options->summary->brief_ &&
@@ -106,6 +120,7 @@ static inline void row_fill(const struct system *r, const wanted *s, real t, con
         row_deviation(r, s, value);
         value[GOUGH_DRIFT] = drift;
     }
+    if (simulated && r->options->commands + r->options->actuators) row_loop(r, m, value);
     if (r->options->reactions) row_reactions(r, s, m, simulated, value);
     if (r->options->joints || row_joints_summed(r)) row_joints(r, m, value);
 }

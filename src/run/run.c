@@ -272,9 +272,13 @@ gough_status gough_simulate(const gough_model *model, const gough_simulation *si
     *end = (gough_end){.cause = GOUGH_END_DONE};
     if (checked != GOUGH_OK) return checked;
     if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
-    const simulate_parts parts = {&model->motion,  &model->machine,
-                                  &model->control, &model->disturbance,
-                                  &model->initial, model->disturbance.noise.run};
+    const simulate_parts parts = {&model->motion,
+                                  &model->machine,
+                                  &model->control,
+                                  &model->disturbance,
+                                  &model->initial,
+                                  model->disturbance.noise.run,
+                                  model->control.sampling.run};
     if (simulation->summary) begin_summary(model, simulation->summary);
     const gough_status status =
         simulate_table_of(simulation->precision)->simulate(&parts, simulation, sink, context, end);

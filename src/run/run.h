@@ -11,7 +11,8 @@ typedef struct {
     const gough_control *control;
     const gough_disturbance *disturbance;
     const gough_initial *initial;
-    uint64_t number; /* of the run, for its noise */
+    uint64_t number;  /* of the run, for its noise */
+    uint64_t samples; /* of the run, for the noise and jitter of its samples */
 } simulate_parts;
 
 /* gough_simulation_check() for a motion */

@@ -561,6 +561,11 @@ void gough_summary_corner(gough_summary *summary) {
     summary->looks_ = 1;
 }
 
+void gough_summary_jump(gough_summary *summary) {
+    if (summary->looks_ >= 2) sum_up_last(summary);
+    summary->looks_ = 0;
+}
+
 void gough_summary_end(gough_summary *summary) {
     const bool looked = summary->looks_ > 0;
     const double span = looked ? summary->span_ : summary->last_time - summary->first_time;

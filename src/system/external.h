@@ -9,6 +9,11 @@ static inline void wanted_blame(struct system *r, const char *what, real t) {
     if (r->fault.what == NULL || t < r->fault.time) r->fault = (wanted_fault){what, t};
 }
 
+/* where what disturbs the legs is summed up */
+static inline number *wanted_shake(const struct system *r, wanted *s) {
+    return r->traits & APART ? s->shake : s->force;
+}
+
 #define EXTERNAL_FORMULA(n, what)                                                                  \
     "external." #n "." what ".1", "external." #n "." what ".2", "external." #n "." what ".3"
 #define EXTERNAL_FORMULAS(n)                                                                       \

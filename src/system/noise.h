@@ -46,7 +46,8 @@ static inline void noise_add(struct system *r, real t, wanted *s) {
         const number *n = r->noise.coefficient[c];
         value[c] = weight[0] * n[0] + weight[1] * n[1] + weight[2] * n[2] + weight[3] * n[3];
     }
-    for (int v = 0; v < LEGS; v++) s->force[v] = s->force[v] + value[v];
+    number *shake = wanted_shake(r, s);
+    for (int v = 0; v < LEGS; v++) shake[v] = shake[v] + value[v];
     s->push = add(s->push, (vector){value[LEGS], value[LEGS + 1], value[LEGS + 2]});
     s->turn = add(s->turn, (vector){value[LEGS + 3], value[LEGS + 4], value[LEGS + 5]});
 }

@@ -8,8 +8,8 @@
 #include "gough/random.h"
 #include "gough/simulate.h"
 #include "kernel/known_load.h"
-#include "kernel/law.h"
 #include "kernel/real.h"
+#include "kernel/sampler.h"
 #include "plant/forward.h"
 #include "plant/hexapod.h"
 #include "plant/inverse.h"
@@ -23,6 +23,7 @@ typedef struct {
     coordinates x[3];        /* the program and its derivatives */
     legs program;            /* l^p, l̇^p */
     number force[LEGS];      /* F^p of the drives, if fed forward, and what disturbs the legs */
+    number shake[LEGS];      /* what disturbs the legs, if it is told from the command (APART) */
     number leg[LEGS];        /* F^p in the legs; only where the equations were solved for it */
     known_load external;     /* only where there are external loads */
     vector push, turn;       /* force at the centre of mass and moment on the load, base axes */
@@ -40,7 +41,8 @@ typedef struct {
     const gough_machine *machine;
     const gough_control *control;
     const gough_disturbance *disturbance;
-    uint64_t number; /* of the run, for its noise */
+    uint64_t number;  /* of the run, for its noise */
+    uint64_t samples; /* of the run, for the noise and jitter of its samples */
 } system_lane;
 
 /* the noise between two knots: four coefficients for each leg, force and moment along three axes */
@@ -53,12 +55,23 @@ typedef struct {
 
 /* What the parts need, found once from what is there, the same in all lanes. */
 enum {
-    NEEDS_RATES = 1, /* forces of the legs depend on their rates */
+    NEEDS_RATES = 1 << 0, /* forces of the legs depend on their rates */
     LINEAR_IN_RATES =
-        2,           /* and fall in proportion to them: RATTLE's closing kick can be solved for */
-    MOVING_MASS = 4, /* of legs */
-    FRICTION = 8,
-    EXTERNAL = 16 /* loads besides the weight, which are known */
+        1 << 1, /* and fall in proportion to them: RATTLE's closing kick can be solved for */
+    MOVING_MASS = 1 << 2, /* of legs */
+    FRICTION = 1 << 3,
+    EXTERNAL = 1 << 4, /* loads besides the weight, which are known */
+
+    SAMPLED = 1 << 5,       /* the controller's command is held from sample to sample */
+    PROGRAM_RATES = 1 << 6, /* the controller needs l̇^p, whatever forces depend on */
+    COUPLED = 1 << 7,       /* gains are matrices */
+    INTEGRATING = 1 << 8,   /* integrals: states, or in the controller's memory if it is sampled */
+    LAGGING = 1 << 9,       /* drives have states: forces, and of a second order their rates */
+    SECOND_ORDER = 1 << 10,
+    SATURATING = 1 << 11, /* drives take commands up to a limit */
+
+    APART = SAMPLED | LAGGING | SATURATING, /* a command is told from what disturbs the legs */
+    LOOPED = APART | COUPLED | INTEGRATING  /* there is more to the loop than (law-1) */
 };
 
 /* What was prefetched or recorded lacks the rates of the program and the directions of its legs, and without its pose that too. */
@@ -69,20 +82,27 @@ struct system {
     const gough_simulation *options;
     system_lane lane[NUMBER_WIDTH];
     int traits;
-    slice pose, rate; /* of the state */
-    int states;       /* numbers of a state */
+    slice pose, rate, drive, sum; /* of the state: ρ, i, j, k; their rates; of drives; integrals */
+    int states;                   /* numbers of a state */
 
     /* plant */
     hexapod h;
     double height;      /* of home, the same in every lane */
     number alpha, beta; /* Baumgarte, or 0 */
     limit_set limits;
+    drive drives[LEGS];
 
     /* controller */
     number G[LEGS], D[LEGS];
-    int feeds;  /* F^p is fed forward */
-    int knows;  /* MOVING_MASS, FRICTION and EXTERNAL where F^p counts with them */
-    int solves; /* the six equations of the program are needed */
+    law_coupling coupling; /* if COUPLED */
+    number integral[LEGS]; /* K_I */
+    number track[LEGS];    /* 1/T_t of legs with an integral, 0 without */
+    number held[LEGS];     /* command in force, if SAMPLED */
+    number measured[LEGS]; /* lengths at the last sample */
+    number unmet[LEGS];    /* what the last sample asked of a drive beyond what it takes */
+    int feeds;             /* F^p is fed forward */
+    int knows;             /* MOVING_MASS, FRICTION and EXTERNAL where F^p counts with them */
+    int solves;            /* the six equations of the program are needed */
 
     /* external loads, in number and axes the same in all lanes; where each acts, central axes */
     int externals, external_turns[GOUGH_EXTERNALS];
@@ -131,6 +151,52 @@ static inline void system_add_external(struct system *r, int lane) {
     }
 }
 
+/* the drives of a lane */
+static inline void system_add_drives(struct system *r, int lane) {
+    const gough_actuators *a = &r->lane[lane].machine->platform.actuators;
+    const int lags = a->kind == GOUGH_ACTUATOR_LAG;
+
+    for (int v = 0; v < LEGS; v++) {
+        drive *d = &r->drives[v];
+        const real omega = 2 * REAL_PI * (real)a->frequency[v];
+        const int limited = a->max_force[v][0] < a->max_force[v][1];
+        const int first = lags && a->time_constant[v] > 0;
+        number_put(&d->least, lane, limited ? (real)a->max_force[v][0] : -(real)INFINITY);
+        number_put(&d->most, lane, limited ? (real)a->max_force[v][1] : (real)INFINITY);
+        number_put(&d->quickness, lane, first ? 1 / (real)a->time_constant[v] : 0);
+        number_put(&d->rate, lane,
+                   first && a->max_rate[v] > 0 ? (real)a->max_rate[v] : (real)INFINITY);
+        number_put(&d->square, lane, omega * omega);
+        number_put(&d->damping, lane, 2 * (real)a->damping_ratio[v] * omega);
+        if (limited) r->traits |= SATURATING;
+        if (lags) r->traits |= LAGGING;
+        if (lags && !first) r->traits |= SECOND_ORDER;
+    }
+}
+
+/* matrices of gains and integrals of a lane; whether the controller is sampled */
+static inline void system_add_control(struct system *r, int lane) {
+    const gough_control *c = r->lane[lane].control;
+
+    for (int v = 0; v < LEGS; v++) {
+        for (int w = 0; w < LEGS; w++) {
+            number_put(&r->coupling.stiffness[v][w], lane,
+                       c->coupled ? (real)c->cross_stiffness[v][w] : 0);
+            number_put(&r->coupling.damping[v][w], lane,
+                       c->coupled ? (real)c->cross_damping[v][w] : 0);
+        }
+        number_put(&r->integral[v], lane, c->integral[v]);
+        number_put(&r->track[v], lane,
+                   c->tracking_time > 0 && c->integral[v] > 0 ? 1 / (real)c->tracking_time : 0);
+        if (c->integral[v] > 0) r->traits |= INTEGRATING;
+        number_put(&r->held[v], lane, 0);
+        number_put(&r->measured[v], lane, 0);
+        number_put(&r->unmet[v], lane, 0);
+    }
+    if (c->coupled) r->traits |= COUPLED | NEEDS_RATES;
+    if (c->sampling.period > 0) r->traits |= SAMPLED | PROGRAM_RATES;
+}
+
 /* gains, limits and disturbances of a lane */
 static inline void system_add_lane(struct system *r, int lane) {
     const gough_control *control = r->lane[lane].control;
@@ -138,6 +204,8 @@ static inline void system_add_lane(struct system *r, int lane) {
     const gough_platform *p = &r->lane[lane].machine->platform;
 
     limit_set_lane(&r->limits, lane, r->lane[lane].machine, r->motion);
+    system_add_drives(r, lane);
+    system_add_control(r, lane);
 
     if (p->legs_have_mass) r->traits |= MOVING_MASS | NEEDS_RATES;
     if (machine_has_friction(r->lane[lane].machine)) r->traits |= FRICTION | NEEDS_RATES;
@@ -145,7 +213,8 @@ static inline void system_add_lane(struct system *r, int lane) {
     for (int v = 0; v < LEGS; v++) {
         number_put(&r->G[v], lane, control->stiffness[v]);
         number_put(&r->D[v], lane, control->damping[v]);
-        if (control->damping[v] > 0 || p->friction.viscous[v] > 0)
+        if ((control->damping[v] > 0 && !(control->sampling.period > 0)) ||
+            p->friction.viscous[v] > 0)
             r->traits |= NEEDS_RATES | LINEAR_IN_RATES;
         r->shaken[v] = r->shaken[v] || !gough_formula_is_zero(&d->leg_force[v]);
     }
@@ -156,6 +225,17 @@ static inline void system_add_lane(struct system *r, int lane) {
         r->loaded = r->loaded || !gough_formula_is_zero(&d->force[c]) ||
                     !gough_formula_is_zero(&d->moment[c]);
     }
+}
+
+/* where the parts have their numbers in the state */
+static inline void system_lay_out(struct system *r) {
+    const int orders = r->traits & SECOND_ORDER ? 2 : 1;
+    const int continuous = r->traits & INTEGRATING && !(r->traits & SAMPLED);
+
+    r->drive = (slice){MOTION, r->traits & LAGGING ? orders * LEGS : 0};
+    r->sum = (slice){r->drive.at + r->drive.count, continuous ? INTEGRAL_STATES : 0};
+    r->states = r->sum.at + r->sum.count;
+    assert_true(r->drive.count <= DRIVE_STATES && r->states <= STATE_SIZE);
 }
 
 /* Lanes that move by one motion, with one height of home and one choice of feed-forward; each has its own machine otherwise,
@@ -170,8 +250,6 @@ static inline void system_begin(struct system *r, const gough_motion *motion,
     r->external_share = number_of(1);
     r->pose = (slice){0, COORDINATES};
     r->rate = (slice){COORDINATES, COORDINATES};
-    r->states = r->rate.at + r->rate.count;
-    assert_true(r->pose.at + r->pose.count <= r->rate.at && r->states <= STATE_SIZE);
     r->noise.present = r->noise.fresh = 0;
     for (int v = 0; v < LEGS; v++) r->shaken[v] = 0;
     for (int i = 0; i < NUMBER_WIDTH; i++) {
@@ -180,6 +258,7 @@ static inline void system_begin(struct system *r, const gough_motion *motion,
         system_add_lane(r, i);
         system_add_external(r, i);
     }
+    system_lay_out(r);
     limit_set_turn(&r->limits, &r->h);
     r->feeds = lane[0].control->feedforward;
     r->knows = r->traits & ((lane[0].control->ignores_legs ? 0 : MOVING_MASS) |
@@ -208,6 +287,7 @@ static inline void system_take_dry_friction_off(struct system *r) {
 static inline void system_program_only(struct system *r) {
     r->feeds = r->solves = 1;
     r->knows = r->traits;
+    r->traits &= ~LOOPED;
     r->share = r->loaded = r->noise.present = 0;
     for (int v = 0; v < LEGS; v++) r->shaken[v] = 0;
 }

@@ -10,16 +10,23 @@
 static inline void system_rates_whole(struct system *r, const wanted *s, const coordinates x,
                                       const coordinates v, number *rate) {
     number u[LEGS], F[LEGS];
+    drive_signals loop;
     coordinates a;
     legs g;
 
     legs_at(&r->h, &x, &g);
     if (r->traits & NEEDS_RATES) legs_rates(&r->h, &v, &g);
-    signals_forces(r, s, &g, u);
+    signals_forces(r, s, &g, y, &loop, u);
     signals_legs(r, &g, u, F);
     a = signals_acceleration(r, s, &x, &v, &g, F);
     coordinates_store(&v, rate);
     coordinates_store(&a, rate + COORDINATES);
+    for (int i = MOTION; i < r->states; i++) rate[i] = loop.beyond[i - MOTION];
+}
+
+/* force for each unit of a leg's rate, by control that is continuous and by friction */
+static inline number system_damping(const struct system *r, int v) {
+    return r->traits & SAMPLED ? r->h.dry[v].viscous : r->D[v] + r->h.dry[v].viscous;
 }
 
 /* The rate_function of a run: system_signals() without the rates of legs that only rows and limits need */
@@ -49,6 +56,7 @@ static inline void system_wrench(void *context, real t, const coordinates *x, nu
     struct system *r = context;
     const wanted *s = system_wanted(r, t);
     vector F, L, pull = s->push, turn = s->turn;
+    drive_signals loop;
     number u[LEGS];
     legs g;
     push p;
@@ -56,7 +64,7 @@ static inline void system_wrench(void *context, real t, const coordinates *x, nu
     r->evaluations++;
     legs_at(&r->h, x, &g);
     for (int v = 0; v < LEGS; v++) g.rate[v] = number_of(0);
-    signals_forces(r, s, &g, u);
+    signals_forces(r, s, &g, NULL, &loop, u);
     p = legs_push(&r->h, &g, u);
     if (r->traits & MOVING_MASS) {
         const push weight = heavy_weight(&r->h, &g);
@@ -73,7 +81,7 @@ static inline void system_wrench(void *context, real t, const coordinates *x, nu
         for (int j = 0; j < 6; j++) damping[i][j] = number_of(0);
     }
     for (int v = 0; v < LEGS; v++) {
-        const number D = r->D[v] + r->h.dry[v].viscous;
+        const number D = system_damping(r, v);
         number w[6];
         vector_store(g.n[v], w);
         vector_store(cross(r->h.arm[v], onto(&x->q, g.n[v])), w + 3);

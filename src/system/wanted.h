@@ -42,6 +42,7 @@ static inline number wanted_disturbance(struct system *r, size_t place, const ch
 static inline void wanted_forces(struct system *r, number vertical, wanted *s) {
     const number zero = number_of(0);
     vector force = {zero, zero, zero}, moment = force;
+    number *shake = wanted_shake(r, s);
     number wrench[2][6];
     int count = 0, program = -1, share = -1;
 
@@ -63,7 +64,7 @@ static inline void wanted_forces(struct system *r, number vertical, wanted *s) {
         if (program >= 0 && r->knows & FRICTION) {
             s->force[v] = friction_drive(&r->h.dry[v], s->force[v], s->program.rate[v]);
         }
-        if (share >= 0) s->force[v] = s->force[v] + wrench[share][v];
+        if (share >= 0) shake[v] = shake[v] + wrench[share][v];
     }
 }
 
@@ -71,6 +72,7 @@ static inline void wanted_forces(struct system *r, number vertical, wanted *s) {
 static inline void wanted_disturb(struct system *r, real t, wanted *s) {
     const size_t force = offsetof(gough_disturbance, force),
                  moment = offsetof(gough_disturbance, moment), one = sizeof(gough_formula);
+    number *shake = wanted_shake(r, s);
 
     for (int v = 0; v < LEGS; v++) {
         static const char *const name[LEGS] = {
@@ -78,7 +80,7 @@ static inline void wanted_disturb(struct system *r, real t, wanted *s) {
             "disturbance.leg_force.4", "disturbance.leg_force.5", "disturbance.leg_force.6"};
         const size_t place = offsetof(gough_disturbance, leg_force) + (size_t)v * one;
         if (!r->shaken[v]) continue;
-        s->force[v] = s->force[v] + wanted_disturbance(r, place, name[v], t);
+        shake[v] = shake[v] + wanted_disturbance(r, place, name[v], t);
     }
     s->push = s->turn = (vector){number_of(0), number_of(0), number_of(0)};
     if (!r->loaded) return;
@@ -92,7 +94,7 @@ static inline void wanted_disturb(struct system *r, real t, wanted *s) {
 
 /* the program's motion in a stage, no rates of legs and no forces yet */
 static inline void wanted_displacement(struct system *r, const displacement *d, wanted *s) {
-    for (int v = 0; v < LEGS; v++) s->force[v] = number_of(0);
+    for (int v = 0; v < LEGS; v++) s->force[v] = s->shake[v] = number_of(0);
     s->singularity = (elimination){number_of(1), number_of(1)};
     coordinates_of_displacement(&r->h, r->height, r->motion->about, d, s->x);
     legs_at(&r->h, &s->x[0], &s->program);

@@ -134,7 +134,7 @@ static int as_given(void) {
 
 static void set_up_run(void) {
     const system_lane lane = {&live.model.machine, &live.control, &live.model.disturbance,
-                              live.model.disturbance.noise.run};
+                              live.model.disturbance.noise.run, live.control.sampling.run};
     struct system *r = &live.d.r;
 
     system_begin(r, &live.model.motion, &live.options, &lane);
@@ -289,7 +289,8 @@ static void start(void) {
                                   &live.control,
                                   &live.model.disturbance,
                                   &live.model.initial,
-                                  live.model.disturbance.noise.run};
+                                  live.model.disturbance.noise.run,
+                                  live.control.sampling.run};
 
     forward_open(&live.d, &parts, &live.options, NULL, NULL, &live.end);
     if (!is_one(&live.amplitude) || !is_one(&live.frequency)) {
