@@ -334,7 +334,7 @@ static inline void group_row_due(group *g, const signals *m) {
     g->determinant = limits_pose(&g->r, m).determinant;
     const number slack = number_magnitude(g->determinant) -
                          number_of(determinant_ease) * number_magnitude(g->determinant - before);
-    g->watchful = 0;
+    g->watchful = g->r.traits & LOOPED; /* which may fail from one sample to the next */
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         g->watchful |= g->going[i] && !(number_lane(slack, i) > 0);
     }

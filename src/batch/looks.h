@@ -51,6 +51,10 @@ typedef struct {
 } looks_interval;
 
 static inline void looks_begin(looks *l) {
+    for (int i = 0; i < QUADRATURE_ROWS; i++) { /* rows of weight 0 must not be NaN */
+        for (int c = 0; c < LOOKS_COLUMNS; c++) l->look[i][c] = number_of(0);
+        l->time[i] = 0;
+    }
     l->count = 0;
     l->newest = QUADRATURE_ROWS - 1;
     l->force = l->speed = l->distance = l->turn = l->drift = l->energy = number_of(0);

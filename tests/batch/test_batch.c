@@ -21,7 +21,56 @@ typedef struct {
 } fixture;
 
 /* which parts differ from run to run */
-enum { LOADS = 1, DISTURBANCES = 2, VERTICAL = 4, NOISE = 8, HEAVY = 16, FRICTION = 32 };
+enum {
+    LOADS = 1,
+    DISTURBANCES = 2,
+    VERTICAL = 4,
+    NOISE = 8,
+    HEAVY = 16,
+    FRICTION = 32,
+    SAMPLED = 64,
+    LAGGING = 128,
+    LIMITED = 256,
+    MATRICES = 512
+};
+
+/* what closes the loop of run i: sampled at the same times in all runs, else of numbers of its own */
+static void give_loop(fixture *f, int i, int differing, dice *d) {
+    gough_platform p = f->machine[i].platform;
+    const gough_load load = f->machine[i].load;
+    const double gravity[3] = {f->machine[i].gravity[0], f->machine[i].gravity[1],
+                               f->machine[i].gravity[2]};
+    gough_control *c = &f->control[i];
+
+    if (differing & SAMPLED) {
+        c->sampling = (gough_sampling){.period = 0.02,
+                                       .delay = 0.01,
+                                       .velocity = GOUGH_VELOCITY_DIFFERENCE,
+                                       .cutoff = dice_between(d, 5, 20),
+                                       .resolution = i % 2 ? 1e-4 : 0,
+                                       .noise = 1e-5 * (i % 3),
+                                       .seed = 4};
+    }
+    for (int v = 0; v < 6; v++) {
+        if (differing & (SAMPLED | LAGGING)) c->integral[v] = dice_between(d, 5, 10);
+        if (differing & LIMITED) {
+            p.actuators.max_force[v][1] = dice_between(d, 0.3, 0.6);
+            p.actuators.max_force[v][0] = -p.actuators.max_force[v][1];
+            c->tracking_time = dice_between(d, 0.2, 0.5);
+        }
+        if (differing & LAGGING) {
+            p.actuators.kind = GOUGH_ACTUATOR_LAG;
+            p.actuators.time_constant[v] = dice_between(d, 0.02, 0.05);
+            if (i % 3 == 0) p.actuators.max_rate[v] = dice_between(d, 1, 2);
+        }
+        for (int w = 0; differing & MATRICES && w < 6; w++) {
+            if (v != w) c->cross_stiffness[v][w] = dice_between(d, -2, 2);
+            if (v != w) c->cross_damping[v][w] = dice_between(d, -0.1, 0.1);
+        }
+    }
+    c->coupled = differing & MATRICES;
+    ck_assert_int_eq(gough_machine_init(&f->machine[i], &p, &load, gravity, NULL), GOUGH_OK);
+}
 
 static fixture *new_fixture(int differing, double damping) {
     fixture *f = calloc(1, sizeof *f);
@@ -58,6 +107,7 @@ static fixture *new_fixture(int differing, double damping) {
         }
         if (differing & HEAVY) give_legs(&f->machine[i], LEGS_HEAVY, &d);
         if (differing & FRICTION && i % 3) give_legs(&f->machine[i], LEGS_VISCOUS | LEGS_DRY, &d);
+        if (differing >= SAMPLED) give_loop(f, i, differing, &d);
         if (differing & DISTURBANCES) {
             char text[64];
             f->disturbance[i] = f->model.disturbance;
@@ -65,9 +115,9 @@ static fixture *new_fixture(int differing, double damping) {
             set_formula(&f->disturbance[i].moment[2], text);
         }
         f->run[i] = (gough_batch_run){
-            differing & LOADS ? &f->machine[i] : &f->model.machine, &f->control[i],
-            differing & DISTURBANCES ? &f->disturbance[i] : &f->model.disturbance, &f->initial[i],
-            (uint64_t)i + 1};
+            differing & LOADS || differing >= SAMPLED ? &f->machine[i] : &f->model.machine,
+            &f->control[i], differing & DISTURBANCES ? &f->disturbance[i] : &f->model.disturbance,
+            &f->initial[i], (uint64_t)i + 1};
     }
     return f;
 }
@@ -115,11 +165,14 @@ static void check_alone(const fixture *f, const gough_simulation *s) {
         model->disturbance = *f->run[i].disturbance;
         model->initial = *f->run[i].initial;
         model->disturbance.noise.run = f->run[i].number;
+        model->control.sampling.run = f->run[i].number;
         (void)gough_simulate(model, s, keep, row, &end, NULL);
         const gough_outcome *out = &f->outcome[i];
         ck_assert_int_eq(out->cause, end.cause);
         ck_assert_int_eq(out->leg, end.leg);
-        ck_assert(memcmp(&out->time, &end.time, sizeof(double)) == 0);
+        ck_assert_msg(memcmp(&out->time, &end.time, sizeof(double)) == 0,
+                      "run %d ends at %.17g, alone at %.17g: %s", i, out->time, end.time,
+                      end.message);
         ck_assert(memcmp(out->position, row + GOUGH_X, sizeof out->position) == 0);
         ck_assert(memcmp(out->angles, row + GOUGH_ROLL_ANGLE, sizeof out->angles) == 0);
         ck_assert(memcmp(out->velocity, row + GOUGH_VX, sizeof out->velocity) == 0);
@@ -139,9 +192,14 @@ static void check_everything_alike(int differing, gough_method method, double st
     for (int lanes = 2; lanes <= gough_batch_lanes(); lanes *= 2) {
         for (int threads = 1; threads <= 3; threads++) {
             run_batch(f, &s, lanes, threads, f->other);
-            ck_assert_msg(memcmp(f->outcome, f->other, sizeof f->outcome) == 0,
-                          "%s: %d lanes, %d threads", gough_method_name((int)method), lanes,
-                          threads);
+            for (int i = 0; i < RUNS; i++) {
+                const double *a = (const double *)&f->outcome[i], *b = (const double *)&f->other[i];
+                for (size_t k = 1; k < sizeof(gough_outcome) / sizeof(double); k++)
+                    ck_assert_msg(
+                        memcmp(a + k, b + k, sizeof *a) == 0,
+                        "%s: %d lanes, %d threads: number %zu of run %d is %.17g, not %.17g",
+                        gough_method_name((int)method), lanes, threads, k, i, b[k], a[k]);
+            }
         }
     }
     free(f);
@@ -171,6 +229,16 @@ START_TEST(legs_with_mass_and_friction_keep_the_bits) {
     check_everything_alike(HEAVY, GOUGH_RATTLE4, 0.02, 1);
     check_everything_alike(FRICTION, GOUGH_RK4, 0.01, 0);
     check_everything_alike(HEAVY | FRICTION | LOADS | VERTICAL, GOUGH_DOP853, 0.05, 2);
+}
+END_TEST
+
+START_TEST(sampled_and_lagging_loops_keep_the_bits) {
+    check_everything_alike(SAMPLED, GOUGH_RK4, 0.01, 1);
+    check_everything_alike(SAMPLED | LOADS | DISTURBANCES | VERTICAL, GOUGH_DOP853, 0.01, 1);
+    check_everything_alike(SAMPLED | LIMITED | NOISE, GOUGH_RATTLE4, 0.01, 1);
+    check_everything_alike(LAGGING | LOADS, GOUGH_RK4, 0.01, 1);
+    check_everything_alike(LAGGING | LIMITED | LOADS | VERTICAL | MATRICES, GOUGH_RK4, 0.01, 1);
+    check_everything_alike(SAMPLED | LAGGING | LIMITED | LOADS | MATRICES, GOUGH_DOP853, 0.01, 1);
 }
 END_TEST
 
@@ -268,6 +336,7 @@ static void check_sums(fixture *f, const gough_simulation *simulation, bool some
         model->disturbance = *f->run[i].disturbance;
         model->initial = f->initial[i];
         model->disturbance.noise.run = f->run[i].number;
+        model->control.sampling.run = f->run[i].number;
         s.summary = &sum;
         const gough_status status = gough_simulate(model, &s, NULL, NULL, &end, NULL);
         ended += status != GOUGH_OK;
@@ -313,6 +382,29 @@ START_TEST(outcomes_are_summaries) {
 END_TEST
 
 /* what is seen at the moment that ends a run counts; steps are cut at ramps, and nothing is interpolated across their ends */
+START_TEST(outcomes_of_sampled_loops_are_summaries) {
+    fixture *f = new_fixture(LOADS | NOISE | SAMPLED | LAGGING, 1);
+    gough_simulation s = fixed(GOUGH_RK4, 0.01, 3);
+
+    for (int i = 0; i < RUNS; i++) { /* gains that hold such loops */
+        for (int v = 0; v < 6; v++) {
+            f->control[i].stiffness[v] = 4 + 0.1 * i;
+            f->control[i].damping[v] = 0.9;
+            f->control[i].integral[v] = 0.5;
+        }
+    }
+    check_sums(f, &s, false);
+    s.output_step = 1;
+    s.duration = 2.9973;
+    check_sums(f, &s, false);
+    for (int i = 0; i < RUNS; i++) {
+        if (i % 5 == 4) f->machine[i].platform.force_max = 0.4;
+    }
+    check_sums(f, &s, true);
+    free(f);
+}
+END_TEST
+
 START_TEST(outcomes_of_ended_and_disturbed_runs_are_summaries) {
     fixture *f = new_fixture(LOADS, 2);
     gough_simulation s = fixed(GOUGH_RK4, 0.01, 3);
@@ -491,13 +583,14 @@ START_TEST(normal_numbers_are_normal) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("batch", 120, lanes_and_threads_change_no_bit,
-                     runs_may_differ_in_everything_but_the_program,
-                     legs_with_mass_and_friction_keep_the_bits,
-                     what_chooses_equations_is_the_same_in_all_runs, adaptive_runs_go_one_by_one,
-                     runs_in_quadruple_precision_go_one_by_one, each_run_has_its_own_end,
-                     outcomes_are_summaries, outcomes_of_ended_and_disturbed_runs_are_summaries,
-                     runs_that_divide_time_differently_keep_their_numbers,
-                     progress_may_stop_a_batch, progress_may_stop_several_threads,
-                     misfits_are_refused, random_numbers_are_philox, normal_numbers_are_normal);
+    return SUITE_RUN(
+        "batch", 120, lanes_and_threads_change_no_bit,
+        runs_may_differ_in_everything_but_the_program, legs_with_mass_and_friction_keep_the_bits,
+        sampled_and_lagging_loops_keep_the_bits, what_chooses_equations_is_the_same_in_all_runs,
+        adaptive_runs_go_one_by_one, runs_in_quadruple_precision_go_one_by_one,
+        each_run_has_its_own_end, outcomes_are_summaries, outcomes_of_sampled_loops_are_summaries,
+        outcomes_of_ended_and_disturbed_runs_are_summaries,
+        runs_that_divide_time_differently_keep_their_numbers, progress_may_stop_a_batch,
+        progress_may_stop_several_threads, misfits_are_refused, random_numbers_are_philox,
+        normal_numbers_are_normal);
 }

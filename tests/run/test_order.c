@@ -31,6 +31,25 @@ static int keep(void *context, const gough_row *row) {
     return 0;
 }
 
+/* what closes the loop, beside legs of some kind: a controller that samples, drives that lag */
+enum { LOOP_SAMPLED = 16, LOOP_LAGS = 32 };
+
+static void give_loop(gough_model *model, int what) {
+    gough_platform p = model->machine.platform;
+    const gough_load load = model->machine.load;
+    gough_error error = {0};
+
+    if (what & LOOP_SAMPLED) model->control.sampling = (gough_sampling){.period = 0.125};
+    if (what & LOOP_SAMPLED) set_gains(model, 8, 0.8);
+    if (!(what & LOOP_LAGS)) return;
+    p.actuators.kind = GOUGH_ACTUATOR_LAG;
+    for (int v = 0; v < GOUGH_LEGS; v++) p.actuators.time_constant[v] = 0.15;
+    for (int v = 0; v < GOUGH_LEGS; v++) model->control.integral[v] = 3;
+    ck_assert_msg(gough_machine_init(&model->machine, &p, &load, model->machine.gravity, &error) ==
+                      GOUGH_OK,
+                  "%s", error.message);
+}
+
 /* a run that leaves the program in every direction */
 static gough_model *model_of(double damping, int legs) {
     gough_model *model = calloc(1, sizeof *model);
@@ -40,6 +59,7 @@ static gough_model *model_of(double damping, int legs) {
     if (legs) give_legs(&model->machine, legs, &d);
     model->control.feedforward = true;
     set_gains(model, 20, damping);
+    give_loop(model, legs);
     set_all_axes(model);
     set_formula(&model->disturbance.leg_force[1], "0.1*sin(2*t)");
     set_formula(&model->disturbance.force[0], "0.2*cos(t)");
@@ -88,7 +108,7 @@ static void check_quad(double damping, gough_constraints constraints, int legs) 
     run(model, GOUGH_DOP853, GOUGH_QUADRUPLE, GOUGH_PROJECTION, 0, &reference);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         double step = cases[i].quad_step, error[5], order[5] = {0};
-        if (legs & LEGS_DRY && cases[i].method >= GOUGH_RATTLE2) continue;
+        if (legs & (LEGS_DRY | LOOP_LAGS) && cases[i].method >= GOUGH_RATTLE2) continue;
         for (int k = 0; k <= 4; k++, step /= 2) {
             run(model, cases[i].method, GOUGH_QUADRUPLE, constraints, step, &row);
             error[k] = distance(&row, &reference);
@@ -118,6 +138,23 @@ START_TEST(orders_with_heavy_legs_undamped) { check_quad(0, GOUGH_PROJECTION, LE
 END_TEST
 
 START_TEST(orders_with_heavy_legs) { check_quad(3, GOUGH_PROJECTION, LEGS_HEAVY | LEGS_VISCOUS); }
+END_TEST
+
+/* a command that is held is a constant force: damping then asks nothing of a step */
+START_TEST(orders_with_held_commands) { check_quad(3, GOUGH_PROJECTION, LOOP_SAMPLED); }
+END_TEST
+
+START_TEST(orders_with_held_commands_and_heavy_legs) {
+    check_quad(3, GOUGH_PROJECTION, LOOP_SAMPLED | LEGS_HEAVY | LEGS_VISCOUS);
+}
+END_TEST
+
+START_TEST(orders_with_lagging_drives) { check_quad(3, GOUGH_PROJECTION, LOOP_LAGS); }
+END_TEST
+
+START_TEST(orders_with_held_commands_and_lagging_drives) {
+    check_quad(3, GOUGH_PROJECTION, LOOP_SAMPLED | LOOP_LAGS);
+}
 END_TEST
 
 /* in double the error falls by the order down to round-off: the least error is below 1e-12 where the order is 6 or 8 */
@@ -152,7 +189,9 @@ START_TEST(orders_in_double_until_round_off) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("order", 300, orders_without_damping, orders_with_damping,
-                     orders_with_viscous_friction, orders_with_heavy_legs_undamped,
-                     orders_with_heavy_legs, orders_in_double_until_round_off);
+    return SUITE_RUN(
+        "order", 300, orders_without_damping, orders_with_damping, orders_with_viscous_friction,
+        orders_with_heavy_legs_undamped, orders_with_heavy_legs, orders_with_held_commands,
+        orders_with_held_commands_and_heavy_legs, orders_with_lagging_drives,
+        orders_with_held_commands_and_lagging_drives, orders_in_double_until_round_off);
 }
