@@ -240,6 +240,37 @@ GOUGH_API void gough_control_law(const gough_control *control,
                                  const double length[GOUGH_LEGS], const double rate[GOUGH_LEGS],
                                  double force[GOUGH_LEGS]);
 
+/** What a sampled controller remembers from one sample to the next, (loop-1). Zero-filled before the first. */
+typedef struct gough_control_memory {
+    double error[GOUGH_LEGS];    /**< l^p − l of the last sample */
+    double rate[GOUGH_LEGS];     /**< its rate, as found then */
+    double integral[GOUGH_LEGS]; /**< I of the next sample */
+    bool begun;                  /**< there has been a sample */
+} gough_control_memory;
+
+/** One sample of a sampled controller, (loop-1): for a real-time loop that measures l each period and sends the command to the
+ *  drives. A run of the model computes the same bits from the same numbers.
+ *  @param control         with sampling.period > 0; of its sampling, period, velocity and cutoff are used here
+ *  @param actuators       whose max_force limits the command, and stops the integral as control->tracking_time says; NULL: no
+ *                         limits
+ *  @param memory          of the sample before; changed
+ *  @param program_force   F^p, as in gough_control_law()
+ *  @param program_length  l^p at the time of the sample
+ *  @param program_rate    l̇^p
+ *  @param length          l, as measured
+ *  @param rate            l̇, as measured. Where the controller finds rates by differences it is read in the first sample only, and
+ *                         NULL means the program's
+ *  @param[out] command    of each drive; must not overlap an input
+ *
+ *  Exact but for the roundings of its few sums. */
+GOUGH_API void gough_control_sample(const gough_control *control, const gough_actuators *actuators,
+                                    gough_control_memory *memory,
+                                    const double program_force[GOUGH_LEGS],
+                                    const double program_length[GOUGH_LEGS],
+                                    const double program_rate[GOUGH_LEGS],
+                                    const double length[GOUGH_LEGS], const double rate[GOUGH_LEGS],
+                                    double command[GOUGH_LEGS]);
+
 /** State and acceleration of the top that the program commands at time @p t. If a formula is not finite there, neither are
  *  they. Recorded motion keeps its first or last pose outside its record, at rest. As accurate as gough_motion_evaluate(). */
 GOUGH_API void gough_program(const gough_machine *machine, const gough_motion *motion, double t,

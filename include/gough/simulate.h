@@ -82,6 +82,24 @@ typedef enum gough_precision { GOUGH_DOUBLE, GOUGH_QUADRUPLE } gough_precision;
 /** "dop853", "rk4", "rattle2" …; NULL outside the enumeration. */
 GOUGH_API const char *gough_method_name(int method);
 
+/** What a sampled controller knows at one of its samples, (loop-1). */
+typedef struct gough_sample {
+    uint64_t number;           /**< of the sample, from 0 */
+    uint64_t run;              /**< gough_sampling.run, or gough_batch_run.number */
+    double time;               /**< of the sample */
+    double length[GOUGH_LEGS]; /**< as measured, with counts and noise */
+    double rate[GOUGH_LEGS];   /**< rates of the lengths, exact whatever the controller takes */
+    double program_force[GOUGH_LEGS];  /**< F^p, ahead by the preview; 0 if it is not fed forward */
+    double program_length[GOUGH_LEGS]; /**< l^p */
+    double program_rate[GOUGH_LEGS];   /**< its derivative */
+} gough_sample;
+
+/** A control law of the caller's.
+ *  @param sample           what the controller knows
+ *  @param[in,out] command  force of each drive: what the law of the model commands; may be replaced. Limits and lag of the
+ *                          drives, and the delay, come after it */
+typedef void (*gough_law)(void *context, const gough_sample *sample, double command[GOUGH_LEGS]);
+
 /** Effort of a run of forward dynamics, and whether stability, not accuracy, limited its steps. */
 typedef struct gough_statistics {
     long long
@@ -117,6 +135,9 @@ typedef struct gough_simulation {
     bool commands;  /**< fill the columns of the controller's commands */
     bool actuators; /**< fill the columns of measured lengths and of limits that hold the drives;
                          then those of the commands too */
+    gough_law law; /**< called at each sample of a sampled controller, from the thread that computes
+                        the run; NULL: the law of the model alone */
+    void *law_context;             /**< passed to it */
     struct gough_summary *summary; /**< filled by the run with peaks and time integrals of the
                                         motion itself, between rows too; NULL: not wanted */
     gough_statistics *statistics;  /**< filled by gough_simulate(), however the run ends; NULL: not
@@ -188,6 +209,35 @@ GOUGH_API gough_status gough_forces(const gough_model *model, const gough_simula
 GOUGH_API gough_status gough_simulate(const gough_model *model, const gough_simulation *simulation,
                                       gough_sink sink, void *context, gough_end *end,
                                       gough_error *error);
+
+/* ---- a plant, step by step ------------------------------------------------------------------------------------- */
+
+/** Bytes of memory of a plant, aligned to 64. */
+GOUGH_API size_t gough_plant_size(void);
+
+/** Makes a plant that the caller's controller moves step by step, such as for hardware in the loop: machine, drives and disturbances
+ *  of a model, under commands instead of its control law.
+ *  @param[out] plant  gough_plant_size() bytes, aligned to 64. Nothing is allocated, and nothing needs to be freed
+ *  @param model       where it begins, what acts on it, and its program, which rows compare with; must outlive the plant
+ *  @param simulation  method and fixed step, without which there is no step to make. Its duration counts only for
+ *                     gough_simulation_check() and for how short the pulses are that steps must not pass
+ *  @param[out] end    may be NULL
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT if gough_simulation_check() refuses the options, or for adaptive steps or quadruple
+ *  precision; GOUGH_ERROR_NUMERICAL if the motion ends where it begins, as @p end says */
+GOUGH_API gough_status gough_plant_begin(void *plant, const gough_model *model,
+                                         const gough_simulation *simulation, gough_end *end,
+                                         gough_error *error);
+
+/** One fixed step of a plant, with commands that are held over it. With the commands of gough_simulate() for a controller that
+ *  samples each step without delay, it gives the same bits.
+ *  @param command   force that each drive is to have; its limits and lag come after it. A drive that lags begins with the first
+ *                   command
+ *  @param[out] row  the end of the step, as gough_simulate() would fill it; NULL: not wanted
+ *  @param[out] end  why the motion has ended, with the time; may be NULL
+ *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL if the motion has ended, in this step or before: the row is then not filled. Allocates
+ *  nothing; takes about the same time each step, but where a program or a disturbance changes so fast that steps are divided. */
+GOUGH_API gough_status gough_step(void *plant, const double command[GOUGH_LEGS], gough_row *row,
+                                  gough_end *end, gough_error *error);
 
 /** What follows a number in the message of an end, such as " m/s"; "" where numbers have no unit. */
 typedef struct gough_end_words {

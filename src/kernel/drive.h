@@ -10,25 +10,25 @@ typedef struct {
     number quickness;       /* 1/T_a */
     number rate;            /* greatest |ḟ| */
     number square, damping; /* ω_a², 2 ζ_a ω_a */
-} drive;
+} leg_drive;
 
 /* sat(u) */
-static inline number drive_takes(const drive *d, number u) {
+static inline number drive_takes(const leg_drive *d, number u) {
     return number_between(u, d->least, d->most);
 }
 
 /* ḟ of a lag of first order, whose command is u */
-static inline number drive_first(const drive *d, number u, number f) {
+static inline number drive_first(const leg_drive *d, number u, number f) {
     return number_between((u - f) * d->quickness, -d->rate, d->rate);
 }
 
 /* f̈ of a lag of second order */
-static inline number drive_second(const drive *d, number u, number f, number rate) {
+static inline number drive_second(const leg_drive *d, number u, number f, number rate) {
     return d->square * (u - f) - d->damping * rate;
 }
 
 /* what holds a drive back from the command r: 1 its force, 5 the rate of its force, else 0 */
-static inline number drive_held(const drive *d, number r, number u, number f) {
+static inline number drive_held(const leg_drive *d, number r, number u, number f) {
     const number none = number_of(0);
     const mask slow = number_greater(number_magnitude((u - f) * d->quickness), d->rate);
     const mask weak = number_greater(number_magnitude(r - u), none);

@@ -52,6 +52,23 @@ static inline void sampler_rates(const sampler *s, const number error[LEGS], num
     }
 }
 
+/* the gains of a law, for each leg; cross: outside the diagonals of G and D, or NULL */
+typedef struct {
+    const number *stiffness, *damping, *integral;
+    const law_coupling *cross;
+} sampler_gains;
+
+/* what this sample asks of the drives: F^p in `fed`, with the errors of the lengths and, where they are measured, of their rates */
+static inline void sampler_asks(const sampler *s, const sampler_gains *g, const number fed[LEGS],
+                                const number error[LEGS], number rate[LEGS], sampler_memory *m,
+                                number asked[LEGS]) {
+    sampler_rates(s, error, rate, m);
+    for (int v = 0; v < LEGS; v++) {
+        asked[v] = fed[v] + g->stiffness[v] * error[v] + g->damping[v] * rate[v] + m->integral[v];
+    }
+    if (g->cross) law_couple(g->cross, error, rate, asked);
+}
+
 /* I of the next sample, `r` being what was asked of the drive and u what it takes */
 static inline void sampler_integrate(const sampler *s, const number gain[LEGS],
                                      const number r[LEGS], const number u[LEGS],

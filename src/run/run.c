@@ -154,21 +154,41 @@ static gough_status check_samples(const gough_motion *motion, const gough_simula
     return GOUGH_OK;
 }
 
-/* RATTLE's steps are those of forces linear in the rates */
-static gough_status check_rattle(const gough_machine *machine, const gough_simulation *s,
-                                 gough_error *error) {
-    if (s->method < GOUGH_RATTLE2 || !machine_has_dry_friction(machine)) return GOUGH_OK;
-    return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.method",
-                          "simulation.method: the method %s needs legs without dry friction; use "
-                          "dop853 or rk4 with them",
-                          gough_method_name((int)s->method));
+/* what RATTLE's steps need, which are those of a body alone under forces linear in its rates; NULL: all is there */
+static const char *rattle_needs(const gough_machine *machine, const gough_control *control) {
+    const gough_actuators *drives = &machine->platform.actuators;
+    const bool sampled = control->sampling.period > 0;
+    bool damped = false, summed = false, limited = false;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        damped |= control->damping[v] > 0;
+        summed |= control->integral[v] > 0;
+        limited |= drives->max_force[v][0] < drives->max_force[v][1];
+    }
+    if (machine_has_dry_friction(machine)) return "legs without dry friction";
+    if (drives->kind == GOUGH_ACTUATOR_LAG) return "drives without lag";
+    if (sampled) return NULL;
+    if (summed) return "a controller without integral, or a sampled one";
+    if (control->coupled) return "gains that are no matrices, or a sampled controller";
+    return limited && damped ? "drives without max_force, no damping, or a sampled controller"
+                             : NULL;
 }
 
-gough_status simulate_check_legs(const gough_machine *machine, const gough_simulation *simulation,
-                                 gough_error *error) {
+static gough_status check_rattle(const gough_machine *machine, const gough_control *control,
+                                 const gough_simulation *s, gough_error *error) {
+    const char *needs = s->method < GOUGH_RATTLE2 ? NULL : rattle_needs(machine, control);
+
+    if (needs == NULL) return GOUGH_OK;
+    return gough_fail_key(error, GOUGH_ERROR_INPUT, "simulation.method",
+                          "simulation.method: the method %s needs %s; use dop853 or rk4 here",
+                          gough_method_name((int)s->method), needs);
+}
+
+gough_status simulate_check_legs(const gough_machine *machine, const gough_control *control,
+                                 const gough_simulation *simulation, gough_error *error) {
     const gough_status status = machine_can_move(machine, error);
 
-    return status == GOUGH_OK ? check_rattle(machine, simulation, error) : status;
+    return status == GOUGH_OK ? check_rattle(machine, control, simulation, error) : status;
 }
 
 gough_status gough_simulation_check(const gough_model *model, const gough_simulation *simulation,
@@ -177,7 +197,8 @@ gough_status gough_simulation_check(const gough_model *model, const gough_simula
     const bool noisy = noise->leg_force > 0 || noise->force > 0 || noise->moment > 0;
     gough_status status = simulate_check(&model->motion, simulation, error);
 
-    if (status == GOUGH_OK) status = check_rattle(&model->machine, simulation, error);
+    if (status == GOUGH_OK)
+        status = check_rattle(&model->machine, &model->control, simulation, error);
     if (status != GOUGH_OK) return status;
     if (noisy && !(simulation->duration / noise->interval <= most_knots)) {
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "disturbance.noise.interval",

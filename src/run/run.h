@@ -20,8 +20,8 @@ gough_status simulate_check(const gough_motion *motion, const gough_simulation *
                             gough_error *error);
 
 /* whether a machine moves under drive forces, by the method */
-gough_status simulate_check_legs(const gough_machine *machine, const gough_simulation *simulation,
-                                 gough_error *error);
+gough_status simulate_check_legs(const gough_machine *machine, const gough_control *control,
+                                 const gough_simulation *simulation, gough_error *error);
 
 struct simulate_table {
     gough_status (*forces)(const gough_model *model, const gough_simulation *options,

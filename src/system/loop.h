@@ -13,29 +13,14 @@ typedef struct {
     sample_clock clock;
     sampler rule;
     sampler_memory memory;
+    int fresh;         /* there has been no sample yet */
     number home[LEGS]; /* lengths at home, where counts have their origin */
     number queue[LOOP_QUEUE][LEGS];
 } loop;
 
-/* (loop-1) of one lane */
-static inline void loop_add_lane(loop *l, const system_lane *lane, int i) {
-    const gough_sampling *s = &lane->control->sampling;
-    const real T = s->period;
-    const real keep = s->cutoff > 0 ? real_exp(-2 * REAL_PI * (real)s->cutoff * T) : 0;
-    const real track = lane->control->tracking_time;
-
-    number_put(&l->rule.keep, i, keep);
-    number_put(&l->rule.renew, i, (1 - keep) / T);
-    number_put(&l->rule.period, i, T);
-    number_put(&l->rule.track, i, track > 0 ? T / track : 0);
-    number_put(&l->rule.count, i, s->resolution);
-    number_put(&l->rule.noise, i, s->noise);
-    for (int v = 0; v < LEGS; v++) number_put(&l->home[v], i, lane->machine->home_length[v]);
-}
-
 /* what a controller finds at a sample: errors, their rates, lengths as measured */
 static inline void loop_measure(struct system *r, const loop *l, const wanted *s, const number *y,
-                                number error[LEGS], number rate[LEGS]) {
+                                number error[LEGS], number rate[LEGS], number speed[LEGS]) {
     const coordinates x = coordinates_load(y), v = coordinates_load(y + COORDINATES);
     legs g;
 
@@ -54,32 +39,49 @@ static inline void loop_measure(struct system *r, const loop *l, const wanted *s
         r->measured[n] = sampler_length(&l->rule, g.length[n], l->home[n], draw);
         error[n] = s->program.length[n] - r->measured[n];
         rate[n] = s->program.rate[n] - g.rate[n];
+        speed[n] = g.rate[n];
+    }
+}
+
+/* what the caller's own law commands in place of ours, in each lane */
+static inline void loop_ask(const struct system *r, const loop *l, real t, const wanted *s,
+                            const number fed[LEGS], const number speed[LEGS], number asked[LEGS]) {
+    const gough_simulation *o = r->options;
+
+    for (int i = 0; o->law && i < NUMBER_WIDTH; i++) {
+        gough_sample sample = {
+            .number = (uint64_t)l->clock.sample, .run = r->lane[i].samples, .time = (double)t};
+        double command[LEGS];
+        for (int v = 0; v < LEGS; v++) {
+            sample.length[v] = (double)number_lane(r->measured[v], i);
+            sample.program_force[v] = (double)number_lane(fed[v], i);
+            sample.program_length[v] = (double)number_lane(s->program.length[v], i);
+            sample.program_rate[v] = (double)number_lane(s->program.rate[v], i);
+            sample.rate[v] = (double)number_lane(speed[v], i);
+            command[v] = (double)number_lane(asked[v], i);
+        }
+        o->law(o->law_context, &sample, command);
+        for (int v = 0; v < LEGS; v++) number_put(&asked[v], i, command[v]);
     }
 }
 
 /* the sample that is due, at t in a state: its command goes into the queue */
 static inline void loop_look(struct system *r, loop *l, real t, const number *y) {
+    const sampler_gains gains = {r->G, r->D, r->integral,
+                                 r->traits & COUPLED ? &r->coupling : NULL};
     const real preview = r->lane[0].control->sampling.preview;
-    number fed[LEGS], error[LEGS], rate[LEGS], asked[LEGS], *u;
-    const wanted *s;
+    number fed[LEGS], error[LEGS], rate[LEGS], speed[LEGS], asked[LEGS], *u;
+    const wanted *s = system_wanted(r, t + preview);
 
-    if (preview > 0) {
-        s = system_wanted(r, t + preview);
-        for (int v = 0; v < LEGS; v++) fed[v] = s->force[v];
-        s = system_wanted(r, t);
-    } else {
-        s = system_wanted(r, t);
-        for (int v = 0; v < LEGS; v++) fed[v] = s->force[v];
-    }
-    loop_measure(r, l, s, y, error, rate);
-    if (l->clock.sample == 0) sampler_begin(&l->rule, error, rate, &l->memory);
-    sampler_rates(&l->rule, error, rate, &l->memory);
+    for (int v = 0; v < LEGS; v++) fed[v] = s->force[v];
+    s = system_wanted(r, t);
+    loop_measure(r, l, s, y, error, rate, speed);
+    if (l->fresh) sampler_begin(&l->rule, error, rate, &l->memory);
+    l->fresh = 0;
+    sampler_asks(&l->rule, &gains, fed, error, rate, &l->memory, asked);
+    loop_ask(r, l, t, s, fed, speed, asked);
 
     u = l->queue[l->clock.sample % LOOP_QUEUE];
-    for (int v = 0; v < LEGS; v++) {
-        asked[v] = fed[v] + r->G[v] * error[v] + r->D[v] * rate[v] + l->memory.integral[v];
-    }
-    if (r->traits & COUPLED) law_couple(&r->coupling, error, rate, asked);
     for (int v = 0; v < LEGS; v++) {
         u[v] = drive_takes(&r->drives[v], asked[v]);
         r->unmet[v] = asked[v] - u[v];
@@ -111,8 +113,12 @@ static inline void loop_begin(struct system *r, loop *l, double step, number *y)
     if (r->traits & SAMPLED) {
         const gough_sampling *s = &r->lane[0].control->sampling;
         sample_clock_begin(&l->clock, s, step, r->lane[0].samples);
-        l->rule.differences = s->velocity == GOUGH_VELOCITY_DIFFERENCE;
-        for (int i = 0; i < NUMBER_WIDTH; i++) loop_add_lane(l, &r->lane[i], i);
+        for (int i = 0; i < NUMBER_WIDTH; i++) {
+            sampler_put(&l->rule, i, r->lane[i].control);
+            for (int v = 0; v < LEGS; v++)
+                number_put(&l->home[v], i, r->lane[i].machine->home_length[v]);
+        }
+        l->fresh = 1;
         loop_look(r, l, 0, y);
         for (int v = 0; v < LEGS; v++) r->held[v] = l->queue[0][v];
         loop_reach(r, l, 0, y);

@@ -9,10 +9,10 @@
 #include "gough/simulate.h"
 #include "kernel/known_load.h"
 #include "kernel/real.h"
-#include "kernel/sampler.h"
 #include "plant/forward.h"
 #include "plant/hexapod.h"
 #include "plant/inverse.h"
+#include "plant/loop_numbers.h"
 #include "plant/program_motion.h"
 #include "plant/state.h"
 #include "system/limit_set.h"
@@ -90,7 +90,7 @@ struct system {
     double height;      /* of home, the same in every lane */
     number alpha, beta; /* Baumgarte, or 0 */
     limit_set limits;
-    drive drives[LEGS];
+    leg_drive drives[LEGS];
 
     /* controller */
     number G[LEGS], D[LEGS];
@@ -157,20 +157,10 @@ static inline void system_add_drives(struct system *r, int lane) {
     const int lags = a->kind == GOUGH_ACTUATOR_LAG;
 
     for (int v = 0; v < LEGS; v++) {
-        drive *d = &r->drives[v];
-        const real omega = 2 * REAL_PI * (real)a->frequency[v];
-        const int limited = a->max_force[v][0] < a->max_force[v][1];
-        const int first = lags && a->time_constant[v] > 0;
-        number_put(&d->least, lane, limited ? (real)a->max_force[v][0] : -(real)INFINITY);
-        number_put(&d->most, lane, limited ? (real)a->max_force[v][1] : (real)INFINITY);
-        number_put(&d->quickness, lane, first ? 1 / (real)a->time_constant[v] : 0);
-        number_put(&d->rate, lane,
-                   first && a->max_rate[v] > 0 ? (real)a->max_rate[v] : (real)INFINITY);
-        number_put(&d->square, lane, omega * omega);
-        number_put(&d->damping, lane, 2 * (real)a->damping_ratio[v] * omega);
-        if (limited) r->traits |= SATURATING;
+        drive_put(&r->drives[v], lane, a, v);
+        if (a->max_force[v][0] < a->max_force[v][1]) r->traits |= SATURATING;
         if (lags) r->traits |= LAGGING;
-        if (lags && !first) r->traits |= SECOND_ORDER;
+        if (lags && a->frequency[v] > 0) r->traits |= SECOND_ORDER;
     }
 }
 

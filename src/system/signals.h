@@ -49,7 +49,7 @@ typedef struct {
 static inline void signals_beyond(const struct system *r, const wanted *s, const legs *g,
                                   const number *y, int v, drive_signals *m) {
     const number *f = y + r->drive.at, u = m->command[v];
-    const drive *d = &r->drives[v];
+    const leg_drive *d = &r->drives[v];
 
     if (r->traits & SECOND_ORDER) {
         m->beyond[v] = f[LEGS + v];
