@@ -135,11 +135,24 @@ KERNEL_INLINE coordinates signals_acceleration(const struct system *r, const wan
     return a;
 }
 
-/* Whether the drives' forces and the weight are all that acts, on legs without mass: then a shorter text serves, in which nothing
- * is passed to other functions, so that it stays in registers. */
+/* Whether ideal drives and the weight are all that acts, on legs without mass: then a shorter text serves, in which nothing is
+ * passed to other functions, so that it stays in registers. Matrices of gains and limits of a sampled controller are in what it
+ * holds. */
 static inline int signals_plain(const struct system *r) {
-    return KERNEL_QUICK && !(r->traits & (MOVING_MASS | FRICTION | EXTERNAL)) && !r->loaded &&
-           r->options->constraints != GOUGH_BAUMGARTE;
+    const int loop = r->traits & SAMPLED ? LAGGING : LOOPED;
+
+    return KERNEL_QUICK && !(r->traits & (MOVING_MASS | FRICTION | EXTERNAL | loop)) &&
+           !r->loaded && r->options->constraints != GOUGH_BAUMGARTE;
+}
+
+/* signals_forces() then: commands that are held, or (law-1) */
+KERNEL_INLINE void signals_plain_forces(const struct system *r, const wanted *s, const legs *g,
+                                        number F[LEGS]) {
+    if (!(r->traits & SAMPLED)) {
+        signals_law(r, s, g, F);
+        return;
+    }
+    for (int v = 0; v < LEGS; v++) F[v] = r->held[v] + s->shake[v];
 }
 
 /* signals_acceleration() then */
@@ -161,7 +174,8 @@ static inline void system_signals(struct system *r, real t, const number *y, sig
         legs g;
         legs_at(&r->h, &x, &g);
         legs_rates(&r->h, &rate, &g);
-        signals_forces(r, s, &g, F);
+        signals_plain_forces(r, s, &g, F);
+        if (r->traits & SAMPLED) signals_loop(r, s, &g, y, &m->loop);
         m->acceleration = signals_plain_acceleration(r, &x, &rate, &g, F);
         m->x = x;
         m->rate = rate;

@@ -6,9 +6,9 @@
 #include "integrate/rattle.h"
 #include "system/signals.h"
 
-/* the rates from x and its rates v, whatever acts */
+/* the rates of the state y from x and its rates v, whatever acts */
 static inline void system_rates_whole(struct system *r, const wanted *s, const coordinates x,
-                                      const coordinates v, number *rate) {
+                                      const coordinates v, const number *y, number *rate) {
     number u[LEGS], F[LEGS];
     drive_signals loop;
     coordinates a;
@@ -41,13 +41,13 @@ static inline void system_rates(void *context, real t, const number *y, number *
         legs g;
         legs_at(&r->h, &x, &g);
         if (r->traits & NEEDS_RATES) legs_rates(&r->h, &v, &g);
-        signals_forces(r, s, &g, F);
+        signals_plain_forces(r, s, &g, F);
         const coordinates a = signals_plain_acceleration(r, &x, &v, &g, F);
         coordinates_store(&v, rate);
         coordinates_store(&a, rate + COORDINATES);
         return;
     }
-    system_rates_whole(r, s, x, v, rate);
+    system_rates_whole(r, s, x, v, y, rate);
 }
 
 /* The wrench_function of a run: forces with the legs at rest, and damping Σ D w wᵀ, where l̇ = w·(ρ̇, Ω), w = (n, arm × n) */
