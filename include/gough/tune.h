@@ -1,6 +1,7 @@
 /** @file tune.h
  *  Choosing the feedback: the least stiffness G, the same in all legs, with which the nonlinear run stays within an accuracy, is
- *  stable and is clear of resonances, and the damping D that goes with it. Theory: docs/theory/tuning.md. In libgough-analyse.
+ *  stable and is clear of resonances, and the damping D that goes with it; or matrices G and D that couple the legs, from the poles
+ *  that the loop is to have at rest, or from the costs of errors and forces. Theory: docs/theory/tuning.md. In libgough-analyse.
  *
  *  Numbers are in the units of the model, angles in radians. An error argument may be NULL.
  *
@@ -187,6 +188,52 @@ GOUGH_API gough_status gough_tune(const gough_model *model, const gough_simulati
  *  GOUGH_ERROR_INPUT: a ratio out of its range. Exact up to rounding of the eigenvalues. Allocates nothing. */
 GOUGH_API gough_status gough_damping_for_ratio(const gough_model *model, double ratio,
                                                double *damping, gough_error *error);
+
+/** Gains that couple the legs, and the loop at rest with them. Their loop is the ideal one: a continuous controller, drives whose
+ *  force is the command, no integral, forces of rest fed forward; legs with mass and viscous friction, without dry friction. */
+typedef struct gough_gains {
+    gough_state state;                        /**< of rest in the requested pose */
+    double stiffness[GOUGH_LEGS][GOUGH_LEGS]; /**< G: [leg that pushes][leg whose error it is] */
+    double damping[GOUGH_LEGS][GOUGH_LEGS];   /**< D likewise */
+    gough_eigenvalue pole[2 * GOUGH_LEGS];    /**< of the loop with them, found from it: by falling
+                                                growth rate, then by rising frequency */
+    double residual; /**< what is left of the Riccati equation, over the sum of its terms' sizes,
+                          (tune-9); 0 for gains by poles */
+} gough_gains;
+
+/** G and D that give all six modes at rest one frequency and one damping ratio, (tune-6).
+ *  @param component      surge … yaw from home of the point `about` of the motion, radians; NULL: home
+ *  @param frequency      F, in cycles per unit of time, > 0: poles lie at the distance 2πF from 0
+ *  @param damping_ratio  ζ, 0 … 1
+ *  @param[out] gains     use it only if the status is GOUGH_OK
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: a number out of its range, a component that is not finite; GOUGH_ERROR_NUMERICAL: a
+ *  singular pose, numbers that differ too much in size.
+ *
+ *  The model's gains are not used. G is symmetric if external loads have base axes and no moment, and D always. Poles are those
+ *  asked for, to 1e-14 times the square of the condition of the pose. Allocates nothing. */
+GOUGH_API gough_status gough_gains_by_poles(const gough_model *model,
+                                            const double component[GOUGH_COMPONENTS],
+                                            double frequency, double damping_ratio,
+                                            gough_gains *gains, gough_error *error);
+
+/** G and D with which the loop at rest comes back from any small deviation at the least cost: the integral of
+ *  q₁|l^p − l|² + q₂|l̇^p − l̇|² + |u|², with u what feedback adds to the leg forces, (tune-7) … (tune-9). With both weights 0 it
+ *  is the least effort that holds the load: growing modes are mirrored into decaying ones.
+ *  @param component      as in gough_gains_by_poles()
+ *  @param length_weight  q₁, >= 0, the square of a stiffness
+ *  @param rate_weight    q₂, >= 0, the square of a damping
+ *  @param[out] gains     use it only if the status is GOUGH_OK; G and D need not be symmetric
+ *  @return as gough_gains_by_poles(); GOUGH_ERROR_NUMERICAL also if there is no such feedback, because a mode neither grows nor
+ *  decays and does not count in the cost, or if the Riccati equation is not solved to 1e-12 of its terms.
+ *
+ *  The model's gains are not used. Accurate to that residual times the condition of the equation. Allocates nothing. */
+GOUGH_API gough_status gough_gains_by_lqr(const gough_model *model,
+                                          const double component[GOUGH_COMPONENTS],
+                                          double length_weight, double rate_weight,
+                                          gough_gains *gains, gough_error *error);
+
+/** Puts G and D into a control, which then is `coupled`; its other members stay. Exact. */
+GOUGH_API void gough_gains_apply(const gough_gains *gains, gough_control *control);
 
 #ifdef __cplusplus
 }

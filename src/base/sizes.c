@@ -33,6 +33,7 @@ static const struct {
     SIZE_OF(gough_figure),
     SIZE_OF(gough_floquet),
     SIZE_OF(gough_formula),
+    SIZE_OF(gough_gains),
     SIZE_OF(gough_initial),
     SIZE_OF(gough_interval),
     SIZE_OF(gough_leg_limits),

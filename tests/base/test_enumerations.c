@@ -155,6 +155,16 @@ static gough_status call_damping(void) {
     return gough_damping_for_ratio(&model, 0.1, &damping, &error);
 }
 
+static gough_status call_poles(void) {
+    gough_gains gains;
+    return gough_gains_by_poles(&model, NULL, 1, 0.5, &gains, &error);
+}
+
+static gough_status call_lqr(void) {
+    gough_gains gains;
+    return gough_gains_by_lqr(&model, NULL, 1, 1, &gains, &error);
+}
+
 static int component;
 
 static gough_status call_low_pass(void) {
@@ -214,12 +224,14 @@ static const struct {
      "motion",
      set_motion,
      {call_check, call_simulate, call_forces, call_batch, call_range, call_period, call_linearise,
-      call_rest, call_stiffness, call_floquet, call_tune, call_damping, call_flat}},
+      call_rest, call_stiffness, call_floquet, call_tune, call_damping, call_poles, call_lqr,
+      call_flat}},
     {"order",
      "motion.order",
      set_order,
      {call_check, call_simulate, call_forces, call_batch, call_range, call_period, call_linearise,
-      call_rest, call_stiffness, call_floquet, call_tune, call_damping, call_flat}},
+      call_rest, call_stiffness, call_floquet, call_tune, call_damping, call_poles, call_lqr,
+      call_flat}},
     {"axis", NULL, set_axis, {call_map_size, call_map_find, call_map_draw}},
     {"interval", NULL, set_interval, {call_map_draw}},
     {"component", NULL, set_component, {call_low_pass, call_smooth}},

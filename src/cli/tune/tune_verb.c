@@ -13,6 +13,7 @@
 #include "cli/common/scale.h"
 #include "cli/common/talk.h"
 #include "cli/run/run_report.h"
+#include "cli/tune/tune_gains.h"
 
 enum { WITHOUT, WITH, BOTH };
 
@@ -25,6 +26,7 @@ typedef struct tune_line {
         bool bounded;                           /* whether those two were said */
         int feedforward;                        /* of those below */
     } tune;
+    gains_options gains; /* instead of a search */
     int threads;
     const char *title;
 } tune_line;
@@ -95,7 +97,7 @@ static const option tune_option[] = {
      .value = "X",
      .read = read_deviation,
      .text = "greatest distance from the program allowed, in the study's unit of length "
-             "(required)"},
+             "(required, but for --poles and --lqr)"},
     {.name = "angle-deviation",
      .value = "X",
      .read = read_angle,
@@ -128,6 +130,7 @@ static const option_group tune_group = {tune_option, begin_tune, NULL};
 
 static const group_use groups[] = {
     USES(tune_group, tune_line, tune, NULL),
+    USES(gains_group, tune_line, gains, NULL),
     USES_OUTPUT("write the curve of deviation against stiffness to FILE, as data (.csv, .h5; - is "
                 "CSV on standard output) or as a picture (.png, .svg, .pdf); may be given several "
                 "times"),
@@ -355,19 +358,40 @@ static gough_status tune_study(const tune_line *asked, const gough_study *study)
     return status;
 }
 
+/* Options that say nothing together, or one that is missing. */
+static const char *contradiction(const tune_line *asked) {
+    const struct tune_options *tune = &asked->tune;
+    if (!gains_asked(&asked->gains))
+        return isnan(tune->deviation)
+                   ? "--deviation is missing: how far from its program the platform may be, as in "
+                     "--deviation 1e-3; or give --poles or --lqr for matrices of gains"
+                   : NULL;
+    if (isfinite(tune->deviation) || isfinite(tune->angle) || isfinite(tune->ratio) ||
+        isfinite(tune->margin) || tune->bounded || tune->feedforward != BOTH)
+        return "--poles and --lqr determine all gains without a search; --deviation, "
+               "--angle-deviation, --damping-ratio, --feedforward, --margin and --stiffness are "
+               "for searches and cannot be combined with them";
+    if (asked->line.outputs.count)
+        return "-o is for the curve of a search with --deviation; --poles and --lqr print their "
+               "matrices on standard output, with --json as JSON";
+    return gains_contradiction(&asked->gains);
+}
+
 static gough_status run(const void *given) {
     const tune_line *asked = given;
     const command_line *line = &asked->line;
     gough_study *study = NULL;
     gough_status status = GOUGH_OK;
-    if (isnan(asked->tune.deviation)) {
-        complain(line->verb, "--deviation is missing: how far from its program the platform may "
-                             "be, as in --deviation 1e-3");
+    const char *wrong = contradiction(asked);
+    if (wrong) {
+        complain(line->verb, "%s", wrong);
         status = GOUGH_ERROR_INPUT;
     }
     if (!status) status = check_data_and_pictures(line);
     if (!status) status = read_study(line, line->file.word[0], &study);
-    if (!status) status = tune_study(asked, study);
+    if (!status)
+        status = gains_asked(&asked->gains) ? gains_answer(line, &asked->gains, study)
+                                            : tune_study(asked, study);
     gough_study_free(study);
     return status;
 }
@@ -385,7 +409,9 @@ const command_verb tune_verb = {
         "with small steps; a G smaller by a ten-thousandth is not enough. The summary also gives "
         "the mode that limits G, the force and rate that the legs need, and how the deviation "
         "falls with G, with the exceptions. If no G is found, the reason is printed and the exit "
-        "status is 1. Ctrl-C prints the best G found so far.",
+        "status is 1. Ctrl-C prints the best G found so far.\n\nWith --poles or --lqr nothing is "
+        "searched: matrices G and D that couple the legs follow from the loop linearised at rest, "
+        "and are printed as keys of the study.",
     .endings = "yaml yml",
     .least_files = 1,
     .most_files = 1,
