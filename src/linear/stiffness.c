@@ -21,23 +21,31 @@ static void turned(const gough_state *state, const double point[3], const double
     }
 }
 
-/* Σ G y yᵀ with y = (n, r × n), r the top joint from the point */
+/* Σ G y yᵀ with y = (n, r × n), r the top joint from the point; of a matrix Σ y G yᵀ over pairs of legs */
 static void of_control(const gough_model *model, const gough_state *state, double K[6][6]) {
     const gough_platform *p = &model->machine.platform;
-    double J[GOUGH_LEGS][6];
+    const gough_control *c = &model->control;
+    double J[GOUGH_LEGS][6], y[GOUGH_LEGS][6];
 
     memset(K, 0, sizeof(double[6][6]));
     gough_jacobian(&model->machine, state, J);
     for (int v = 0; v < GOUGH_LEGS; v++) {
-        double arm[3], y[6];
+        double arm[3];
         turned(state, p->top[v], model->motion.about, arm);
         for (int i = 0; i < 3; i++) {
             const int j = (i + 1) % 3, k = (i + 2) % 3;
-            y[i] = J[v][i];
-            y[3 + i] = arm[j] * J[v][k] - arm[k] * J[v][j];
+            y[v][i] = J[v][i];
+            y[v][3 + i] = arm[j] * J[v][k] - arm[k] * J[v][j];
         }
         for (int i = 0; i < 6; i++) {
-            for (int j = 0; j < 6; j++) K[i][j] += model->control.stiffness[v] * y[i] * y[j];
+            for (int j = 0; j < 6; j++) K[i][j] += c->stiffness[v] * y[v][i] * y[v][j];
+        }
+    }
+    for (int v = 0; v < GOUGH_LEGS && c->coupled; v++) {
+        for (int w = 0; w < GOUGH_LEGS; w++) {
+            for (int i = 0; i < 6; i++) {
+                for (int j = 0; j < 6; j++) K[i][j] += c->cross_stiffness[v][w] * y[v][i] * y[w][j];
+            }
         }
     }
 }

@@ -376,6 +376,32 @@ START_TEST(a_control_takes_the_gains_as_they_are) {
 }
 END_TEST
 
+/* about the centre of mass a loop by poles resists as ω² times mass and inertia, (tune-6) */
+START_TEST(what_resists_a_displacement_is_the_mass_times_the_square_of_the_frequency) {
+    static gough_model model;
+    const double F = 0.7, square = 4 * pi * pi * F * F;
+    gough_gains gains;
+    gough_stiffness s;
+
+    skew_machine(&model.machine);
+    const gough_load *load = &model.machine.load;
+    memcpy(model.motion.about, load->center_of_mass, sizeof model.motion.about);
+    ck_assert_int_eq(gough_gains_by_poles(&model, NULL, F, 0.5, &gains, NULL), GOUGH_OK);
+    model.control.feedforward = true;
+    gough_gains_apply(&gains, &model.control);
+    ck_assert_int_eq(gough_stiffness_at_rest(&model, NULL, &s, NULL), GOUGH_OK);
+    ck_assert(s.firm);
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++) {
+            const double mass =
+                i < 3 ? (i == j ? load->mass : 0) : (j < 3 ? 0 : load->inertia[i - 3][j - 3]);
+            ck_assert_msg(fabs(s.total[i][j] - square * mass) <= 1e-10 * square,
+                          "[%d][%d]: %.12g, not %.12g", i, j, s.total[i][j], square * mass);
+        }
+    }
+}
+END_TEST
+
 static void refuses(gough_status status, gough_status wanted, const gough_error *error,
                     const char *words) {
     ck_assert_int_eq(status, wanted);
@@ -441,6 +467,7 @@ int main(void) {
                      the_linearised_loop_is_six_equal_oscillators,
                      one_mode_has_the_gains_of_its_closed_form, without_weights_growth_is_mirrored,
                      gains_of_least_cost_obey_kalmans_identity,
-                     a_control_takes_the_gains_as_they_are, says_why_there_are_no_gains,
-                     without_weights_what_oscillates_is_refused);
+                     a_control_takes_the_gains_as_they_are,
+                     what_resists_a_displacement_is_the_mass_times_the_square_of_the_frequency,
+                     says_why_there_are_no_gains, without_weights_what_oscillates_is_refused);
 }
