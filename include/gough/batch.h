@@ -23,7 +23,9 @@ typedef struct gough_batch_run {
     const gough_control *control; /**< the same choice of feed-forward in all runs */
     const gough_disturbance *disturbance; /**< forces unknown to the controller */
     const gough_initial *initial;         /**< where the run starts */
-    uint64_t number; /**< number of the run, for its noise; replaces gough_noise.run */
+    uint64_t number;          /**< number of the run, for its noise; replaces gough_noise.run */
+    uint64_t sampling_number; /**< likewise, for noise and jitter of a sampled controller; replaces
+                                   gough_sampling.run */
 } gough_batch_run;
 
 /** Outcome of a run. Peaks, deviations and work are those of the motion, between output times too, as

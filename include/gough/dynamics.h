@@ -221,6 +221,13 @@ GOUGH_API gough_status gough_holding_forces(const gough_machine *machine, const 
 GOUGH_API gough_status gough_external_wrench(const gough_machine *machine, const gough_state *state,
                                              double t, gough_wrench *wrench);
 
+/** Checks a control law against what its members must be (model.h). gough_simulation_check() does so, too.
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT with a sentence: a gain that is not finite, or negative without being in a matrix; a
+ *  negative integral or time; a tracking_time shorter than the period of the samples where there is an integral; of a sampled
+ *  controller a delay of 100 periods or more, a jitter longer than the period, a cutoff of 1/(2 period) or more, or one of exact
+ *  rates; a resolution, noise or preview that is negative. The other members of `sampling` are not checked if its period is 0. */
+GOUGH_API gough_status gough_control_check(const gough_control *control, gough_error *error);
+
 /** Control law of one instant, F = F^p + G (l^p − l) + D (l̇^p − l̇) (law-1): for a real-time loop that measures l and l̇ and has
  *  its own F^p, l^p and l̇^p.
  *  @param control         stiffness G and damping D of each leg; without feed-forward, F^p is taken as 0

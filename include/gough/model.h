@@ -213,7 +213,8 @@ typedef struct gough_machine {
  *  or friction of a leg that is negative, an efficiency outside 0 … 1, breakaway below coulomb, breakaway above it
  *  without a stribeck_speed, dry friction without smoothing_speed where neither v_S nor gravity gives one; limits that are not
  *  finite, whose least value is not below the greatest, a stroke that leaves a leg no length, both length and stroke, or both
- *  force and max_force of a leg.
+ *  force and max_force of a leg; drives with a number that is negative or not finite, ideal ones with a lag, and others without
+ *  one, with two, or of different orders.
  *  @param gravity       acceleration of free fall, base axes; {0, 0, −9.80665} for a machine that stands on the earth, in SI units;
  *                       may be zero
  *  @param[out] machine  copies of the arguments and the derived quantities, without external loads; unchanged after an error

@@ -85,7 +85,7 @@ GOUGH_API const char *gough_method_name(int method);
 /** What a sampled controller knows at one of its samples, (loop-1). */
 typedef struct gough_sample {
     uint64_t number;           /**< of the sample, from 0 */
-    uint64_t run;              /**< gough_sampling.run, or gough_batch_run.number */
+    uint64_t run;              /**< gough_sampling.run, or gough_batch_run.sampling_number */
     double time;               /**< of the sample */
     double length[GOUGH_LEGS]; /**< as measured, with counts and noise */
     double rate[GOUGH_LEGS];   /**< rates of the lengths, exact whatever the controller takes */
@@ -160,7 +160,8 @@ static inline gough_simulation gough_simulation_default(void) {
  *  @return GOUGH_OK or GOUGH_ERROR_INPUT: duration, output_step or step not positive and finite, step not dividing
  *  output_step within 1e-9, more than 1e8 rows, tolerance outside the range of the precision (double 1e-15 … 1e-1,
  *  quadruple 1e-30 … 1e-1), a missing step that the method needs, or a step over max_step, Baumgarte with a rattle method,
- *  a duration beyond recorded motion. */
+ *  a duration beyond recorded motion, a control law that gough_control_check() refuses, jitter with fixed steps, a fixed step that
+ *  does not divide the period and the delay of a sampled controller within 1e-9, more than 1e12 samples. */
 GOUGH_API gough_status gough_simulation_check(const gough_model *model,
                                               const gough_simulation *simulation,
                                               gough_error *error);
@@ -215,8 +216,8 @@ GOUGH_API gough_status gough_simulate(const gough_model *model, const gough_simu
 /** Bytes of memory of a plant, aligned to 64. */
 GOUGH_API size_t gough_plant_size(void);
 
-/** Makes a plant that the caller's controller moves step by step, such as for hardware in the loop: machine, drives and disturbances
- *  of a model, under commands instead of its control law.
+/** Makes a plant that the caller's controller moves step by step, such as for hardware in the loop: machine, drives and
+ *  disturbances of a model, under commands instead of its control law.
  *  @param[out] plant  gough_plant_size() bytes, aligned to 64. Nothing is allocated, and nothing needs to be freed
  *  @param model       where it begins, what acts on it, and its program, which rows compare with; must outlive the plant
  *  @param simulation  method and fixed step, without which there is no step to make. Its duration counts only for
@@ -382,8 +383,8 @@ GOUGH_API void gough_summary_look(gough_summary *summary, const gough_machine *m
 /** Marks the last look as a corner: derivatives of the motion may jump there, and nothing is
  *  interpolated across it. Values up to it are exact there. */
 GOUGH_API void gough_summary_corner(gough_summary *summary);
-/** Marks the last look as one after which the motion goes on with other forces: the next look, which may be of the same time,
- *  begins anew. */
+/** Marks the last look as one after which other forces act: the next look, which may be of the same time, begins
+ *  anew. Values up to it are exact there. */
 GOUGH_API void gough_summary_jump(gough_summary *summary);
 /** Completes the time integrals. Rows equally spaced are integrated to fourth order; cubics exactly but for rounding. */
 GOUGH_API void gough_summary_end(gough_summary *summary);

@@ -71,6 +71,8 @@ typedef struct gough_study {
     bool swept;                  /**< true if it has a section `sweep`, see sweep.h */
     bool
         noise_run_given; /**< true if it has disturbance.noise.run, even 0: all runs of a sweep have the same noise */
+    bool
+        sampling_run_given; /**< likewise for control.sampling.run and the random numbers of a sampled controller */
     char *samples; /**< path of its recorded motion; NULL: none */
     void *memory_; /**< private: samples, moves */
 } gough_study;

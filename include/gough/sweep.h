@@ -96,6 +96,9 @@ GOUGH_API gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run,
 /** Number that selects the noise of a run: disturbance.noise.run if its study gives it (0 counts), else @p run. */
 GOUGH_API uint64_t gough_sweep_noise_run(const gough_study *study, size_t run);
 
+/** The same for a sampled controller and control.sampling.run. */
+GOUGH_API uint64_t gough_sweep_sampling_run(const gough_study *study, size_t run);
+
 /** Frees a maker; NULL is allowed. */
 GOUGH_API void gough_sweep_maker_free(gough_sweep_maker *maker);
 

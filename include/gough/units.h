@@ -60,7 +60,9 @@ typedef enum gough_unit {
     GOUGH_UNIT_ENERGY,
     GOUGH_UNIT_STIFFNESS, /**< force/length */
     GOUGH_UNIT_DAMPING,   /**< force/speed */
-    GOUGH_UNIT_INERTIA
+    GOUGH_UNIT_INERTIA,
+    GOUGH_UNIT_FORCE_RATE,   /**< force/time */
+    GOUGH_UNIT_INTEGRAL_GAIN /**< force/(length·time) */
 } gough_unit;
 
 /** The word for a base unit: "m", "mm", "um", "in", "ft"; "N", "kN", "lbf"; "kg", "t", "lb"; "deg", "rad", "mrad", "arcsec"; "s",

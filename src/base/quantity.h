@@ -21,6 +21,8 @@ enum { QUANTITY_MARK = 1, QUANTITY_PLAIN = 'A', QUANTITY_DEGREES = 'a' };
 #define IN_STIFFNESS "\1O"
 #define IN_DAMPING "\1P"
 #define IN_INERTIA "\1Q"
+#define IN_FORCE_RATE "\1R"
+#define IN_INTEGRAL_GAIN "\1S"
 #define IN_DEGREES "\1e"
 #define IN_DEGREES_PER_TIME "\1h"
 #define IN_DEGREES_PER_TIME_SQUARED "\1j"

@@ -17,11 +17,13 @@ static const struct {
     size_t size;
 } sizes[] = {
     SIZE_OF(gough_acceleration),
+    SIZE_OF(gough_actuators),
     SIZE_OF(gough_batch_options),
     SIZE_OF(gough_batch_run),
     SIZE_OF(gough_bound),
     SIZE_OF(gough_column_info),
     SIZE_OF(gough_control),
+    SIZE_OF(gough_control_memory),
     SIZE_OF(gough_crossing),
     SIZE_OF(gough_disturbance),
     SIZE_OF(gough_eigenvalue),
@@ -69,7 +71,9 @@ static const struct {
     SIZE_OF(gough_quantity),
     SIZE_OF(gough_result_column),
     SIZE_OF(gough_row),
+    SIZE_OF(gough_sample),
     SIZE_OF(gough_samples),
+    SIZE_OF(gough_sampling),
     SIZE_OF(gough_setting),
     SIZE_OF(gough_simulation),
     SIZE_OF(gough_state),

@@ -67,6 +67,8 @@ bool gough_units_choose(gough_units *units, gough_base_unit base, const char *wo
 #define OVER_LENGTH(word, size, a, b) LENGTHS(ALONE, ALONE, a word "/", b)
 #define BY_LENGTH(word, size, a, b) LENGTHS(ALONE, ALONE, a word " ", b)
 #define TIME_OVER(word, size, a, b) TIMES(ALONE, ALONE, a, "/" word b)
+#define AND_TIME(word, size, a, b) TIMES(ALONE, ALONE, a "/(" word " ", ")" b)
+#define OVER_LENGTH_AND_TIME(word, size, a, b) LENGTHS(AND_TIME, AND_TIME, a word, b)
 #define BY_TIME_OVER_LENGTH(word, size, a, b) LENGTHS(TIME_OVER, TIME_OVER, a word " ", b)
 
 /* in tables, and after a number in a text */
@@ -91,6 +93,8 @@ WORDS(moment, FORCES, BY_LENGTH, BY_LENGTH, "", "", "");
 WORDS(stiffness, FORCES, OVER_LENGTH, OVER_LENGTH, "", "", "");
 WORDS(damping, FORCES, BY_TIME_OVER_LENGTH, BY_TIME_OVER_LENGTH, "", "", "");
 WORDS(inertia, MASSES, BY_LENGTH, BY_LENGTH, "", "2", "^2");
+WORDS(force_rate, FORCES, OVER_TIME, OVER_TIME, "", "", "");
+WORDS(integral_gain, FORCES, OVER_LENGTH_AND_TIME, OVER_LENGTH_AND_TIME, "", "", "");
 
 /* ---- what units there are ---- */
 
@@ -126,7 +130,10 @@ static const unit_info units_known[] = {
     [GOUGH_UNIT_ENERGY] = {{1, 1, 0, 0, 0}, true, UNIT(energy), NULL},
     [GOUGH_UNIT_STIFFNESS] = {{-1, 1, 0, 0, 0}, false, UNIT(stiffness), "force/length"},
     [GOUGH_UNIT_DAMPING] = {{-1, 1, 0, 0, 1}, false, UNIT(damping), "force·time/length"},
-    [GOUGH_UNIT_INERTIA] = {{2, 0, 1, 0, 0}, false, UNIT(inertia), "mass·length²"}};
+    [GOUGH_UNIT_INERTIA] = {{2, 0, 1, 0, 0}, false, UNIT(inertia), "mass·length²"},
+    [GOUGH_UNIT_FORCE_RATE] = {{0, 1, 0, 0, -1}, false, UNIT(force_rate), "force/time"},
+    [GOUGH_UNIT_INTEGRAL_GAIN] = {
+        {-1, 1, 0, 0, -1}, false, UNIT(integral_gain), "force/(length·time)"}};
 
 static const unit_info *info_of(gough_unit unit) {
     return &units_known[(unsigned)unit < COUNT(units_known) ? unit : GOUGH_UNIT_NONE];

@@ -185,6 +185,7 @@ static gough_status check_machines(const gough_simulation *simulation, const gou
 
     for (size_t i = 0; i < count && status == GOUGH_OK; i++) {
         status = simulate_check_legs(runs[i].machine, runs[i].control, simulation, error);
+        if (status == GOUGH_OK) status = simulate_check_control(runs[i].control, simulation, error);
         if (status == GOUGH_OK && !loads_alike(&runs[0], &runs[i]))
             return gough_fail(error, GOUGH_ERROR_INPUT,
                               "run %zu has another number of external loads than run 0, other axes "

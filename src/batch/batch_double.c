@@ -9,8 +9,8 @@ const struct batch_width batch_width_1 = {1, (sizeof(group) + 63) / 64 * 64, gro
 static simulate_parts parts_of(const batch_job *job, size_t which) {
     const gough_batch_run *r = &job->runs[which];
 
-    return (simulate_parts){job->motion, r->machine, r->control, r->disturbance,
-                            r->initial,  r->number,  r->number};
+    return (simulate_parts){job->motion, r->machine, r->control,        r->disturbance,
+                            r->initial,  r->number,  r->sampling_number};
 }
 
 /* ---- outcomes from rows ---- */
@@ -212,7 +212,7 @@ void batch_recorder_begin(stage_tape *tape, const batch_job *job, void *recorder
     struct system *r = recorder;
     const gough_batch_run *one = &job->runs[0];
     const system_lane lane = {one->machine, one->control, one->disturbance, one->number,
-                              one->number};
+                              one->sampling_number};
 
     system_begin(r, job->motion, job->simulation, &lane);
     tape->recorder = r;

@@ -173,8 +173,8 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
     g->count = count;
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         const gough_batch_run *one = &job->runs[group_run(g, i)];
-        lane[i] =
-            (system_lane){one->machine, one->control, one->disturbance, one->number, one->number};
+        lane[i] = (system_lane){one->machine, one->control, one->disturbance, one->number,
+                                one->sampling_number};
     }
     system_begin(&g->r, job->motion, job->simulation, lane);
     g->r.provide = group_replay;

@@ -10,7 +10,8 @@ typedef struct {
     double time;
     double component[GOUGH_COMPONENTS][3]; /* the program's jets */
 
-    /* where all runs have one machine: F^p and the legs' shares of a vertical force (in `force`, or apart), l^p, l̇^p, (ρ, i, j, k) of the program,
+    /* where all runs have one machine: F^p and the legs' shares of a vertical force (in `force`, or apart), l^p, l̇^p,
+     * (ρ, i, j, k) of the program,
      * determinant and pivots of its six equations */
     double force[GOUGH_LEGS], shake[GOUGH_LEGS], length[GOUGH_LEGS], rate[GOUGH_LEGS];
     double pose[COORDINATES];

@@ -17,6 +17,9 @@
 #define TYPE_NUMBER_OR_SIX "number or six numbers"
 #define TYPE_PAIR_OR_SIX "two numbers or six pairs"
 #define TYPE_RANGE "number or two numbers"
+#define TYPE_DRIVES "mapping or six mappings"
+#define TYPE_RANGE_OR_SIX "number, two numbers or six of these"
+#define TYPE_GAINS "number, six numbers or 6×6 matrix"
 #define TYPE_POINTS "six points"
 #define TYPE_INERTIA "three numbers or 3×3 matrix"
 #define TYPE_FORMULA "formula"
@@ -35,6 +38,8 @@
 #define BOUND_ANY WORDS("")
 #define BOUND_ABOVE_ZERO BOUND("> 0", "greater than 0", 0, INFINITY, true)
 #define BOUND_NOT_NEGATIVE BOUND(">= 0", "0 or greater", 0, INFINITY, false)
+#define BOUND_NOT_NEGATIVE_AS_NUMBERS                                                              \
+    BOUND(">= 0 outside a matrix", "0 or greater", 0, INFINITY, false)
 #define BOUND_HALF_ANGLE BOUND("0 to 60", "from 0 to 60 degrees", 0, 60, false)
 #define BOUND_SWING BOUND("> 0 to 180", "greater than 0, and at most 180 degrees", 0, 180, true)
 #define BOUND_HALF_TURN BOUND("-180 to 180", "from -180 to 180 degrees", -180, 180, false)
@@ -55,6 +60,9 @@
 #define BOUND_FEEDFORWARD WORDS("program, none")
 #define BOUND_KNOWN WORDS("false, true")
 #define BOUND_EFFICIENCY BOUND("> 0, <= 1", "greater than 0, and at most 1", 0, 1, true)
+#define BOUND_ACTUATORS WORDS("ideal, lag")
+#define BOUND_LAW WORDS("leg")
+#define BOUND_VELOCITY WORDS("exact, difference")
 #define BOUND_AXES WORDS("top, base")
 #define BOUND_ORDER WORDS("zyx, xyz")
 #define BOUND_METHOD WORDS("dop853, rk4, rattle2, rattle4, rattle6, rattle8")

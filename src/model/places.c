@@ -3,7 +3,9 @@
 
 _Static_assert(sizeof(gough_method) == sizeof(int) && sizeof(gough_constraints) == sizeof(int) &&
                    sizeof(gough_precision) == sizeof(int) &&
-                   sizeof(gough_motion_kind) == sizeof(int) && sizeof(gough_order) == sizeof(int),
+                   sizeof(gough_motion_kind) == sizeof(int) && sizeof(gough_order) == sizeof(int) &&
+                   sizeof(gough_actuator_kind) == sizeof(int) &&
+                   sizeof(gough_velocity) == sizeof(int),
                "choices are read and written as int");
 
 #define KEY(path, shape, unit, bound, fallback, sentence, ...) {REST_OF(fallback), __VA_ARGS__},

@@ -28,6 +28,7 @@ const gough_place *gough_places(size_t *count);
              : GOUGH_KIND_NUMBER, double *                                                         \
              : GOUGH_KIND_NUMBER, double(*)[2]                                                     \
              : GOUGH_KIND_NUMBER, double(*)[3]                                                     \
+             : GOUGH_KIND_NUMBER, double(*)[6]                                                     \
              : GOUGH_KIND_NUMBER, gough_formula                                                    \
              : GOUGH_KIND_FORMULA, gough_formula *                                                 \
              : GOUGH_KIND_FORMULA, bool                                                            \
@@ -41,6 +42,7 @@ const gough_place *gough_places(size_t *count);
              : sizeof(double), double *                                                            \
              : sizeof(double), double(*)[2]                                                        \
              : sizeof(double), double(*)[3]                                                        \
+             : sizeof(double), double(*)[6]                                                        \
              : sizeof(double), gough_formula *                                                     \
              : sizeof(gough_formula), bool *                                                       \
              : sizeof(bool), default                                                               \

@@ -8,6 +8,7 @@
 #include "kernel/legs.h"
 #include "kernel/principal.h"
 #include "kernel/real.h"
+#include "plant/actuators_check.h"
 #include "plant/limits_check.h"
 
 /* Relative sizes below which a length or a moment counts as none. Geometry is given with a few
@@ -385,6 +386,7 @@ gough_status gough_machine_init(gough_machine *machine, const gough_platform *pl
 
     gough_status status = check_numbers(platform, load, gravity, error);
     if (status == GOUGH_OK) status = check_legs(platform, error);
+    if (status == GOUGH_OK) status = actuators_check(&platform->actuators, error);
     if (status == GOUGH_OK) status = check_joints(platform, error);
     if (status != GOUGH_OK) return status;
     m.gravity_magnitude = magnitude_of(gravity);

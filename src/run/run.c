@@ -21,9 +21,6 @@ static const double most_steps = 1e12;
 /* knots of the noise, which are whole numbers of 64 bits */
 static const double most_knots = 1e12;
 
-/* relative slack for one time dividing another, as both are decimals in binary */
-static const double division_slack = 1e-9;
-
 static const char *const method_names[GOUGH_METHODS] = {"dop853",  "rk4",     "rattle2",
                                                         "rattle4", "rattle6", "rattle8"};
 
@@ -199,6 +196,7 @@ gough_status gough_simulation_check(const gough_model *model, const gough_simula
 
     if (status == GOUGH_OK)
         status = check_rattle(&model->machine, &model->control, simulation, error);
+    if (status == GOUGH_OK) status = simulate_check_control(&model->control, simulation, error);
     if (status != GOUGH_OK) return status;
     if (noisy && !(simulation->duration / noise->interval <= most_knots)) {
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "disturbance.noise.interval",

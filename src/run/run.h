@@ -4,6 +4,9 @@
 
 #include "gough/simulate.h"
 
+/* relative slack for one time dividing another, as both are decimals in binary */
+static const double division_slack = 1e-9;
+
 /* what a run of forward dynamics is made of */
 typedef struct {
     const gough_motion *motion;
@@ -22,6 +25,10 @@ gough_status simulate_check(const gough_motion *motion, const gough_simulation *
 /* whether a machine moves under drive forces, by the method */
 gough_status simulate_check_legs(const gough_machine *machine, const gough_control *control,
                                  const gough_simulation *simulation, gough_error *error);
+
+/* gough_control_check(), and whether the times of a sampled controller go with the steps */
+gough_status simulate_check_control(const gough_control *control,
+                                    const gough_simulation *simulation, gough_error *error);
 
 struct simulate_table {
     gough_status (*forces)(const gough_model *model, const gough_simulation *options,

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gough/dynamics.h"
 #include "study/chosen_units.h"
 #include "study/fill.h"
 #include "study/motion.h"
@@ -145,6 +146,34 @@ static bool read_inertia(study_build *build, study_node *node, double inertia[3]
     return true;
 }
 
+/* ---- drives ---------------------------------------------------------------------------------------------------- */
+
+/* Six drives are of one kind, of which the model has one. */
+static bool check_kinds(study_build *build, const study_node *list) {
+    const study_node *first = NULL;
+    const char *kind = "";
+    for (study_node *drive = list->first; drive; drive = drive->next) {
+        study_node *node = study_node_child(drive, "kind");
+        const char *own = node ? node->text : "ideal";
+        if (drive == list->first) first = node, kind = own;
+        if (strcmp(own, kind) == 0) continue;
+        study_node *about = node ? node : drive;
+        study_node_say(build->messages, about, study_node_place(about, false),
+                       "all six drives must be of one kind, but that of leg 1 is `%s`%s and that "
+                       "of leg %zu is `%s`%s",
+                       kind, first ? "" : " by default", drive->number, own,
+                       node ? "" : " by default");
+        return false;
+    }
+    return true;
+}
+
+static void read_drives(study_build *build) {
+    study_node *drives = study_node_child(build->root, "actuators");
+    if (!drives || drives->wrong || drives->kind != STUDY_LIST) return;
+    if (check_kinds(build, drives)) study_drives_read(build->study, drives);
+}
+
 /* an error of the library, at the key that it is about if the study has it, else at the nearest one around it */
 static void say_library(study_build *build, study_node *otherwise, gough_error *error) {
     const char *rest;
@@ -181,6 +210,7 @@ static bool build_machine(study_build *build) {
     if (!rings || !load || load->wrong || !is_right(gravity)) return false;
     machine->platform = read_rings(platform, &build->study->units);
     study_part_read(build->study, build->root, GOUGH_PART_MACHINE);
+    read_drives(build);
     read_gravity(build->study, gravity, machine->gravity);
     const gough_machine read = *machine;
     gough_error error = {.message = ""};
@@ -219,6 +249,48 @@ static void set_external(study_build *build) {
                     &error); /* unreachable: numbers are finite */
 }
 
+/* ---- control --------------------------------------------------------------------------------------------------- */
+
+/* A matrix of gains: its diagonal, and the rest. */
+static bool read_gains(study_build *build, const char *name, double diagonal[GOUGH_LEGS],
+                       double cross[GOUGH_LEGS][GOUGH_LEGS]) {
+    const study_node *node = study_node_child(study_node_child(build->root, "control"), name);
+    double number[GOUGH_LEGS][GOUGH_LEGS];
+    if (!node || !node->first || node->first->kind != STUDY_LIST) return false;
+    const gough_unit unit =
+        strcmp(name, "stiffness") == 0 ? GOUGH_UNIT_STIFFNESS : GOUGH_UNIT_DAMPING;
+    study_numbers(node, &build->study->units, unit, number[0]);
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        diagonal[v] = number[v][v];
+        for (int w = 0; w < GOUGH_LEGS; w++) cross[v][w] = v == w ? 0 : number[v][w];
+    }
+    return true;
+}
+
+static void build_control(study_build *build) {
+    gough_study *study = build->study;
+    study_node *node = study_node_child(build->root, "control");
+    gough_control *control = &study->model->control;
+    gough_error error = {.message = ""};
+    study_part_reset(study, GOUGH_PART_CONTROL);
+    study->sampling_run_given = study_node_at(build->root, "control.sampling.run") != NULL;
+    if (!node || node->wrong) return;
+    study_node *sampling = study_node_child(node, "sampling");
+    /* a sweep may have made the mapping, for another of its keys */
+    if (sampling && !study_node_child(sampling, "period")) {
+        study_node_say(build->messages, sampling, study_node_place(sampling, true),
+                       "`control.sampling.period` is missing: time between two samples");
+        return;
+    }
+    study_part_read(study, build->root, GOUGH_PART_CONTROL);
+    const bool stiff = read_gains(build, "stiffness", control->stiffness, control->cross_stiffness);
+    const bool damped = read_gains(build, "damping", control->damping, control->cross_damping);
+    control->coupled = stiff || damped;
+    if (gough_control_check(control, &error) == GOUGH_OK) return;
+    say_library(build, node, &error);
+    study_part_reset(study, GOUGH_PART_CONTROL);
+}
+
 /* ---- how it is run --------------------------------------------------------------------------------------------- */
 
 /* Keys of the simulation that do not go together, or one that another needs. */
@@ -239,6 +311,8 @@ static void check_method(study_build *build, study_node *node) {
 static void build_simulation(study_build *build, study_node *node) {
     gough_study *study = build->study;
     study_part_reset(study, GOUGH_PART_SIMULATION);
+    study->simulation.commands = study_node_child(build->root, "actuators") != NULL ||
+                                 study_node_at(build->root, "control.sampling") != NULL;
     if (!node || node->kind != STUDY_MAPPING || node->wrong) return;
     check_method(build, node);
     study_part_read(study, build->root, GOUGH_PART_SIMULATION);
@@ -264,17 +338,18 @@ void study_model_rebuild(study_build *build, unsigned parts) {
     if (parts & GOUGH_PART_EXTERNAL)
         read_external(build, study_node_child(build->root, "external"));
     if (parts & (GOUGH_PART_EXTERNAL | GOUGH_PART_MACHINE)) set_external(build);
-    const unsigned simple[] = {GOUGH_PART_DISTURBANCE, GOUGH_PART_CONTROL, GOUGH_PART_INITIAL};
+    const unsigned simple[] = {GOUGH_PART_DISTURBANCE, GOUGH_PART_INITIAL};
     for (size_t i = 0; i < sizeof simple / sizeof simple[0]; i++) {
         if (!(parts & simple[i])) continue;
         study_part_reset(build->study, simple[i]);
         study_part_read(build->study, build->root, simple[i]);
     }
+    if (parts & GOUGH_PART_CONTROL) build_control(build);
     if (parts & GOUGH_PART_DISTURBANCE)
         build->study->noise_run_given = study_node_at(build->root, "disturbance.noise.run") != NULL;
     if (parts & GOUGH_PART_SIMULATION) build_simulation(build, simulation);
     if (machine && motion && is_right(simulation) &&
-        parts & (GOUGH_PART_MOTION | GOUGH_PART_SIMULATION))
+        parts & (GOUGH_PART_MOTION | GOUGH_PART_CONTROL | GOUGH_PART_SIMULATION))
         check_simulation(build, simulation);
 }
 

@@ -100,12 +100,15 @@ static bool check_numbers(study_messages *messages, study_node *node, size_t cou
     return good;
 }
 
-static void check_rows(study_messages *messages, study_node *node, size_t count,
+/* A list of lists of numbers, each of three or as many as there are of them. */
+static void check_rows(study_messages *messages, study_node *node, size_t count, bool square,
                        const char *phrase) {
     static const gough_bound any = {"", -INFINITY, INFINITY, false};
+    const bool long_rows = square && count == GOUGH_LEGS;
     if (!check_count(messages, node, count, phrase)) return;
     for (study_node *row = node->first; row; row = row->next)
-        check_numbers(messages, row, 3, &any, "a list of three numbers");
+        check_numbers(messages, row, long_rows ? GOUGH_LEGS : 3, &any,
+                      long_rows ? "a list of six numbers" : "a list of three numbers");
 }
 
 /* A pair of limits, the least first. */
@@ -131,13 +134,14 @@ static void check_pairs(study_messages *messages, study_node *node, const gough_
 }
 
 /* A pair of limits, or a number x for the pair −x, x. */
-static void check_range(study_messages *messages, study_node *node, const gough_key *key) {
+static void check_range(study_messages *messages, study_node *node, const gough_key *key,
+                        const char *phrase) {
     if (node->kind == STUDY_LIST) {
-        check_limits(messages, node, &key->bound, study_shape_phrase(key->shape));
+        check_limits(messages, node, &key->bound, phrase);
         return;
     }
     if (node->kind != STUDY_SCALAR || node->length == 0) {
-        study_say_shape(messages, node, study_shape_phrase(key->shape));
+        study_say_shape(messages, node, phrase);
         return;
     }
     if (!study_check_number(messages, node, &key->bound) || study_number(node) > 0) return;
@@ -146,6 +150,20 @@ static void check_range(study_messages *messages, study_node *node, const gough_
                    "range is [least, greatest]",
                    study_node_path(messages->arena, node),
                    study_quote(messages->arena, node->text, node->length));
+}
+
+/* Such a range for all legs, or six. */
+static void check_ranges(study_messages *messages, study_node *node, const gough_key *key) {
+    const bool six = node->kind == STUDY_LIST && node->first &&
+                     (node->count == GOUGH_LEGS || node->first->kind == STUDY_LIST);
+    const char *phrase = study_shape_phrase(key->shape);
+    if (!six) {
+        check_range(messages, node, key, phrase);
+        return;
+    }
+    if (!check_count(messages, node, GOUGH_LEGS, phrase)) return;
+    for (study_node *item = node->first; item; item = item->next)
+        check_range(messages, item, key, study_shape_phrase(GOUGH_SHAPE_RANGE));
 }
 
 static void check_formulas(study_messages *messages, study_node *node, size_t count,
@@ -211,24 +229,30 @@ static void check_swept(study_messages *messages, study_node *node) {
 /* A number, a list of numbers, or lists of them. */
 static void check_numeric(study_messages *messages, study_node *node, const gough_key *key) {
     static const gough_bound any = {"", -INFINITY, INFINITY, false};
-    const char *phrase = study_shape_phrase(key->shape);
+    const gough_shape shape = study_shape_of(node, key);
+    const char *phrase = study_shape_phrase(shape);
     const bool single = node->kind == STUDY_SCALAR && node->length > 0;
-    const gough_shape shape = key->shape;
+    const bool rows = node->kind == STUDY_LIST && node->first && node->first->kind == STUDY_LIST;
     char rule[STUDY_RULE];
     const gough_bound bound = study_units_bound(node, key, rule);
     if (shape == GOUGH_SHAPE_WHOLE) {
         check_whole(messages, node, &key->bound);
     } else if (shape == GOUGH_SHAPE_NUMBER ||
-               (single && (shape == GOUGH_SHAPE_GRAVITY || shape == GOUGH_SHAPE_NUMBER_OR_SIX))) {
+               (single && (shape == GOUGH_SHAPE_GRAVITY || shape == GOUGH_SHAPE_NUMBER_OR_SIX ||
+                           shape == GOUGH_SHAPE_GAINS))) {
         study_check_number(messages, node, &bound);
     } else if (shape == GOUGH_SHAPE_PAIR_OR_SIX) {
         check_pairs(messages, node, key);
     } else if (shape == GOUGH_SHAPE_RANGE) {
-        check_range(messages, node, key);
+        check_range(messages, node, key, phrase);
+    } else if (shape == GOUGH_SHAPE_RANGE_OR_SIX) {
+        check_ranges(messages, node, key);
     } else if (shape == GOUGH_SHAPE_POINTS) {
-        check_rows(messages, node, GOUGH_LEGS, phrase);
-    } else if (shape == GOUGH_SHAPE_INERTIA && node->first && node->first->kind == STUDY_LIST) {
-        check_rows(messages, node, 3, phrase);
+        check_rows(messages, node, GOUGH_LEGS, false, phrase);
+    } else if (shape == GOUGH_SHAPE_GAINS && rows) {
+        check_rows(messages, node, GOUGH_LEGS, true, phrase);
+    } else if (shape == GOUGH_SHAPE_INERTIA && rows) {
+        check_rows(messages, node, 3, true, phrase);
     } else if (shape == GOUGH_SHAPE_GRAVITY || shape == GOUGH_SHAPE_INERTIA) {
         check_numbers(messages, node, 3, &any, phrase);
     } else {
@@ -250,10 +274,23 @@ static void check_mapping_or_word(study_messages *messages, study_node *node,
         study_say_shape(messages, node, study_shape_phrase(key->shape));
 }
 
+/* One mapping for all legs, or six; all of them say the same keys. */
+static void check_drives(study_messages *messages, study_node *node, const gough_key *key) {
+    static const char example[] = "a mapping such as {kind: lag, time_constant: 0.005}";
+    if (node->kind == STUDY_MAPPING)
+        check_mapping(messages, node, key->path);
+    else if (node->kind == STUDY_LIST && node->count == GOUGH_LEGS)
+        check_mappings(messages, node, GOUGH_LEGS, example, key->path, example);
+    else if (node->kind == STUDY_LIST && node->count > 0)
+        check_count(messages, node, GOUGH_LEGS, study_shape_phrase(key->shape));
+    else
+        study_say_shape(messages, node, study_shape_phrase(key->shape));
+}
+
 static void check_value(study_messages *messages, study_node *node, const gough_key *key) {
     const char *phrase = study_shape_phrase(key->shape);
     const bool single = node->kind == STUDY_SCALAR && node->length > 0;
-    switch (key->shape) { /* unreachable: there is a case for each shape */
+    switch (key->shape) {
     case GOUGH_SHAPE_MAPPING:
     case GOUGH_SHAPE_CONSTRAINTS:
     case GOUGH_SHAPE_SMOOTH:
@@ -267,6 +304,9 @@ static void check_value(study_messages *messages, study_node *node, const gough_
     case GOUGH_SHAPE_LOADS:
         check_mappings(messages, node, GOUGH_EXTERNALS, phrase, "external.N",
                        "a mapping such as {force: [0, 0, 30]}");
+        break;
+    case GOUGH_SHAPE_DRIVES:
+        check_drives(messages, node, key);
         break;
     case GOUGH_SHAPE_TEXT:
     case GOUGH_SHAPE_FILE:
@@ -291,16 +331,7 @@ static void check_value(study_messages *messages, study_node *node, const gough_
     case GOUGH_SHAPE_FORMULA_VECTOR:
         check_formulas(messages, node, 3, phrase);
         break;
-    case GOUGH_SHAPE_NUMBER:
-    case GOUGH_SHAPE_WHOLE:
-    case GOUGH_SHAPE_PAIR:
-    case GOUGH_SHAPE_VECTOR:
-    case GOUGH_SHAPE_GRAVITY:
-    case GOUGH_SHAPE_NUMBER_OR_SIX:
-    case GOUGH_SHAPE_PAIR_OR_SIX:
-    case GOUGH_SHAPE_RANGE:
-    case GOUGH_SHAPE_POINTS:
-    case GOUGH_SHAPE_INERTIA:
+    default: /* numbers, and lists of them */
         check_numeric(messages, node, key);
         break;
     }

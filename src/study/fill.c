@@ -43,18 +43,37 @@ gough_status study_formula(const study_node *node, const gough_units *units, gou
                                         error);
 }
 
+/* Two limits, or one number for both signs. */
+static void read_range(const study_node *node, const gough_units *units, gough_unit unit,
+                       double value[2]) {
+    if (node->kind == STUDY_LIST)
+        read_each(node, units, unit, value);
+    else
+        value[1] = gough_unit_read(units, unit, study_number(node)), value[0] = -value[1];
+}
+
+/* One range for all legs, or six. */
+static void read_ranges(const gough_field *field, const study_node *node, const gough_units *units,
+                        gough_unit unit, double *value) {
+    const bool six = node->kind == STUDY_LIST && node->count == GOUGH_LEGS;
+    for (size_t v = 0; 2 * v < field->place.count; v++)
+        read_range(six ? study_node_item(node, v) : node, units, unit, &value[2 * v]);
+}
+
 /* A list gives each value; a scalar is for all of them, one pair for six pairs, and a scalar in place of a pair for both signs. */
 static void read_numbers(const gough_field *field, const study_node *node, const gough_units *units,
                          double *value) {
     const gough_unit unit = gough_unit_of_field(field->unit);
     const bool one_pair =
         field->shape == GOUGH_SHAPE_PAIR_OR_SIX && node->first && node->first->kind == STUDY_SCALAR;
-    if (one_pair)
+    if (field->shape == GOUGH_SHAPE_RANGE_OR_SIX)
+        read_ranges(field, node, units, unit, value);
+    else if (one_pair)
         for (size_t i = 0; i < field->place.count; i += 2) read_each(node, units, unit, &value[i]);
     else if (node->kind == STUDY_LIST)
         read_each(node, units, unit, value);
     else if (field->shape == GOUGH_SHAPE_RANGE)
-        value[1] = gough_unit_read(units, unit, study_number(node)), value[0] = -value[1];
+        read_range(node, units, unit, value);
     else
         for (size_t i = 0; i < field->place.count; i++) read_each(node, units, unit, &value[i]);
 }
@@ -111,6 +130,7 @@ void study_part_reset(gough_study *study, unsigned part) {
 /* Whether a value is not simply read but follows a rule, which its reader knows. */
 static bool has_rule(const gough_field *field, const study_node *node) {
     return field->shape == GOUGH_SHAPE_GRAVITY || field->shape == GOUGH_SHAPE_INERTIA ||
+           (field->shape == GOUGH_SHAPE_GAINS && node->first && node->first->kind == STUDY_LIST) ||
            (field->shape == GOUGH_SHAPE_CONSTRAINTS && node->kind == STUDY_MAPPING);
 }
 
@@ -133,5 +153,31 @@ void study_element_read(void *element, gough_owner owner, const gough_units *uni
         if (key[i].place.owner != owner) continue;
         const study_node *value = study_node_child(node, strrchr(key[i].path, '.') + 1);
         if (value && !value->wrong) read_field(&key[i], value, units, element);
+    }
+}
+
+/* ---- drives ---- */
+
+/* A key of drives as that of one leg, from 1. */
+static gough_field field_of_leg(const gough_key *key, const study_node *value, size_t leg) {
+    gough_field one = *key;
+    one.shape = study_shape_of(value, key);
+    if (one.place.kind != GOUGH_KIND_NUMBER) return one;
+    one.place.count /= GOUGH_LEGS;
+    one.place.offset += (leg - 1) * one.place.count * sizeof(double);
+    return one;
+}
+
+void study_drives_read(gough_study *study, const study_node *list) {
+    size_t count;
+    const gough_key *key = gough_study_keys(&count);
+    for (size_t i = 0; i < count; i++) {
+        if (strncmp(key[i].path, "actuators.", 10) != 0) continue;
+        for (const study_node *drive = list->first; drive; drive = drive->next) {
+            const study_node *value = study_node_child(drive, key[i].path + 10);
+            if (!value) continue;
+            const gough_field one = field_of_leg(&key[i], value, drive->number);
+            read_field(&one, value, &study->units, study->model);
+        }
     }
 }

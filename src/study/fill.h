@@ -17,6 +17,9 @@ void study_part_read(gough_study *study, const study_node *root, unsigned part);
 void study_element_read(void *element, gough_owner owner, const gough_units *units,
                         const study_node *node);
 
+/* Reads a list of six drives, each into the numbers of its leg. */
+void study_drives_read(gough_study *study, const study_node *list);
+
 /* The numbers of a checked list in units of the run, in order, and of the lists in it; nothing if it is NULL. */
 void study_numbers(const study_node *list, const gough_units *units, gough_unit unit,
                    double *value);

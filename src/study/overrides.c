@@ -114,8 +114,9 @@ static bool is_known(study_arena *arena, const study_node *node) {
     const study_node *parent = node->parent;
     const char *path = !parent->parent ? ""
                        : parent->key   ? study_node_path(arena, parent)
-                       : strcmp(parent->parent->key->text, "external") == 0 ? "external.N"
-                                                                            : "motion.moves.N";
+                       : strcmp(parent->parent->key->text, "external") == 0  ? "external.N"
+                       : strcmp(parent->parent->key->text, "actuators") == 0 ? "actuators"
+                                                                             : "motion.moves.N";
     return study_key_find(path, node->key->text) != NULL;
 }
 

@@ -258,7 +258,8 @@ gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run, const gough_
     if (said.count) gough_fail(error, status, "%s", study_messages_first(&said));
     if (arena.exhausted) status = gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
     study_arena_free(&arena);
-    if (status == GOUGH_OK && maker->touches & (GOUGH_PART_MOTION | GOUGH_PART_SIMULATION))
+    if (status == GOUGH_OK &&
+        maker->touches & (GOUGH_PART_MOTION | GOUGH_PART_CONTROL | GOUGH_PART_SIMULATION))
         status = check_run(maker->study, error);
     *study = maker->study;
     return status;
@@ -266,4 +267,8 @@ gough_status gough_sweep_make(gough_sweep_maker *maker, size_t run, const gough_
 
 uint64_t gough_sweep_noise_run(const gough_study *study, size_t run) {
     return study->noise_run_given ? study->model->disturbance.noise.run : (uint64_t)run;
+}
+
+uint64_t gough_sweep_sampling_run(const gough_study *study, size_t run) {
+    return study->sampling_run_given ? study->model->control.sampling.run : (uint64_t)run;
 }

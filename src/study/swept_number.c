@@ -30,6 +30,10 @@ static makeup makeup_of(gough_shape shape) {
         return (makeup){.number = true, .list = {GOUGH_LEGS, 2}};
     case GOUGH_SHAPE_RANGE:
         return (makeup){.number = true, .alone = true, .list = {2}};
+    case GOUGH_SHAPE_RANGE_OR_SIX:
+        return (makeup){.number = true, .alone = true, .list = {GOUGH_LEGS, 2}};
+    case GOUGH_SHAPE_GAINS:
+        return (makeup){.number = true, .alone = true, .list = {GOUGH_LEGS, GOUGH_LEGS}};
     case GOUGH_SHAPE_POINTS:
         return (makeup){.number = true, .list = {GOUGH_LEGS, 3}};
     case GOUGH_SHAPE_INERTIA:
@@ -48,7 +52,7 @@ static makeup makeup_of(gough_shape shape) {
 static bool is_mapping(gough_shape shape) {
     return shape == GOUGH_SHAPE_MAPPING || shape == GOUGH_SHAPE_CONSTRAINTS ||
            shape == GOUGH_SHAPE_SMOOTH || shape == GOUGH_SHAPE_UNITS ||
-           shape == GOUGH_SHAPE_MOVES || shape == GOUGH_SHAPE_LOADS;
+           shape == GOUGH_SHAPE_MOVES || shape == GOUGH_SHAPE_LOADS || shape == GOUGH_SHAPE_DRIVES;
 }
 
 /* The next part of a path, cut off; NULL at its end. */
@@ -92,6 +96,8 @@ static const gough_key *walk_keys(char **rest) {
             parent = key->shape == GOUGH_SHAPE_MOVES ? "motion.moves.N" : "external.N";
             part = take_part(rest);
         }
+        /* the number of a drive, of a list of six */
+        if (key && key->shape == GOUGH_SHAPE_DRIVES && number_of(part) > 0) part = take_part(rest);
         key = part ? study_key_find(parent, part) : NULL;
         if (!key) return NULL;
         parent = key->path;
@@ -163,7 +169,15 @@ static bool check_place(study_messages *messages, study_node *root, study_node *
                        path);
         return false;
     }
-    if (!missing || (depth == 0 && !move)) return true;
+    if (missing && found->kind == STUDY_LIST && number_of(missing) == 0) {
+        study_node_say(messages, node, study_node_place(node, true),
+                       "`%s`: `%s` is a list in this study; vary the number of one leg, as in "
+                       "`%s.1%s`",
+                       path, found->key->text, found->key->text, path + strlen(found->key->text));
+        return false;
+    }
+    const bool drive = strncmp(path, "actuators.", 10) == 0 && path[10] >= '1' && path[10] <= '9';
+    if (!missing || (depth == 0 && !move && !drive)) return true;
     if (depth == 0 && found->parent && !found->key && found->kind == STUDY_MAPPING) return true;
     study_node_say(messages, node, study_node_place(node, true),
                    "`%s`: the study has no list `%s` with such an element; add it to the study",
@@ -171,6 +185,7 @@ static bool check_place(study_messages *messages, study_node *root, study_node *
                    move                                                  ? "motion.moves"
                    : load && found == study_node_child(root, "external") ? "external"
                    : load && found == root                               ? "external"
+                   : drive && depth == 0                                 ? "actuators"
                                                                          : key->path);
     return false;
 }
@@ -187,7 +202,8 @@ bool study_target_find(study_messages *messages, study_node *root, study_axis *a
     if (!made.number && !made.formula) return say_no_number(messages, axis->node, path, key, &made);
     if (!check_elements(rest, &made, &depth)) return say_unknown(messages, axis->node, path);
     if (depth == 0 && !made.alone) return say_no_number(messages, axis->node, path, key, &made);
-    const bool free = depth > 0 && key->shape == GOUGH_SHAPE_GRAVITY;
+    const bool free = (depth > 0 && key->shape == GOUGH_SHAPE_GRAVITY) ||
+                      (depth == 2 && key->shape == GOUGH_SHAPE_GAINS);
     axis->bound = made.formula ? NULL : free ? &any : &key->bound;
     axis->key.unit = key->unit;
     axis->touches = key->place.part | key->place.also;

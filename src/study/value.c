@@ -165,6 +165,15 @@ bool study_check_formula(study_messages *messages, study_node *node) {
     return false;
 }
 
+gough_shape study_shape_of(const study_node *node, const gough_key *key) {
+    const bool in_list = strncmp(key->path, "actuators.", 10) == 0 && node->parent &&
+                         !node->parent->key && node->parent->parent;
+    if (!in_list) return key->shape;
+    return key->shape == GOUGH_SHAPE_NUMBER_OR_SIX  ? GOUGH_SHAPE_NUMBER
+           : key->shape == GOUGH_SHAPE_RANGE_OR_SIX ? GOUGH_SHAPE_RANGE
+                                                    : key->shape;
+}
+
 int study_choice_index(const char *choices, const char *word) {
     for (int index = 0; *choices; index++) {
         const size_t length = strcspn(choices, ",");

@@ -23,6 +23,9 @@ double study_number(const study_node *node);
 /* "platform.height", "motion.moves.2.start": the path of a node in the study, as --set takes it. */
 const char *study_node_path(study_arena *arena, const study_node *node);
 
+/* The shape of a value: that of its key, but of a drive in a list of six only what one leg has. */
+gough_shape study_shape_of(const study_node *node, const gough_key *key);
+
 /* The place of a word in the words of a choice, "rounding, none", from 0; -1 if it is not among them. */
 int study_choice_index(const char *choices, const char *word);
 

@@ -98,8 +98,12 @@ static void order_by_kind(hand *h, size_t count) {
 /* The run's own parts; what the sweep does not touch is the maker's, the same for all. */
 static void keep_run(hand *h, const gough_study *study, size_t number, size_t n) {
     const gough_model *model = study->model;
-    h->run[n] = (gough_batch_run){&model->machine, &model->control, &model->disturbance,
-                                  &model->initial, gough_sweep_noise_run(study, number)};
+    h->run[n] = (gough_batch_run){&model->machine,
+                                  &model->control,
+                                  &model->disturbance,
+                                  &model->initial,
+                                  gough_sweep_noise_run(study, number),
+                                  gough_sweep_sampling_run(study, number)};
     if (h->machine) {
         h->machine[n] = model->machine;
         h->run[n].machine = &h->machine[n];

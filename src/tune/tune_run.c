@@ -150,8 +150,12 @@ gough_status tune_evaluate(tune *t, const double *stiffness, size_t count,
                                         .growth = NAN};
         if (!isfinite(control->damping[0])) continue;
         for (int v = 0; v < GOUGH_LEGS; v++) control->stiffness[v] = stiffness[i];
-        t->run[runs] = (gough_batch_run){&t->model->machine, control, &t->model->disturbance,
-                                         &t->model->initial, t->model->disturbance.noise.run};
+        t->run[runs] = (gough_batch_run){&t->model->machine,
+                                         control,
+                                         &t->model->disturbance,
+                                         &t->model->initial,
+                                         t->model->disturbance.noise.run,
+                                         control->sampling.run};
         place[runs++] = i;
     }
     if (status == GOUGH_OK) status = run_them(t, stiffness[count - 1], runs, error);

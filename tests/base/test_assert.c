@@ -65,8 +65,8 @@ static gough_model model;
 static void ask_for(int which, void *memory) {
     const gough_simulation s = gough_simulation_default();
     const gough_batch_options alone = {.lanes = 1, .threads = 1};
-    const gough_batch_run run = {&model.machine, &model.control, &model.disturbance, &model.initial,
-                                 1};
+    const gough_batch_run run = {
+        &model.machine, &model.control, &model.disturbance, &model.initial, 1, 0};
     gough_outcome outcome;
     static gough_tuning tuning;
     static gough_tuning_point point[GOUGH_TUNING_POINTS];

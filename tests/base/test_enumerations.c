@@ -63,8 +63,8 @@ static gough_status call_forces(void) {
 static gough_status call_batch(void) {
     gough_batch_options o = gough_batch_options_default();
     o.lanes = o.threads = 1;
-    const gough_batch_run run = {&model.machine, &model.control, &model.disturbance, &model.initial,
-                                 1};
+    const gough_batch_run run = {
+        &model.machine, &model.control, &model.disturbance, &model.initial, 1, 0};
     gough_outcome outcome;
     void *memory = room(gough_batch_size(&o));
     const gough_status status =
@@ -191,6 +191,22 @@ static gough_status call_flat(void) {
     return status;
 }
 
+static gough_status call_control(void) { return gough_control_check(&model.control, &error); }
+
+static gough_status call_plant(void) {
+    void *memory = room(gough_plant_size());
+    simulation.step = 0.05;
+    const gough_status status = gough_plant_begin(memory, &model, &simulation, NULL, &error);
+    free(memory);
+    return status;
+}
+
+static gough_status call_machine(void) {
+    gough_machine machine;
+    return gough_machine_init(&machine, &model.machine.platform, &model.machine.load,
+                              model.machine.gravity, &error);
+}
+
 /* ---- the values ------------------------------------------------------------------------------------------------------ */
 
 static void set_method(int value) { simulation.method = (gough_method)value; }
@@ -200,6 +216,13 @@ static void set_motion(int value) { model.motion.kind = (gough_motion_kind)value
 static void set_order(int value) { model.motion.order = (gough_order)value; }
 static void set_axis(int value) { axes.axis = (gough_map_axis)value; }
 static void set_interval(int value) { map.interval[0].kind = (gough_interval_kind)value; }
+static void set_drive(int value) {
+    model.machine.platform.actuators.kind = (gough_actuator_kind)value;
+}
+static void set_velocity(int value) {
+    model.control.sampling.period = 0.05;
+    model.control.sampling.velocity = (gough_velocity)value;
+}
 static void set_component(int value) { component = value; }
 
 enum { ANY = 16 };
@@ -211,15 +234,15 @@ static const struct {
     {"method",
      "simulation.method",
      set_method,
-     {call_check, call_simulate, call_forces, call_batch, call_tune, call_flat}},
+     {call_check, call_simulate, call_forces, call_batch, call_plant, call_tune, call_flat}},
     {"precision",
      "simulation.precision",
      set_precision,
-     {call_check, call_simulate, call_forces, call_batch, call_tune, call_flat}},
+     {call_check, call_simulate, call_forces, call_batch, call_plant, call_tune, call_flat}},
     {"constraints",
      "simulation.constraints",
      set_constraints,
-     {call_check, call_simulate, call_forces, call_batch, call_tune, call_flat}},
+     {call_check, call_simulate, call_forces, call_batch, call_plant, call_tune, call_flat}},
     {"motion",
      "motion",
      set_motion,
@@ -232,6 +255,11 @@ static const struct {
      {call_check, call_simulate, call_forces, call_batch, call_range, call_period, call_linearise,
       call_rest, call_stiffness, call_floquet, call_tune, call_damping, call_poles, call_lqr,
       call_flat}},
+    {"drive", "actuators.kind", set_drive, {call_machine, call_flat}},
+    {"velocity",
+     "control.sampling.velocity",
+     set_velocity,
+     {call_control, call_check, call_simulate, call_forces, call_batch, call_plant, call_flat}},
     {"axis", NULL, set_axis, {call_map_size, call_map_find, call_map_draw}},
     {"interval", NULL, set_interval, {call_map_draw}},
     {"component", NULL, set_component, {call_low_pass, call_smooth}},

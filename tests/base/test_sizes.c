@@ -104,8 +104,8 @@ static gough_status with_simulation(size_t size, int which, gough_error *error) 
     s.duration = 0.1;
     s.statistics = &statistics;
     alone.threads = 1;
-    const gough_batch_run run = {&model.machine, &model.control, &model.disturbance, &model.initial,
-                                 1};
+    const gough_batch_run run = {
+        &model.machine, &model.control, &model.disturbance, &model.initial, 1, 0};
     gough_outcome outcome;
     void *memory = aligned_alloc(64, (gough_batch_size(&alone) + 63) / 64 * 64);
     gough_status status = GOUGH_OK;
@@ -122,8 +122,8 @@ static gough_status with_simulation(size_t size, int which, gough_error *error) 
 static gough_status with_batch_options(size_t size, int which, gough_error *error) {
     gough_simulation s = gough_simulation_default();
     gough_batch_options o = gough_batch_options_default();
-    const gough_batch_run run = {&model.machine, &model.control, &model.disturbance, &model.initial,
-                                 1};
+    const gough_batch_run run = {
+        &model.machine, &model.control, &model.disturbance, &model.initial, 1, 0};
     gough_outcome outcome;
     (void)which;
     ck_assert_uint_eq(o.size, sizeof o);

@@ -114,10 +114,12 @@ START_TEST(composed_units_have_their_names_and_factors) {
                {GOUGH_UNIT_ENERGY, "J", " J", 1},
                {GOUGH_UNIT_STIFFNESS, "lbf/in", " lbf/in", lbf / in},
                {GOUGH_UNIT_DAMPING, "lbf ms/in", " lbf ms/in", lbf * ms / in},
-               {GOUGH_UNIT_INERTIA, "lb in2", " lb in^2", lb * in * in}};
+               {GOUGH_UNIT_INERTIA, "lb in2", " lb in^2", lb * in * in},
+               {GOUGH_UNIT_FORCE_RATE, "lbf/ms", " lbf/ms", lbf / ms},
+               {GOUGH_UNIT_INTEGRAL_GAIN, "lbf/(in ms)", " lbf/(in ms)", lbf / in / ms}};
     const gough_units units = inches();
-    ck_assert_uint_eq(sizeof all / sizeof all[0], GOUGH_UNIT_INERTIA + 1);
-    for (int i = 0; i <= GOUGH_UNIT_INERTIA; i++) {
+    ck_assert_uint_eq(sizeof all / sizeof all[0], GOUGH_UNIT_INTEGRAL_GAIN + 1);
+    for (int i = 0; i <= GOUGH_UNIT_INTEGRAL_GAIN; i++) {
         ck_assert_int_eq(all[i].unit, i);
         ck_assert_str_eq(gough_unit_label(&units, all[i].unit), all[i].label);
         ck_assert_str_eq(gough_unit_word(&units, all[i].unit), all[i].word);
@@ -152,6 +154,10 @@ START_TEST(every_combination_is_named_by_its_words) {
                 ck_assert_str_eq(gough_unit_label(&units, GOUGH_UNIT_MOMENT), text);
                 snprintf(text, sizeof text, "%s %s2", mass, length);
                 ck_assert_str_eq(gough_unit_label(&units, GOUGH_UNIT_INERTIA), text);
+                snprintf(text, sizeof text, "%s/(%s %s)", force, length, time);
+                ck_assert_str_eq(gough_unit_label(&units, GOUGH_UNIT_INTEGRAL_GAIN), text);
+                snprintf(text, sizeof text, "%s/%s", force, time);
+                ck_assert_str_eq(gough_unit_label(&units, GOUGH_UNIT_FORCE_RATE), text);
                 snprintf(text, sizeof text, "%s/%s2", length, time);
                 ck_assert_str_eq(gough_unit_label(&units, GOUGH_UNIT_ACCELERATION), text);
             }

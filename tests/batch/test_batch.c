@@ -116,8 +116,11 @@ static fixture *new_fixture(int differing, double damping) {
         }
         f->run[i] = (gough_batch_run){
             differing & LOADS || differing >= SAMPLED ? &f->machine[i] : &f->model.machine,
-            &f->control[i], differing & DISTURBANCES ? &f->disturbance[i] : &f->model.disturbance,
-            &f->initial[i], (uint64_t)i + 1};
+            &f->control[i],
+            differing & DISTURBANCES ? &f->disturbance[i] : &f->model.disturbance,
+            &f->initial[i],
+            (uint64_t)i + 1,
+            (uint64_t)i + 1};
     }
     return f;
 }

@@ -39,4 +39,19 @@ for given in 0 9; do
 done
 "$GOUGH" sweep "$scratch/noise.yaml" -q --threads 3 --lanes 2 -o "$scratch/again.csv" || fail "the sweep fails with 3 threads"
 cmp -s "$scratch/sweep.csv" "$scratch/again.csv" || fail "threads and lanes change the noise"
+
+# the same for what a sampled controller draws; each of both numbers is by itself
+sampled=(--set 'control.sampling={period: 0.05, noise: 0.001, seed: 3}' --set disturbance.noise=)
+"$GOUGH" sweep "$scratch/noise.yaml" -q "${sampled[@]}" -o "$scratch/sweep.csv" || fail "the sampled sweep fails"
+mapfile -t pose < <(awk -F, 'NR > 1 { print $3 "," $4 "," $5 "," $6 "," $7 "," $8 }' "$scratch/sweep.csv")
+[[ ${#pose[@]} == 4 && ${pose[0]} != "${pose[1]}" && ${pose[1]} != "${pose[2]}" ]] || fail "runs with equal numbers draw the same samples"
+read -ra setting < <("$GOUGH" sweep "$scratch/noise.yaml" "${sampled[@]}" --run 3)
+[[ ${setting[*]} == "--set control.damping=1 --set control.sampling.run=3" ]] || fail "--run 3 of the sampled sweep says ${setting[*]}"
+"$GOUGH" simulate "$scratch/noise.yaml" "${sampled[@]}" "${setting[@]}" -q -o "$scratch/alone.csv" || fail "sampled run 3 alone fails"
+alone=$(tail -1 "$scratch/alone.csv" | cut -d, -f2-7)
+[[ $alone == "${pose[2]}" ]] || fail "sampled run 3 alone ends at $alone, in the sweep at ${pose[2]}"
+"$GOUGH" sweep "$scratch/noise.yaml" -q "${sampled[@]}" --set control.sampling.run=0 -o "$scratch/same.csv" || fail "one draw for all fails"
+mapfile -t pose < <(awk -F, 'NR > 1 { print $3 "," $4 "," $5 }' "$scratch/same.csv")
+[[ ${pose[0]} == "${pose[1]}" && ${pose[1]} == "${pose[2]}" && ${pose[2]} != "${pose[3]}" ]] ||
+    fail "control.sampling.run=0 is given, but the samples are not the same in all runs"
 finish

@@ -8,10 +8,11 @@ perl -0777 -e '
     my @structs = (    # struct, place in the table, members that are no input: other structs, memory of the caller, derived numbers, sizes
         ["gough_model", "", "machine motion control disturbance initial"],
         ["gough_machine", "MACHINE(", "platform load base_radius gravity_magnitude principal_axes second_moments home_length home_condition breakaway smoothing_speed external externals"],
-        ["gough_platform", "MACHINE(platform.", "cylinder piston friction legs limits"],
+        ["gough_platform", "MACHINE(platform.", "cylinder piston friction actuators legs limits"],
         ["gough_leg_part", "MACHINE(platform.cylinder.", ""],
         ["gough_leg_part", "MACHINE(platform.piston.", ""],
         ["gough_friction", "MACHINE(platform.friction.", ""],
+        ["gough_actuators", "MACHINE(platform.actuators.", ""],
         ["gough_leg_limits", "MACHINE(platform.legs.", ""],
         ["gough_platform_limits", "MACHINE(platform.limits.", ""],
         ["gough_load", "MACHINE(load.", ""],
@@ -19,11 +20,12 @@ perl -0777 -e '
         ["gough_samples", "MOTION(samples.", "count time value curvature"],
         ["gough_move", "MOVE(", ""],
         ["gough_external", "EXTERNAL(", ""],
-        ["gough_control", "CONTROL(", ""],
+        ["gough_control", "CONTROL(", "sampling"],
+        ["gough_sampling", "CONTROL(sampling.", ""],
         ["gough_disturbance", "DISTURBANCE(", "noise"],
         ["gough_noise", "DISTURBANCE(noise.", ""],
         ["gough_initial", "INITIAL(", ""],
-        ["gough_simulation", "SIMULATION(", "size summary statistics"]);
+        ["gough_simulation", "SIMULATION(", "size law law_context summary statistics"]);
     my ($headers, $table) = ("", "");
     for my $file ("include/gough/model.h", "include/gough/simulate.h") { open F, "<", $file or die; $headers .= <F> }
     open F, "<", "src/model/fields.def" or die;

@@ -302,6 +302,20 @@ static void events(second *c, double t, bool with) {
     }
 }
 
+static gough_sampling sampling_of(const option *o) {
+    return (gough_sampling){.period = o->period,
+                            .delay = o->delay,
+                            .jitter = o->jitter,
+                            .velocity =
+                                o->differences ? GOUGH_VELOCITY_DIFFERENCE : GOUGH_VELOCITY_EXACT,
+                            .cutoff = o->cutoff,
+                            .resolution = o->resolution,
+                            .noise = o->noise,
+                            .seed = 7,
+                            .run = 3,
+                            .preview = o->preview};
+}
+
 static void start(second *c, const option *o) {
     gough_error error = {.message = ""};
     gough_acceleration unused;
@@ -343,17 +357,7 @@ static void start(second *c, const option *o) {
                   "%s", error.message);
     model.control.coupled = o->coupled;
     model.control.tracking_time = o->tracking;
-    model.control.sampling = (gough_sampling){.period = o->period,
-                                              .delay = o->delay,
-                                              .jitter = o->jitter,
-                                              .velocity = o->differences ? GOUGH_VELOCITY_DIFFERENCE
-                                                                         : GOUGH_VELOCITY_EXACT,
-                                              .cutoff = o->cutoff,
-                                              .resolution = o->resolution,
-                                              .noise = o->noise,
-                                              .seed = 7,
-                                              .run = 3,
-                                              .preview = o->preview};
+    model.control.sampling = sampling_of(o);
     gough_program(&model.machine, &model.motion, 0, &state, &unused);
     memcpy(c->state, state.position, sizeof state.position);
     memcpy(c->state + ROTATION, state.rotation, sizeof state.rotation);

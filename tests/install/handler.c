@@ -18,8 +18,8 @@ int main(void) {
     const gough_platform platform = gough_platform_symmetric(1.0, 0.2, 0.6, 0.1, 1.0);
     const gough_load load = {.mass = 1.0, .inertia = {{0.08, 0, 0}, {0, 0.08, 0}, {0, 0, 0.15}}};
     const gough_simulation simulation = gough_simulation_default();
-    const gough_batch_run run = {&model.machine, &model.control, &model.disturbance, &model.initial,
-                                 1};
+    const gough_batch_run run = {
+        &model.machine, &model.control, &model.disturbance, &model.initial, 1, 0};
     gough_batch_options options = gough_batch_options_default();
     options.lanes = options.threads = 1;
     if (gough_batch_size(&options) + 16 > sizeof memory) return 2;

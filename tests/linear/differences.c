@@ -124,7 +124,7 @@ static moving state_of(struct system *r, real t, const gough_state *state) {
 void difference_matrix(const gough_model *model, double t, const gough_state *state,
                        double matrix[GOUGH_LINEAR][GOUGH_LINEAR]) {
     gough_simulation options = gough_simulation_default();
-    const system_lane lane = {&model->machine, &model->control, &undisturbed, 0};
+    const system_lane lane = {&model->machine, &model->control, &undisturbed, 0, 0};
     moving m;
     struct system r;
 

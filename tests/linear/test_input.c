@@ -33,8 +33,8 @@ static void refused(gough_status status, const gough_error *error, const char *w
 
 static gough_status run_batch(const gough_model *model, const gough_simulation *simulation,
                               gough_error *error) {
-    const gough_batch_run run = {&model->machine, &model->control, &model->disturbance,
-                                 &model->initial, 1};
+    const gough_batch_run run = {
+        &model->machine, &model->control, &model->disturbance, &model->initial, 1, 0};
     const gough_batch_options options = {.lanes = 1, .threads = 1};
     void *memory = aligned_alloc(64, (gough_batch_size(&options) + 63) / 64 * 64);
     gough_outcome outcome;

@@ -48,7 +48,7 @@ START_TEST(fields_cover_their_structs_once) {
     static const range of_model[3] = {RANGE(gough_model, machine.base_radius, machine.externals),
                                       RANGE(gough_model, motion.move, motion.samples.curvature)};
     static const range of_simulation[3] = {RANGE(gough_simulation, size, size),
-                                           RANGE(gough_simulation, summary, statistics)};
+                                           RANGE(gough_simulation, law, statistics)};
     static const range of_move[3] = {{0, 0}};
 
     expect_covered(GOUGH_OWNER_MODEL, sizeof(gough_model), of_model);
@@ -127,7 +127,7 @@ START_TEST(defaults_are_what_their_text_says) {
         }
     }
     ck_assert_uint_ge(numbers, 15);
-    ck_assert_uint_eq(words, 8);
+    ck_assert_uint_eq(words, 10);
 }
 END_TEST
 
@@ -154,6 +154,7 @@ START_TEST(defaults_are_those_of_the_structs) {
     ck_assert(run.duration == 20 && run.output_step == 0.05 && run.tolerance == 1e-10);
     ck_assert(run.method == GOUGH_DOP853 && run.constraints == GOUGH_PROJECTION);
     ck_assert(run.step == 0 && run.max_step == 0 && run.precision == GOUGH_DOUBLE);
+    ck_assert(!run.commands && !run.actuators);
     ck_assert(!run.reactions && !run.joints && run.summary == NULL && run.statistics == NULL);
 }
 END_TEST

@@ -62,6 +62,7 @@ static gough_simulation options(void) {
     s.baumgarte[1] = 4;
     s.reactions = true;
     s.joints = true;
+    s.commands = s.actuators = true;
     return s;
 }
 
@@ -83,10 +84,28 @@ static gough_model *full_model(void) {
     m->motion.scaled = true;
     m->motion.amplitude = 0.9;
     m->motion.frequency = 1.1;
-    m->control.feedforward = true;
+    m->control.feedforward = m->control.coupled = true;
+    m->control.tracking_time = 0.5;
+    m->control.sampling = (gough_sampling){.period = 0.25,
+                                           .delay = 0.125,
+                                           .velocity = GOUGH_VELOCITY_DIFFERENCE,
+                                           .cutoff = 1.5,
+                                           .resolution = 1e-6,
+                                           .noise = 1e-7,
+                                           .seed = UINT64_MAX - 7,
+                                           .run = 12,
+                                           .preview = 0.3};
+    m->machine.platform.actuators.kind = GOUGH_ACTUATOR_LAG;
     for (int v = 0; v < GOUGH_LEGS; v++) {
         m->control.stiffness[v] = 20 + v;
         m->control.damping[v] = 1 + 0.1 * v;
+        m->control.integral[v] = 3 + 0.1 * v;
+        m->control.cross_stiffness[v][(v + 1) % 6] = 0.2 - v;
+        m->control.cross_damping[v][(v + 2) % 6] = 0.01 * v;
+        m->machine.platform.actuators.max_force[v][0] = -50 - v;
+        m->machine.platform.actuators.max_force[v][1] = 60 + v;
+        m->machine.platform.actuators.time_constant[v] = 0.1 + 0.01 * v;
+        m->machine.platform.actuators.max_rate[v] = 500 + v;
         set_formula(&m->disturbance.leg_force[v], "0.01*sin(pi*t)^2 - 2^-t*0.003");
     }
     set_formula(&m->disturbance.vertical_force, "0.02*ramp(t, 3 - 2)");

@@ -52,8 +52,13 @@ START_TEST(projection_holds_over_a_million_steps) {
     s.output_step = 0.05;
     s.step = 0.001;
     s.method = GOUGH_RK4;
-    const simulate_parts parts = {&model->motion,      &model->machine, &model->control,
-                                  &model->disturbance, &model->initial, 0};
+    const simulate_parts parts = {&model->motion,
+                                  &model->machine,
+                                  &model->control,
+                                  &model->disturbance,
+                                  &model->initial,
+                                  0,
+                                  0};
     forward_open(&d, &parts, &s, look, &p, &end);
     forward_start(&d);
     ck_assert_int_eq(forward_begin(&d), GOUGH_OK);

@@ -56,8 +56,8 @@ static void expect_lanes_alike(const gough_model *model, double duration) {
     s.method = GOUGH_RK4;
     o.threads = 1;
     for (int i = 0; i < 5; i++)
-        run[i] = (gough_batch_run){&model->machine, &model->control, &model->disturbance,
-                                   &model->initial, 0};
+        run[i] = (gough_batch_run){
+            &model->machine, &model->control, &model->disturbance, &model->initial, 0, 0};
     void *memory = aligned_alloc(64, (gough_batch_size(&o) + 63) / 64 * 64);
     ck_assert_int_eq(gough_batch(&model->motion, &s, run, 5, &o, outcome, memory, &error),
                      GOUGH_OK);

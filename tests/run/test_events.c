@@ -200,7 +200,7 @@ START_TEST(lanes_meet_it_with_the_same_bits) {
             control[i] = f->model.control;
             for (int v = 0; v < GOUGH_LEGS; v++) control[i].stiffness[v] += 100 * i;
             runs[i] = (gough_batch_run){&f->model.machine, &control[i], &f->model.disturbance,
-                                        &f->model.initial, 0};
+                                        &f->model.initial, 0,           0};
         }
         for (int lanes = 1; lanes <= gough_batch_lanes(); lanes *= 2) {
             gough_batch_options options = gough_batch_options_default();
@@ -234,8 +234,12 @@ START_TEST(a_batch_meets_the_pulse_of_each_run) {
 
     for (int i = 0; i < RUNS; i++) {
         f[i] = with_pulse(i < 3 ? 1 : 0, 0.15 + 0.0712 * i);
-        runs[i] = (gough_batch_run){&f[i]->model.machine, &f[i]->model.control,
-                                    &f[i]->model.disturbance, &f[i]->model.initial, 0};
+        runs[i] = (gough_batch_run){&f[i]->model.machine,
+                                    &f[i]->model.control,
+                                    &f[i]->model.disturbance,
+                                    &f[i]->model.initial,
+                                    0,
+                                    0};
     }
     void *memory = aligned_alloc(64, (gough_batch_size(&options) + 63) / 64 * 64);
     ck_assert_int_eq(gough_batch(&f[0]->model.motion, &o, runs, RUNS, &options, out, memory, NULL),

@@ -346,8 +346,8 @@ START_TEST(lanes_are_single_runs) {
             machine[i] = model->machine;
             if (!same) load[i][0].force[2] = gough_formula_constant(2 + i), load[i][1].at[0] += i;
             gough_machine_set_external(&machine[i], load[same ? 0 : i], 2, NULL);
-            run[i] = (gough_batch_run){&machine[i], &model->control, &model->disturbance,
-                                       &model->initial, 0};
+            run[i] = (gough_batch_run){
+                &machine[i], &model->control, &model->disturbance, &model->initial, 0, 0};
         }
         ck_assert(gough_batch(&model->motion, &s, run, RUNS, &options, out, memory, NULL) ==
                   GOUGH_OK);

@@ -21,7 +21,7 @@ static noisy *new_noisy(uint64_t seed, uint64_t which) {
     paper_machine(&n->model->machine);
     n->model->disturbance.noise =
         (gough_noise){.leg_force = 2, .force = 3, .moment = 0.5, .interval = 0.25, .seed = seed};
-    lane = (system_lane){&n->model->machine, &n->model->control, &n->model->disturbance, which};
+    lane = (system_lane){&n->model->machine, &n->model->control, &n->model->disturbance, which, 0};
     system_begin(&n->r, &n->model->motion, &n->simulation, &lane);
     return n;
 }

@@ -1,5 +1,5 @@
-/* Sampled loops: towards the continuous one as the period falls, the same numbers by the caller's own law, by a plant that the caller
- * steps, and by one sample at a time; rows, limits of drives and the summary of motion under commands that jump. */
+/* Sampled loops: towards the continuous one as the period falls, the same numbers by the caller's own law, by a plant that the
+ * caller steps, and by one sample at a time; rows, limits of drives and the summary of motion under commands that jump. */
 #include <stdlib.h>
 
 #include "gough/gough.h"

@@ -197,6 +197,28 @@ START_TEST(nothing_is_interpolated_across_a_corner) {
 }
 END_TEST
 
+/* a force of 1 that becomes 3 within no time, as a held command does; the looks are at 0, 0.1 … 0.4 and 0.4 … 0.8 */
+START_TEST(a_force_may_jump_between_two_looks_of_one_time) {
+    gough_machine machine;
+    gough_summary s;
+    gough_row row;
+
+    paper_machine(&machine);
+    gough_summary_begin(&s);
+    for (int k = 0; k < 10; k++) {
+        for (int c = 0; c < GOUGH_COLUMNS; c++) row.value[c] = 0;
+        row.value[GOUGH_X] = row.value[GOUGH_EX] = NAN;
+        row.value[GOUGH_T] = 0.1 * (k < 5 ? k : k - 1);
+        row.value[GOUGH_F] = k < 5 ? 1 : 3;
+        gough_summary_look(&s, &machine, &row, k == 0);
+        if (k == 4) gough_summary_jump(&s);
+    }
+    gough_summary_end(&s);
+    ck_assert(fabs(s.leg[0].rms_force - sqrt(5)) <= 1e-14);
+    ck_assert(fabs(s.leg[0].force_max - 3) <= 0 && fabs(s.leg[0].force_min - 1) <= 0);
+}
+END_TEST
+
 START_TEST(deviation_is_what_was_put_in) {
     gough_model *model = calloc(1, sizeof *model);
 
@@ -220,5 +242,6 @@ int main(void) {
     return SUITE_RUN("summary", 30, energy_is_the_load_s_and_of_fourth_order,
                      rest_is_summed_exactly, swing_is_the_angle_of_each_end,
                      peaks_lie_between_any_two_looks, no_peak_beyond_a_jump,
-                     nothing_is_interpolated_across_a_corner, deviation_is_what_was_put_in);
+                     nothing_is_interpolated_across_a_corner,
+                     a_force_may_jump_between_two_looks_of_one_time, deviation_is_what_was_put_in);
 }

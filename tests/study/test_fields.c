@@ -44,6 +44,9 @@ static const char *value_for(const gough_key *key, int which) {
         {"control.model.friction", "false"},
         {"control.model.external", "false"},
         {"external.N.axes", "top"},
+        {"actuators.kind", "lag"},
+        {"control.sampling.period", "0.1"},
+        {"control.sampling.delay", "0.05"},
         {"simulation.output_step", "0.2"},
         {"simulation.step", "0.025"},
         {"simulation.method", "rk4"},
@@ -57,6 +60,9 @@ static const char *value_for(const gough_key *key, int which) {
         {"two numbers or six pairs",
          "[[-0.1, 9], [-0.2, 8], [-0.3, 7], [-0.4, 6], [-0.5, 5], [-0.6, 4]]", "[-0.1, 9]"},
         {"number or two numbers", "[-0.03, 0.09]", "0.07"},
+        {"number, two numbers or six of these",
+         "[[-1, 2], [-3, 4], [-5, 6], [-7, 8], [-9, 10], [-11, 12]]", "[-0.03, 0.09]"},
+        {"number, six numbers or 6×6 matrix", "[1, 2, 3, 4, 5, 6]", "7"},
         {"formula", "0.07*t"},
         {"formula or six formulas", "[1*t, 2*t, 3*t, 4*t, 5*t, 6*t]", "7*t"},
         {"three formulas", "[1*t, 2*t, 3*t]"}};
@@ -70,12 +76,44 @@ static const char *value_for(const gough_key *key, int which) {
 
 static bool is_moves(const gough_field *field) { return field->place.owner == GOUGH_OWNER_MOVE; }
 
-/* The study of a key with settings. */
+/* What a key needs besides itself: settings for the study without it and with it. */
+static const char *const *needs(const gough_field *field) {
+    static const char
+        *const first[] = {"actuators={kind: lag, time_constant: 0.5}", NULL},
+               *const second[] = {"actuators={kind: lag, frequency: 3, damping_ratio: 0.5}", NULL},
+               *const free_steps[] = {"control.sampling.period=0.1", "simulation.step=", NULL},
+               *const difference[] = {"control.sampling={period: 0.1, velocity: difference}", NULL},
+               *const other[] = {"control.sampling.period=0.05", NULL},
+               *const samples[] = {"control.sampling.period=0.1", NULL}, *const nothing[] = {NULL};
+    static const struct {
+        const char *path;
+        const char *const *settings;
+    } all[] = {{"actuators.time_constant", first},
+               {"actuators.max_rate", first},
+               {"actuators.frequency", second},
+               {"actuators.damping_ratio", second},
+               {"control.sampling.jitter", free_steps},
+               {"control.sampling.cutoff", difference},
+               {"control.sampling.period", other},
+               {"control.sampling.", samples},
+               {"", nothing}};
+    size_t i = 0;
+    while (strncmp(all[i].path, field->path, strlen(all[i].path)) != 0) i++;
+    return all[i].settings;
+}
+
+/* The study of a key with settings; a lag needs a time constant too. */
 static reading read_for(const gough_field *field, const char *const settings[]) {
     char text[2000];
+    const char *all[5] = {NULL};
+    size_t count = 0;
+    for (const char *const *one = needs(field); *one; one++) all[count++] = *one;
+    for (; settings && *settings; settings++) all[count++] = *settings;
+    if (count && strcmp(all[count - 1], "actuators.kind=lag") == 0)
+        all[count++] = "actuators.time_constant=0.5";
     const int length =
         snprintf(text, sizeof text, "%s%s", machine, is_moves(field) ? moves : formulas);
-    reading made = read_bytes(text, (size_t)length, settings);
+    reading made = read_bytes(text, (size_t)length, all);
     ck_assert_msg(made.status == GOUGH_OK, "%s: %s", field->path, made.messages);
     return made;
 }
@@ -140,7 +178,8 @@ static void expect_value(const gough_field *field, const void *value, const char
             return;
         }
         ck_assert_msg(count == 1 || count == field->place.count ||
-                          (count == 2 && field->shape == GOUGH_SHAPE_PAIR_OR_SIX),
+                          (count == 2 && (field->shape == GOUGH_SHAPE_PAIR_OR_SIX ||
+                                          field->shape == GOUGH_SHAPE_RANGE_OR_SIX)),
                       "%s: %s", field->path, text);
         ck_assert_msg(found == wanted, "%s: %s is %.17g at %zu", field->path, text, found, i);
     }
@@ -149,6 +188,8 @@ static void expect_value(const gough_field *field, const void *value, const char
 /* Members that a key may set besides its own: flags of given keys, and Baumgarte as the way constraints are kept. */
 static bool may_follow(const gough_field *other, const gough_field *field) {
     return (!other->is_key && other->place.kind == GOUGH_KIND_FLAG) ||
+           (strcmp(other->path, "actuators.time_constant") == 0 &&
+            strcmp(field->path, "actuators.kind") == 0) ||
            (strcmp(other->path, "simulation.constraints") == 0 &&
             strcmp(field->path, "simulation.constraints.baumgarte") == 0);
 }
@@ -258,6 +299,7 @@ START_TEST(every_member_is_of_the_part_that_its_key_names) {
         const char *section;
         unsigned part;
     } sections[] = {{"platform", GOUGH_PART_MACHINE},
+                    {"actuators", GOUGH_PART_MACHINE},
                     {"load", GOUGH_PART_MACHINE},
                     {"gravity", GOUGH_PART_MACHINE},
                     {"external", GOUGH_PART_EXTERNAL},

@@ -60,6 +60,8 @@ static const char *shape_with(const gough_key *key, const char *v, char *value, 
         {"two numbers or six pairs", "[", ", 1]", ".1"},
         {"number or two numbers", "[", ", 1]", ".1"},
         {"three numbers", "[1, ", ", 1]", ".2"},
+        {"number, two numbers or six of these", "[", ", 1]", ".1"},
+        {"number, six numbers or 6×6 matrix", "[1, 1, ", ", 1, 1, 1]", ".3"},
         {"number or three numbers", "[1, 1, ", "]", ".3"},
         {"number or six numbers", "[1, 1, ", ", 1, 1, 1]", ".3"},
         {"six points", "[[1, 1, 1], [1, ", ", 1], [1, 1, 1], [1, 1, 1], [1, 1, 1], [1, 1, 1]]",
@@ -107,7 +109,8 @@ static void expect_of_number(const gough_key *key, const char *v, const char *pa
 START_TEST(rejects_wrong_type_of_every_key) {
     EACH_KEY(key) {
         const bool mapping = type_is(key, "mapping") || type_is(key, "list of mappings") ||
-                             type_is(key, "mapping of paths");
+                             type_is(key, "mapping of paths") ||
+                             type_is(key, "mapping or six mappings");
         const bool other = type_is(key, "choice or mapping");
         lone made;
         char sentence[400];
@@ -157,7 +160,8 @@ START_TEST(rejects_every_number_out_of_range) {
         if (strcmp(key->range, "> 0") == 0) {
             expect_of_number(key, "0", "greater than 0, found 0");
             expect_of_number(key, "-1e-300", "greater than 0, found -1e-300");
-        } else if (strcmp(key->range, ">= 0") == 0) {
+        } else if (strcmp(key->range, ">= 0") == 0 ||
+                   strcmp(key->range, ">= 0 outside a matrix") == 0) {
             expect_of_number(key, "-1", "0 or greater, found -1");
         } else if (strcmp(key->range, "> 0, <= 1") == 0) {
             expect_of_number(key, "0", "greater than 0, and at most 1, found 0");
@@ -296,6 +300,8 @@ START_TEST(hints_for_keys_in_the_wrong_place_are_true) {
                                           "disturbance",
                                           "disturbance.noise",
                                           "control",
+                                          "control.sampling",
+                                          "actuators",
                                           "initial",
                                           "simulation",
                                           "simulation.constraints",

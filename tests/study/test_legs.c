@@ -147,7 +147,7 @@ START_TEST(rattle_needs_legs_without_dry_friction) {
     text_of("{friction: {efficiency: 0.9}}", text);
     strcat(text, "simulation: {method: rattle2, step: 0.01, output_step: 0.1}\n");
     expect_said(text, "study.yaml:8:14: error: simulation.method: the method rattle2 needs legs "
-                      "without dry friction; use dop853 or rk4 with them");
+                      "without dry friction; use dop853 or rk4 here");
 }
 END_TEST
 

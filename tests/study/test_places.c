@@ -20,16 +20,17 @@ START_TEST(points_at_unknown_key) {
                 "          ^\n");
     expect_more(
         "mass: 50\n",
-        "study.yaml:8:1: error: unknown key `mass`; known here: title, units, platform, load, "
-        "gravity, external, motion, disturbance, control, initial, simulation, sweep; keys of that "
+        "study.yaml:8:1: error: unknown key `mass`; known here: title, units, platform, "
+        "actuators, load, gravity, external, motion, disturbance, control, initial, simulation, "
+        "sweep; keys of that "
         "name "
         "elsewhere: `units.mass`, `platform.legs.cylinder.mass`, `platform.legs.piston.mass`, "
         "`load.mass`\n"
         "mass: 50\n"
         "^\n");
     expect_more("control: {zzz: 50}\n",
-                "study.yaml:8:11: error: unknown key `zzz`; known here: feedforward, stiffness, "
-                "damping, model\n"
+                "study.yaml:8:11: error: unknown key `zzz`; known here: feedforward, law, "
+                "stiffness, damping, integral, tracking_time, model, sampling\n"
                 "control: {zzz: 50}\n"
                 "          ^\n");
 }
@@ -122,7 +123,7 @@ END_TEST
 START_TEST(counts_characters_not_bytes) {
     expect_more("control: {übermaß: 1}\n",
                 "study.yaml:8:11: error: unknown key `übermaß`; known here: feedforward, "
-                "stiffness, damping, model\n"
+                "law, stiffness, damping, integral, tracking_time, model, sampling\n"
                 "control: {übermaß: 1}\n"
                 "          ^\n");
     expect_messages("title: äöü\nunits: {ß: 1, \"ä\": [ö\n", NULL,

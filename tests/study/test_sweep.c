@@ -365,6 +365,7 @@ START_TEST(noise_is_of_the_run_unless_the_study_names_one) {
     reading named =
         expect_good("disturbance: {noise: {leg_force: 0.1, interval: 0.5, run: 0}}\n", NULL);
     ck_assert_uint_eq(gough_sweep_noise_run(one.study, 5), 5);
+    ck_assert_uint_eq(gough_sweep_sampling_run(one.study, 5), 5);
     ck_assert_uint_eq(gough_sweep_noise_run(named.study, 5), 0);
     reading_free(&one);
     reading_free(&named);

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "cli/check/check_limits.h"
+#include "cli/check/check_loop.h"
 #include "cli/check/check_pose.h"
 #include "cli/check/check_record.h"
 #include "cli/check/check_warnings.h"
@@ -306,9 +307,11 @@ static void print_control(const check *c) {
            control->feedforward ? "the program's forces" : "none");
     print_range(stiffness, own(c, GOUGH_UNIT_STIFFNESS, 1),
                 unit_word(c->unit, GOUGH_UNIT_STIFFNESS));
-    printf("%s\n  damping D            ", stiffness[1] > 0 ? "" : ": open loop");
+    printf("%s%s\n  damping D            ", loop_matrix_words(control, control->cross_stiffness),
+           stiffness[1] > 0 || control->coupled ? "" : ": open loop");
     print_range(damping, own(c, GOUGH_UNIT_DAMPING, 1), unit_word(c->unit, GOUGH_UNIT_DAMPING));
-    printf("\n");
+    printf("%s\n", loop_matrix_words(control, control->cross_damping));
+    print_loop(c->study, c->unit);
 }
 
 static void print_settings(const check *c) {
@@ -349,6 +352,7 @@ static void print_check(const check *c) {
     print_groups(c);
     print_program(c);
     print_control(c);
+    print_drives(c->study, c->unit);
     print_settings(c);
     if (c->sweep) sweep_describe(c->sweep);
 }
@@ -463,6 +467,8 @@ static int print_check_json(const check *c) {
                         json_number(own(c, GOUGH_UNIT_TIME, c->view.time_unit)));
     json_object_set_new(object, "groups", groups_object(c));
     json_object_set_new(object, "program", program_object(c));
+    json_object_set_new(object, "control", control_object(c->study, c->unit));
+    json_object_set_new(object, "actuators", drives_object(c->study, c->unit));
     json_object_set_new(object, "simulation", simulation);
     if (c->sweep) json_object_set_new(object, "sweep", sweep_object(c->sweep));
     return json_print(object);

@@ -8,6 +8,7 @@
 
 #include "cli/common/talk.h"
 #include "cli/run/limits_used.h"
+#include "cli/run/loop_warnings.h"
 
 /* displacements smaller than this, in base radii and radians, and rates that would not make more than SLOW over the run, are those
  * of decimals that were rounded */
@@ -166,4 +167,5 @@ void check_warnings(const char *verb, const gough_study *study, const gough_unit
     warn_start(&w);
     warn_way(&w);
     warn_rows(&w);
+    loop_warnings(verb, study);
 }

@@ -9,6 +9,7 @@
 #include "cli/common/progress.h"
 #include "cli/common/talk.h"
 #include "cli/run/growth.h"
+#include "cli/run/loop_warnings.h"
 #include "cli/run/run_report.h"
 #include "cli/run/run_study.h"
 
@@ -154,6 +155,7 @@ static gough_status run_and_report(const command_line *line, run_report *report)
         complain(line->verb, "out of memory");
         return GOUGH_ERROR_FILE;
     }
+    if (report->simulated) loop_warnings(line->verb, study);
     if (report->simulated && !line->quiet) remark_growth(line->verb, study, &report->units);
 
     interrupt_outputs(line->verb, line->outputs.word, line->outputs.count, 0);
@@ -185,6 +187,7 @@ gough_status run_study(const run_line *run, bool simulated) {
     if (!status) {
         study->simulation.reactions |= run->run.reactions; /* tables have columns by these too */
         study->simulation.joints |= run->run.joints;
+        study->simulation.actuators |= run->run.actuators;
         if (run->run.precision == GOUGH_QUADRUPLE) study->simulation.precision = GOUGH_QUADRUPLE;
         report.study = study;
         status = run_and_report(line, &report);

@@ -6,7 +6,7 @@
 
 typedef struct run_options {
     gough_precision precision; /* GOUGH_DOUBLE unless the option or the study has more digits */
-    bool reactions, joints;
+    bool reactions, joints, actuators;
 } run_options;
 
 typedef struct run_line {

@@ -1,7 +1,16 @@
 /* gough simulate: forward dynamics under control and disturbance. */
 #include "cli/run/run_study.h"
 
-static const group_use groups[] = {RUN_GROUPS, {0}};
+static const option drive_option[] = {
+    {.name = "actuators",
+     .read = read_flag,
+     .at = offsetof(run_options, actuators),
+     .text = "add commands, measured lengths and what holds the drives back to the table"},
+    {0}};
+
+static const option_group drive_group = {drive_option, NULL, NULL};
+
+static const group_use groups[] = {RUN_GROUPS, USES(drive_group, run_line, run, NULL), {0}};
 
 static gough_status run(const void *line) { return run_study(line, true); }
 

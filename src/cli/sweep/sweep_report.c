@@ -181,14 +181,28 @@ void sweep_describe(const gough_sweep *sweep) {
     }
 }
 
-bool sweep_numbers_noise(const gough_sweep *sweep) {
-    const gough_study *study = gough_sweep_study(sweep);
-    bool noisy = study->model->disturbance.noise.interval > 0;
+/* Whether a sweep varies a key that begins so. */
+static bool varies(const gough_sweep *sweep, const char *begin) {
     size_t keys;
     const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
     for (size_t k = 0; k < keys; k++)
-        noisy = noisy || strncmp(key[k].path, "disturbance.noise.", 18) == 0;
+        if (strncmp(key[k].path, begin, strlen(begin)) == 0) return true;
+    return false;
+}
+
+bool sweep_numbers_noise(const gough_sweep *sweep) {
+    const gough_study *study = gough_sweep_study(sweep);
+    const bool noisy =
+        study->model->disturbance.noise.interval > 0 || varies(sweep, "disturbance.noise.");
     return noisy && !study->noise_run_given;
+}
+
+bool sweep_numbers_samples(const gough_sweep *sweep) {
+    const gough_study *study = gough_sweep_study(sweep);
+    const gough_sampling *s = &study->model->control.sampling;
+    const bool random = s->noise > 0 || s->jitter > 0 || varies(sweep, "control.sampling.noise") ||
+                        varies(sweep, "control.sampling.jitter");
+    return random && s->period > 0 && !study->sampling_run_given;
 }
 
 /* ---- as JSON ------------------------------------------------------------------------------------------------------ */
@@ -221,6 +235,8 @@ int sweep_print_run_json(const gough_sweep *sweep, size_t run, const double *val
     for (size_t k = 0; k < keys; k++) json_object_set_new(set, key[k].path, json_number(value[k]));
     if (sweep_numbers_noise(sweep))
         json_object_set_new(set, "disturbance.noise.run", json_integer((json_int_t)run));
+    if (sweep_numbers_samples(sweep))
+        json_object_set_new(set, "control.sampling.run", json_integer((json_int_t)run));
     json_object_set_new(object, "run", json_integer((json_int_t)run));
     json_object_set_new(object, "units", json_units(&gough_sweep_study(sweep)->units));
     json_object_set_new(object, "set", set);

@@ -30,6 +30,9 @@ void sweep_name_values(const gough_sweep *sweep, size_t run, char *text, size_t 
 /* Whether the noise of a run is selected by its number, so that the run alone needs to be told it. */
 bool sweep_numbers_noise(const gough_sweep *sweep);
 
+/* The same for noise and jitter of a sampled controller. */
+bool sweep_numbers_samples(const gough_sweep *sweep);
+
 /* What a study would run, for gough check. */
 void sweep_describe(const gough_sweep *sweep);
 json_t *sweep_object(const gough_sweep *sweep);

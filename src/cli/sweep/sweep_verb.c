@@ -131,6 +131,8 @@ static gough_status print_run(const sweep_line *given, const gough_sweep *sweep)
         }
     if (!line->json && sweep_numbers_noise(sweep))
         printf(" --set disturbance.noise.run=%zu", given->part.one_run);
+    if (!line->json && sweep_numbers_samples(sweep))
+        printf(" --set control.sampling.run=%zu", given->part.one_run);
     if (!line->json) putchar('\n');
     free(value);
     return failed ? GOUGH_ERROR_FILE : GOUGH_OK;

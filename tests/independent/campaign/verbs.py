@@ -125,7 +125,7 @@ class Check:
             "groups": {"height": Q(groups["h"], None, eps), "top_radius": Q(groups["r"], None, eps),
                        "inertia": each(groups["J"], None, max(groups["J"])),
                        "stiffness": gains(groups["G"]), "damping": gains(groups["D"])},
-            "program": program,
+            "program": program, "control": self.control_json(), "actuators": self.actuators_json(),
             "simulation": {"duration": bound(meaning.duration, "time"), "output_step": bound(meaning.output_step, "time"),
                            "method": meaning.method, "step": bound(meaning.step, "time") if fixed else None,
                            "tolerance": None if fixed else bound(meaning.tolerance, None)}}
@@ -204,6 +204,16 @@ class Check:
         if "sweep" in tree:
             known += sweeps.lines_described(tree["sweep"])
         return [Line(text, u) for text in known] + [Table(table, u, False)]
+
+    def control_json(self):
+        meaning, each = self.meaning, lambda values, d: [Q(x, d, 1e-12 * abs(x)) for x in values]
+        return {"law": "leg", "feedforward": meaning.feedforward, "stiffness": each(meaning.stiffness, "stiffness"),
+                "damping": each(meaning.damping, "damping"), "integral": [Q(0, None, 0)] * 6, "tracking_time": None, "sampled": False}
+
+    def actuators_json(self):
+        none = [None] * 6
+        return {"kind": "ideal", "max_force": none, "time_constant": none, "frequency": none, "damping_ratio": none,
+                "max_rate": none}
 
     def program_lines(self):
         moves, about = self.meaning.moves, self.machine.about
