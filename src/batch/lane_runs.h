@@ -9,6 +9,10 @@
 #include "system/loop.h"
 #include "system/problem.h"
 
+/* What most steps do not come to is apart from them. Laid out within, it would spread their memory over so much stack that loads
+ * often had the place of an unrelated store in a page, for which processors make them wait. */
+#define LANES_APART __attribute__((noinline)) static
+
 typedef struct {
     struct system r;
     appointments when; /* the same in all lanes */
@@ -216,8 +220,8 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
     }
 }
 
-/* the stepper's step; returns the residual of an implicit one */
-static inline number group_step(group *g, number raw[STATE_SIZE]) {
+/* a step of another method than RK4; returns the residual of an implicit one */
+LANES_APART number group_step_other(group *g, number raw[STATE_SIZE]) {
     const march_problem problem = system_problem(&g->r);
     dop853 work;
     const number residual =
@@ -230,6 +234,14 @@ static inline number group_step(group *g, number raw[STATE_SIZE]) {
         coordinates_store(&turning, raw + COORDINATES);
     }
     return residual;
+}
+
+/* the stepper's step; returns the residual of an implicit one */
+static inline number group_step(group *g, number raw[STATE_SIZE]) {
+    if (g->m.method != MARCH_RK4) return group_step_other(g, raw);
+    rk4_step(system_rates, &g->r, g->r.states, g->m.t0, g->m.h, g->at[g->now].y, g->at[g->now].rate,
+             raw);
+    return number_of(0);
 }
 
 /* A sum that is not finite where anything is not; velocities are among the rates. Four sums side by side, since each addition
@@ -299,8 +311,8 @@ static inline void group_end_within(group *g, const batch_job *job, const batch_
 }
 
 /* looks at the lanes in trouble one by one, as gough_simulate() would */
-static inline void group_inspect(group *g, const batch_job *job, number trouble, number residual,
-                                 const number *raw) {
+LANES_APART void group_inspect(group *g, const batch_job *job, number trouble, number residual,
+                               const number *raw) {
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         batch_step step = {.t0 = g->m.t0,
                            .h = g->m.h,

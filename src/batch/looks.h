@@ -66,7 +66,7 @@ static inline void looks_begin(looks *l) {
 
 /* the look before `age` others */
 static inline number *looks_back(looks *l, int age) {
-    return l->look[(l->newest + QUADRATURE_ROWS - age) % QUADRATURE_ROWS];
+    return l->look[((unsigned)l->newest - (unsigned)age) % QUADRATURE_ROWS];
 }
 
 /* How far a pose is from the program's: the distance of the top frame's origins, and |Q − Qᵖ|, which is √8 sin(θ/2) for an angle θ
@@ -171,24 +171,25 @@ static inline looks_bends looks_bend_all(looks *l) {
 }
 
 /* how far looks_bound() of any leg may be above the peak so far: from the largest value and second difference of all legs */
-static inline number looks_over(const looks_interval *f, int column, number before, number bend,
+static inline number looks_over(const number *one, const number *two, int column, number bends,
                                 number peak) {
-    return number_larger(f->row[1][column], f->row[2][column]) +
-           number_of(0.071) * (before + bend) - peak;
+    return number_larger(one[column], two[column]) + number_of(0.071) * bends - peak;
 }
 
 /* Whether any peak may lie between the middle two of four looks equally far apart. Where not, which is almost always, looks_reach()
  * need not ask each column: no bound there is greater, rounding included. */
-static inline int looks_any(const looks *l, const looks_interval *f) {
+static inline int looks_any(looks *l) {
     const looks_bends *a = &l->before, *b = &l->bends;
-    number most = looks_over(f, LOOKS_MOST_FORCE, a->force, b->force, l->force);
+    const number *one = looks_back(l, 2), *two = looks_back(l, 1);
+    const number force = a->force + b->force, speed = a->speed + b->speed;
+    const number power = a->power + b->power, apart = a->distance + b->distance;
+    number most = looks_over(one, two, LOOKS_MOST_FORCE, force, l->force);
 
-    most = number_larger(most, looks_over(f, LOOKS_MOST_SPEED, a->speed, b->speed, l->speed));
-    most = number_larger(most, looks_over(f, LOOKS_MOST_POWER, a->power, b->power, l->power));
-    most = number_larger(most, looks_over(f, LOOKS_MOST_BRAKING, a->power, b->power, l->braking));
-    most =
-        number_larger(most, looks_over(f, LOOKS_DISTANCE, a->distance, b->distance, l->distance));
-    most = number_larger(most, looks_over(f, LOOKS_TURN, a->turn, b->turn, l->turn));
+    most = number_larger(most, looks_over(one, two, LOOKS_MOST_SPEED, speed, l->speed));
+    most = number_larger(most, looks_over(one, two, LOOKS_MOST_POWER, power, l->power));
+    most = number_larger(most, looks_over(one, two, LOOKS_MOST_BRAKING, power, l->braking));
+    most = number_larger(most, looks_over(one, two, LOOKS_DISTANCE, apart, l->distance));
+    most = number_larger(most, looks_over(one, two, LOOKS_TURN, a->turn + b->turn, l->turn));
     return number_any(number_greater(most, number_of(0)));
 }
 
@@ -241,12 +242,14 @@ static inline void looks_peaks_of(looks *l, number heard, int column, int column
 /* peaks between look a and the next */
 static inline void looks_peaks(looks *l, number heard, int count, int a) {
     const number plus = number_of(1);
-    looks_interval f = {.count = count, .a = a};
+    looks_interval f;
 
+    f.count = count;
+    f.a = a;
+    f.fitted = 0;
     for (int i = 0; i < QUADRATURE_ROWS; i++) f.row[i] = looks_back(l, QUADRATURE_ROWS - 1 - i);
     f.middle = count == QUADRATURE_ROWS && a == 1;
     f.even = f.middle && looks_even(l);
-    if (f.even && !looks_any(l, &f)) return;
     looks_peaks_of(l, heard, LOOKS_FORCE, LEGS, plus, &f, &l->force);
     looks_peaks_of(l, heard, LOOKS_SPEED, LEGS, plus, &f, &l->speed);
     looks_peaks_of(l, heard, LOOKS_POWER, LEGS, plus, &f, &l->power);
@@ -265,6 +268,7 @@ static inline void looks_sum_up(looks *l, number heard, int count, int a) {
         quadrature_weigh(l->time, count, a, weight);
     }
     looks_integrate(l, heard, weight);
+    if (count == QUADRATURE_ROWS && a == 1 && looks_even(l) && !looks_any(l)) return;
     if (count >= 3) looks_peaks(l, heard, count, a);
 }
 

@@ -166,14 +166,52 @@ static inline number number_select(mask m, number a, number b) {
 static inline int number_any(mask m) { return m != 0; }
 #else
 static inline mask number_greater(number a, number b) { return a > b; }
+#if NUMBER_LANES == 4 && defined(__AVX__)
+static inline number number_select(mask m, number a, number b) {
+    return (number)_mm256_blendv_pd((__m256d)b, (__m256d)a, (__m256d)m);
+}
+static inline int number_any(mask m) { return _mm256_movemask_pd((__m256d)m) != 0; }
+#else
 static inline number number_select(mask m, number a, number b) {
     return (number)((m & (mask)a) | (~m & (mask)b));
 }
+#if NUMBER_LANES == 2 && defined(__SSE2__)
+static inline int number_any(mask m) { return _mm_movemask_pd((__m128d)m) != 0; }
+#else
 static inline int number_any(mask m) {
     long long any = 0;
     for (int i = 0; i < NUMBER_LANES; i++) any |= m[i];
     return any != 0;
 }
+#endif
+#endif
+#endif
+/* number_larger() and number_smaller() as one instruction each, which returns its second operand where neither compares, zeros and
+ * NaN included */
+#if NUMBER_LANES == 8 && defined(__AVX512F__)
+static inline number number_larger(number a, number b) {
+    return (number)_mm512_max_pd((__m512d)b, (__m512d)a);
+}
+static inline number number_smaller(number a, number b) {
+    return (number)_mm512_min_pd((__m512d)b, (__m512d)a);
+}
+#define NUMBER_LARGER
+#elif NUMBER_LANES == 4 && defined(__AVX__)
+static inline number number_larger(number a, number b) {
+    return (number)_mm256_max_pd((__m256d)b, (__m256d)a);
+}
+static inline number number_smaller(number a, number b) {
+    return (number)_mm256_min_pd((__m256d)b, (__m256d)a);
+}
+#define NUMBER_LARGER
+#elif NUMBER_LANES == 2 && defined(__SSE2__)
+static inline number number_larger(number a, number b) {
+    return (number)_mm_max_pd((__m128d)b, (__m128d)a);
+}
+static inline number number_smaller(number a, number b) {
+    return (number)_mm_min_pd((__m128d)b, (__m128d)a);
+}
+#define NUMBER_LARGER
 #endif
 static inline number number_magnitude(number x) {
     return (number)((number_bits)x & 0x7fffffffffffffffLL); /* without the sign's bit */
@@ -208,8 +246,13 @@ static inline number number_between(number x, number least, number most) {
     const number low = number_select(number_greater(least, x), least, x);
     return number_select(number_greater(low, most), most, low);
 }
+#ifndef NUMBER_LARGER
 static inline number number_larger(number a, number b) {
     return number_select(number_greater(b, a), b, a);
 }
+static inline number number_smaller(number a, number b) {
+    return number_select(number_greater(a, b), b, a);
+}
+#endif
 
 #endif

@@ -159,10 +159,6 @@ static inline void limits_angles_cheaply(const limit_set *s, int order, const tr
     limits_angle(s, 2, R->i.y, R->i.x, margin);
 }
 
-static inline number limits_less(number least, number here) {
-    return number_select(number_greater(least, here), here, least);
-}
-
 /* the least margin in each lane of the limits that need more than lengths, rates and forces, and `least` */
 static inline number limits_least_measured(const struct system *r, const signals *m, number least) {
     number margin[MARGINS];
@@ -174,7 +170,7 @@ static inline number limits_least_measured(const struct system *r, const signals
     for (int kind = LIMIT_ACCELERATION; kind < LIMIT_KINDS; kind++) {
         if (!limit_has(&r->limits, kind)) continue;
         for (int i = 0; i < LIMIT_SIX; i++)
-            least = limits_less(least, margin[LIMIT_SIX * kind + i]);
+            least = number_smaller(least, margin[LIMIT_SIX * kind + i]);
     }
     return least;
 }
@@ -185,14 +181,14 @@ static inline number limits_least(const struct system *r, const signals *m) {
     const int pulls = limit_has(s, LIMIT_PULL);
     number least = limit_short(s, m, 0);
 
-    for (int v = 1; v < LEGS; v++) least = limits_less(least, limit_short(s, m, v));
+    for (int v = 1; v < LEGS; v++) least = number_smaller(least, limit_short(s, m, v));
     for (int v = 0; limit_has(s, LIMIT_LONG) && v < LEGS; v++)
-        least = limits_less(least, limit_long(s, m, v));
+        least = number_smaller(least, limit_long(s, m, v));
     for (int v = 0; limit_has(s, LIMIT_SPEED) && v < LEGS; v++)
-        least = limits_less(least, limit_speed(s, m, v));
+        least = number_smaller(least, limit_speed(s, m, v));
     for (int v = 0; limit_has(s, LIMIT_FORCE) && v < LEGS; v++)
-        least = limits_less(least, limit_force(s, m, pulls, v));
-    for (int v = 0; pulls && v < LEGS; v++) least = limits_less(least, limit_pull(s, m, v));
+        least = number_smaller(least, limit_force(s, m, pulls, v));
+    for (int v = 0; pulls && v < LEGS; v++) least = number_smaller(least, limit_pull(s, m, v));
     return s->kinds >> LIMIT_ACCELERATION ? limits_least_measured(r, m, least) : least;
 }
 

@@ -169,18 +169,14 @@ static inline void system_signals(struct system *r, real t, const number *y, sig
 
     r->evaluations++;
     if (signals_plain(r)) {
-        const coordinates x = coordinates_load(y), rate = coordinates_load(y + COORDINATES);
-        number F[LEGS];
-        legs g;
-        legs_at(&r->h, &x, &g);
-        legs_rates(&r->h, &rate, &g);
-        signals_plain_forces(r, s, &g, F);
-        if (r->traits & SAMPLED) signals_loop(r, s, &g, y, &m->loop);
-        m->acceleration = signals_plain_acceleration(r, &x, &rate, &g, F);
-        m->x = x;
-        m->rate = rate;
-        m->g = g;
-        for (int v = 0; v < LEGS; v++) m->force[v] = m->leg[v] = F[v];
+        m->x = coordinates_load(y);
+        m->rate = coordinates_load(y + COORDINATES);
+        legs_at(&r->h, &m->x, &m->g);
+        legs_rates(&r->h, &m->rate, &m->g);
+        signals_plain_forces(r, s, &m->g, m->force);
+        if (r->traits & SAMPLED) signals_loop(r, s, &m->g, y, &m->loop);
+        for (int v = 0; v < LEGS; v++) m->leg[v] = m->force[v];
+        m->acceleration = signals_plain_acceleration(r, &m->x, &m->rate, &m->g, m->leg);
         return;
     }
     m->x = coordinates_load(y);

@@ -52,3 +52,25 @@ static inline void evaluate(const gough_machine *machine, int count, double (*st
         }
     }
 }
+
+/* of pairs a, b: the larger and the smaller, the one chosen by a > b, and whether that is so in any lane */
+static inline void choose(int count, const double *a, const double *b, double (*out)[4]) {
+    for (int first = 0; first < count; first += NUMBER_WIDTH) {
+        number x = number_of(0), y = x;
+
+        for (int k = 0; k < NUMBER_WIDTH; k++) {
+            number_put(&x, k, a[first + k]);
+            number_put(&y, k, b[first + k]);
+        }
+        const mask m = number_greater(x, y);
+        const number larger = number_larger(x, y), smaller = number_smaller(x, y);
+        const number chosen = number_select(m, number_of(1), number_of(2));
+        for (int k = 0; k < NUMBER_WIDTH; k++) {
+            double *o = out[first + k];
+            o[0] = number_lane(larger, k);
+            o[1] = number_lane(smaller, k);
+            o[2] = number_lane(chosen, k);
+            o[3] = number_any(m) ? 1 : 0;
+        }
+    }
+}

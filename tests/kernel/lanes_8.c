@@ -8,3 +8,8 @@ void evaluate_lanes_8(const gough_machine *machine, int count, double (*state)[2
                       double (*acceleration)[12], double (*out)[KERNEL_RESULTS]) {
     evaluate(machine, count, state, acceleration, out);
 }
+
+void choose_lanes_8(int count, const double *a, const double *b, double (*out)[4]);
+void choose_lanes_8(int count, const double *a, const double *b, double (*out)[4]) {
+    choose(count, a, b, out);
+}
