@@ -121,6 +121,7 @@ gough_status gough_floquet_multipliers(const gough_model *model, const gough_per
     status = motion_check(&model->motion, error);
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
     if (status == GOUGH_OK) status = control_keeps_program(&model->machine, &model->control, error);
+    if (status == GOUGH_OK) status = linear_refuse(model, "the stability about a program", error);
     if (status != GOUGH_OK) return status;
     if (period == NULL) {
         status = gough_motion_period(&model->motion, &found, error);

@@ -37,8 +37,7 @@ static vector turned(vector theta, vector e) {
         e, add(scale(a, cross(theta, e)), scale(2 * half * half, cross(theta, cross(theta, e)))));
 }
 
-/* the state y changed by ξ */
-static void change(const double y[MOTION], const double xi[N], double out[MOTION]) {
+void orbit_change(const double y[MOTION], const double xi[N], double out[MOTION]) {
     coordinates x = coordinates_load(y), rate = coordinates_load(y + COORDINATES);
     const vector theta = vector_load(xi + 3);
     const vector omega = add(triad_angular_velocity(&x.q, &rate.q), vector_load(xi + 9));
@@ -51,9 +50,7 @@ static void change(const double y[MOTION], const double xi[N], double out[MOTION
     coordinates_store(&rate, out + COORDINATES);
 }
 
-/* ξ from y to z, in the units of m; of the rotation between them, its axis times the sine of its angle */
-static void difference(const monodromy *m, const double y[MOTION], const double z[MOTION],
-                       double xi[N]) {
+void orbit_difference(const double y[MOTION], const double z[MOTION], double xi[N]) {
     const coordinates x = coordinates_load(y), rate = coordinates_load(y + COORDINATES);
     const coordinates u = coordinates_load(z), other = coordinates_load(z + COORDINATES);
     const vector turn = add(add(cross(x.q.i, u.q.i), cross(x.q.j, u.q.j)), cross(x.q.k, u.q.k));
@@ -62,7 +59,6 @@ static void difference(const monodromy *m, const double y[MOTION], const double 
     vector_store(scale(0.5, turn), xi + 3);
     vector_store(subtract(other.rho, rate.rho), xi + 6);
     vector_store(subtract(angular_velocity_of(&u, &other), angular_velocity_of(&x, &rate)), xi + 9);
-    for (int i = 0; i < N; i++) xi[i] /= m->unit[i];
 }
 
 /* one way round from y: what is missing to closure; false where the way ends before */
@@ -71,7 +67,8 @@ static bool go_round(monodromy *m, const double y[MOTION], double missing[N], go
 
     memcpy(after, y, sizeof after);
     if (monodromy_of_motion(m, after, error) != GOUGH_OK) return false;
-    difference(m, y, after, missing);
+    orbit_difference(y, after, missing);
+    for (int i = 0; i < N; i++) missing[i] /= m->unit[i];
     return true;
 }
 
@@ -100,7 +97,7 @@ static bool close_motion(monodromy *m, double y[MOTION], gough_error *error) {
         if (length <= closed * m->tolerance) return true;
         if (!(length <= shrinks * before)) return length <= nearly_closed * m->tolerance;
         for (int i = 0; i < N; i++) xi[i] *= m->unit[i];
-        change(y, xi, y);
+        orbit_change(y, xi, y);
         before = length;
     }
     return false;

@@ -8,4 +8,10 @@
  * GOUGH_ERROR_NUMERICAL: none was found near the program. */
 gough_status orbit_find(monodromy *m, double y[MOTION], gough_error *error);
 
+/* the state y changed by ξ */
+void orbit_change(const double y[MOTION], const double xi[GOUGH_LINEAR], double out[MOTION]);
+
+/* ξ from y to z; of the rotation between them, its axis times the sine of its angle */
+void orbit_difference(const double y[MOTION], const double z[MOTION], double xi[GOUGH_LINEAR]);
+
 #endif

@@ -51,6 +51,7 @@ static gough_status check_matrix(double t, linear_matrix matrix, gough_error *er
 }
 
 bool linear_is_damped(const linear_loop *loop) {
+    if (loop->control->coupled) return true;
     for (int v = 0; v < GOUGH_LEGS; v++) {
         if (fabs(loop->control->damping[v]) > 0) return true;
         if (!loop->undamped && loop->machine->platform.friction.viscous[v] > 0) return true;
@@ -108,19 +109,70 @@ gough_status linear_check(const linear_loop *loop, double t, const gough_state *
     return status == GOUGH_OK ? check_matrix(t, matrix, error) : status;
 }
 
-size_t gough_linear_size(const gough_model *model) {
-    (void)model; /* no part has states of its own */
-    return GOUGH_LINEAR;
+int linear_beyond(const gough_machine *machine, const gough_control *control,
+                  int kept[LINEAR_BEYOND]) {
+    const gough_actuators *a = &machine->platform.actuators;
+    const int orders = a->kind != GOUGH_ACTUATOR_LAG ? 0 : a->time_constant[0] > 0 ? 1 : 2;
+    int n = 0;
+
+    for (; n < GOUGH_LEGS * orders; n++) kept[n] = n;
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        if (control->integral[v] > 0) kept[n++] = GOUGH_LEGS * orders + v;
+    }
+    return n;
 }
 
-gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
-                             size_t size, double *matrix, gough_error *error) {
-    const linear_loop loop = {&model->machine, &model->motion, &model->control, false, 0};
+gough_status linear_refuse_states(const gough_model *model, const char *what, gough_error *error) {
+    const bool lags = model->machine.platform.actuators.kind == GOUGH_ACTUATOR_LAG;
+    int kept[LINEAR_BEYOND];
+
+    if (linear_beyond(&model->machine, &model->control, kept) == 0) return GOUGH_OK;
+    return gough_fail_key(error, GOUGH_ERROR_INPUT, lags ? "actuators" : "control.integral",
+                          "%s is not computed for %s; the stability at rest and runs are", what,
+                          lags ? "drives that lag" : "a controller with an integral");
+}
+
+gough_status linear_refuse(const gough_model *model, const char *what, gough_error *error) {
+    if (!(model->control.sampling.period > 0)) return linear_refuse_states(model, what, error);
+    return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.sampling",
+                          "%s is not computed for a sampled controller; the stability at rest and "
+                          "runs are",
+                          what);
+}
+
+gough_status linear_refuse_matrices(const gough_model *model, const char *what,
+                                    gough_error *error) {
+    const gough_status status = linear_refuse(model, what, error);
+
+    if (status != GOUGH_OK || !model->control.coupled) return status;
+    return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.stiffness",
+                          "%s varies one stiffness of all legs, which a matrix of gains does not "
+                          "have; give a number or six",
+                          what);
+}
+
+size_t gough_linear_size(const gough_model *model) {
+    int kept[LINEAR_BEYOND];
+
+    return GOUGH_LINEAR + (size_t)linear_beyond(&model->machine, &model->control, kept);
+}
+
+static bool finite(const double *value, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        if (!isfinite(value[i])) return false;
+    }
+    return true;
+}
+
+static gough_status check_linearise(const gough_model *model, const gough_state *state, size_t size,
+                                    gough_error *error) {
     gough_status status = motion_check(&model->motion, error);
-    linear_matrix found;
-    const char *wrong;
 
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
+    if (status == GOUGH_OK && model->control.sampling.period > 0)
+        status = gough_fail_key(error, GOUGH_ERROR_INPUT, "control.sampling",
+                                "a sampled loop has no matrix of rates: its map from sample to "
+                                "sample does not follow from one");
     if (status != GOUGH_OK) return status;
     if (size != gough_linear_size(model)) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
@@ -132,7 +184,29 @@ gough_status gough_linearise(const gough_model *model, double t, const gough_sta
                           "the rotation of the state is not a rotation matrix: its columns must be "
                           "orthonormal to 1e-6 and right-handed");
     }
+    return GOUGH_OK;
+}
+
+gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
+                             size_t size, double *matrix, gough_error *error) {
+    const linear_loop loop = {&model->machine, &model->motion, &model->control, false, 0};
+    gough_status status = check_linearise(model, state, size, error);
+    int kept[LINEAR_BEYOND];
+    linear_matrix found;
+    const char *wrong;
+
+    if (status != GOUGH_OK) return status;
     wrong = linear_complex.matrix(&loop, t, state, found);
-    memcpy(matrix, found, sizeof found);
-    return linear_check(&loop, t, state, found, wrong, error);
+    status = linear_check(&loop, t, state, found, wrong, error);
+    if (size == GOUGH_LINEAR) {
+        memcpy(matrix, found, sizeof found);
+        return status;
+    }
+    linear_beyond(&model->machine, &model->control, kept);
+    linear_complex.whole(&loop, t, state, kept, (int)size, matrix);
+    if (status == GOUGH_OK && !finite(matrix, size * size))
+        status =
+            gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                       "at t = %.9g" IN_TIME " the derivatives of the drives are not finite", t);
+    return status;
 }

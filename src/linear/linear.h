@@ -15,17 +15,22 @@ typedef struct {
     double unloaded; /* the part of the external loads that is left out, 0 … 1 */
 } linear_loop;
 
-/* whether the control or the legs damp */
+/* whether the control or the legs damp, or may take energy out as matrices of gains do */
 bool linear_is_damped(const linear_loop *loop);
 
 typedef double linear_matrix[GOUGH_LINEAR][GOUGH_LINEAR];
 
 struct linear_complex {
-    /* (stab-13) at a time; state NULL: about the program. Returns what is not finite, such as "motion.heave", or NULL */
+    /* (stab-13) at a time, with drives that follow at once and no integrals; state NULL: about the program. Returns what is not
+     * finite, such as "motion.heave", or NULL */
     const char *(*matrix)(const linear_loop *loop, double t, const gough_state *state,
                           linear_matrix matrix);
 
-    /* the same about the program at many times */
+    /* The same with the states of drives and integrals: of these `kept` are taken, in this order. Row by row. */
+    const char *(*whole)(const linear_loop *loop, double t, const gough_state *state,
+                         const int *kept, int size, double *matrix);
+
+    /* the same as the first about the program at many times */
     const char *(*along)(const linear_loop *loop, const double *t, size_t count,
                          linear_matrix *matrix);
 
@@ -53,6 +58,26 @@ void linear_inertia(const gough_machine *machine, const gough_state *state, doub
 
 /* the mass matrix on (δv, δω), of the centre of mass, base axes: M and J, and what the legs add to them */
 void linear_mass(const gough_machine *machine, const gough_state *state, double mass[6][6]);
+
+/* The states of drives and integrals that a loop has, for `whole`; returns their number. */
+enum { LINEAR_BEYOND = GOUGH_LINEAR_MOST - GOUGH_LINEAR };
+int linear_beyond(const gough_machine *machine, const gough_control *control,
+                  int kept[LINEAR_BEYOND]);
+
+/* Fails for a loop with states of its own, from sample to sample or in between, of which `what` cannot be computed ("the stability
+ * about a program"). */
+gough_status linear_refuse(const gough_model *model, const char *what, gough_error *error);
+
+/* Likewise where they are those of drives or of a continuous controller. */
+gough_status linear_refuse_states(const gough_model *model, const char *what, gough_error *error);
+
+/* Likewise for what varies the stiffness, with matrices of gains too. */
+gough_status linear_refuse_matrices(const gough_model *model, const char *what, gough_error *error);
+
+/* Where a loop rests: a program that stands at its equilibrium, the control that feeds forward what holds it there, its state. */
+gough_status linear_at_rest(const gough_model *model, const double component[GOUGH_COMPONENTS],
+                            gough_motion *motion, gough_control *control, gough_state *state,
+                            gough_error *error);
 
 /* The sentence for a matrix that could not be found: `wrong` as returned above, a singular pose, a number not finite. */
 gough_status linear_check(const linear_loop *loop, double t, const gough_state *state,

@@ -4,20 +4,40 @@
 #define NUMBER_COMPLEX
 #include "linear/linear.h"
 
+#include "linear/displace.h"
 #include "system/system.h"
-
-/* far below the rounding of any real part, far above the least double */
-static const double imaginary_step = 1e-30;
 
 static const gough_disturbance undisturbed;
 
-static void begin(struct system *r, const linear_loop *loop, const gough_simulation *options) {
-    const system_lane lane = {loop->machine, loop->control, &undisturbed, 0, 0};
+/* drives that follow all that is asked of them, at once or late */
+static void take_limits_off(struct system *r) {
+    r->traits &= ~SATURATING;
+    for (int v = 0; v < LEGS; v++) {
+        r->drives[v].least = -INFINITY;
+        r->drives[v].most = r->drives[v].rate = INFINITY;
+    }
+}
 
+/* `control` is that of the loop, continuous */
+static void begin_whole(struct system *r, const linear_loop *loop, gough_control *control,
+                        const gough_simulation *options) {
+    const system_lane lane = {loop->machine, control, &undisturbed, 0, 0};
+
+    *control = *loop->control;
+    control->sampling.period = 0;
     system_begin(r, loop->motion, options, &lane);
     system_take_dry_friction_off(r);
+    take_limits_off(r);
     r->external_share = number_of(1) - number_of(loop->unloaded);
     for (int v = 0; v < LEGS && loop->undamped; v++) r->h.dry[v].viscous = 0;
+}
+
+/* the same without states but pose and velocities: drives give at once what is asked, and nothing is integrated */
+static void begin(struct system *r, const linear_loop *loop, gough_control *control,
+                  const gough_simulation *options) {
+    begin_whole(r, loop, control, options);
+    r->traits &= ~(LAGGING | SECOND_ORDER | INTEGRATING);
+    system_lay_out(r);
 }
 
 static gough_simulation unstabilised(void) {
@@ -39,36 +59,6 @@ static void state_of_top(const hexapod *h, const gough_state *state, coordinates
 
     *x = coordinates_of_top(h, none, vector_of(state->position), &R);
     *rate = rates_of_top(h, x, vector_of(state->velocity), vector_of(state->angular_velocity));
-}
-
-static vector unit_vector(int axis) { return (vector){axis == 0, axis == 1, axis == 2}; }
-
-static vector imaginary(vector v) {
-    return (vector){cimag(v.x) / imaginary_step, cimag(v.y) / imaginary_step,
-                    cimag(v.z) / imaginary_step};
-}
-
-/* the state displaced by an imaginary step in one of δr, δθ, δv, δω: δe = δθ × e, δė = δω × e + ω × δe */
-static void displace(int direction, coordinates *x, coordinates *rate) {
-    const vector step = scale(I * imaginary_step, unit_vector(direction % 3));
-    const vector omega = triad_angular_velocity(&x->q, &rate->q);
-    triad turned;
-
-    switch (direction / 3) {
-    case 0:
-        x->rho = add(x->rho, step);
-        break;
-    case 1:
-        turned = triad_rate(&x->q, step);
-        x->q = (triad){add(x->q.i, turned.i), add(x->q.j, turned.j), add(x->q.k, turned.k)};
-        rate->q = triad_rate(&x->q, omega);
-        break;
-    case 2:
-        rate->rho = add(rate->rho, step);
-        break;
-    default:
-        rate->q = triad_rate(&x->q, add(omega, step));
-    }
 }
 
 /* (stab-13): δṙ = δv, δθ̇ = δω + ω × δθ, and δv̇, δω̇ from the equations of motion */
@@ -103,10 +93,11 @@ static void columns(struct system *r, double t, const coordinates *x, const coor
 static const char *complex_matrix(const linear_loop *loop, double t, const gough_state *state,
                                   linear_matrix matrix) {
     const gough_simulation options = unstabilised();
+    gough_control control;
     struct system r;
     coordinates x, rate;
 
-    begin(&r, loop, &options);
+    begin(&r, loop, &control, &options);
     if (state == NULL) {
         const wanted *s = system_wanted(&r, t);
         x = s->x[0], rate = s->x[1];
@@ -117,12 +108,69 @@ static const char *complex_matrix(const linear_loop *loop, double t, const gough
     return r.fault.what;
 }
 
+/* the states beyond pose and velocities where drives give what is asked of them and integrals are 0 */
+static void settle_beyond(struct system *r, double t, const coordinates *x, const coordinates *rate,
+                          number y[STATE_SIZE]) {
+    number asked[LEGS];
+    legs g;
+
+    for (int i = MOTION; i < r->states; i++) y[i] = 0;
+    legs_at(&r->h, x, &g);
+    legs_rates(&r->h, rate, &g);
+    signals_asked(r, system_wanted(r, t), &g, y, asked);
+    for (int v = 0; v < LEGS && r->traits & LAGGING; v++) y[r->drive.at + v] = asked[v];
+}
+
+static const char *complex_whole(const linear_loop *loop, double t, const gough_state *state,
+                                 const int *kept, int size, double *matrix) {
+    const gough_simulation options = unstabilised();
+    gough_control control;
+    coordinates x, rate;
+    struct system r;
+
+    begin_whole(&r, loop, &control, &options);
+    if (state == NULL) {
+        const wanted *s = system_wanted(&r, t);
+        x = s->x[0], rate = s->x[1];
+    } else {
+        state_of_top(&r.h, state, &x, &rate);
+    }
+    const vector omega = triad_angular_velocity(&x.q, &rate.q);
+    for (int column = 0; column < size; column++) {
+        const int direction = column < GOUGH_LINEAR ? column : -1;
+        const vector unit = unit_vector(column % 3), none = {0, 0, 0};
+        const int kind = direction < 0 ? -1 : direction / 3;
+        coordinates there = x, moving = rate, a;
+        number y[STATE_SIZE], change[STATE_SIZE], out[GOUGH_LINEAR];
+
+        settle_beyond(&r, t, &x, &rate, y);
+        if (direction < 0)
+            y[MOTION + kept[column - GOUGH_LINEAR]] += I * imaginary_step;
+        else
+            displace(direction, &there, &moving);
+        coordinates_store(&there, y);
+        coordinates_store(&moving, y + COORDINATES);
+        system_rates(&r, t, y, change);
+        a = coordinates_load(change + COORDINATES);
+        vector_store(kind == 2 ? unit : none, out);
+        vector_store(kind == 1 ? cross(omega, unit) : kind == 3 ? unit : none, out + 3);
+        vector_store(imaginary(a.rho), out + 6);
+        vector_store(imaginary(angular_velocity_of(&there, &a)), out + 9);
+        for (int i = 0; i < size; i++)
+            matrix[size * i + column] =
+                i < GOUGH_LINEAR ? creal(out[i])
+                                 : cimag(change[MOTION + kept[i - GOUGH_LINEAR]]) / imaginary_step;
+    }
+    return r.fault.what;
+}
+
 static const char *complex_along(const linear_loop *loop, const double *t, size_t count,
                                  linear_matrix *matrix) {
     const gough_simulation options = unstabilised();
+    gough_control control;
     struct system r;
 
-    begin(&r, loop, &options);
+    begin(&r, loop, &control, &options);
     for (size_t k = 0; k < count && r.fault.what == NULL; k++) {
         const wanted *s = system_wanted(&r, t[k]);
         const coordinates x = s->x[0], rate = s->x[1];
@@ -136,11 +184,12 @@ static const char *complex_accelerations(const linear_loop *loop, double t,
                                          double force[GOUGH_LEGS]) {
     const gough_simulation options = unstabilised();
     number y[STATE_SIZE], out[6];
+    gough_control control;
     coordinates x, rate;
     signals m;
     struct system r;
 
-    begin(&r, loop, &options);
+    begin(&r, loop, &control, &options);
     state_of_top(&r.h, state, &x, &rate);
     coordinates_store(&x, y);
     coordinates_store(&rate, y + COORDINATES);
@@ -236,10 +285,11 @@ static const char *complex_flow(const linear_loop *loop, double t, const double 
                                 double rate[MOTION], linear_matrix matrix) {
     const gough_simulation options = unstabilised();
     number z[STATE_SIZE], change[STATE_SIZE];
+    gough_control control;
     coordinates x, v;
     struct system r;
 
-    begin(&r, loop, &options);
+    begin(&r, loop, &control, &options);
     for (int i = 0; i < r.states; i++) z[i] = y[i];
     system_rates(&r, t, z, change);
     for (int i = 0; i < r.states; i++) rate[i] = creal(change[i]);
@@ -249,5 +299,6 @@ static const char *complex_flow(const linear_loop *loop, double t, const double 
     return r.fault.what;
 }
 
-const struct linear_complex linear_complex = {complex_matrix,  complex_along, complex_accelerations,
-                                              complex_momenta, complex_mass,  complex_flow};
+const struct linear_complex linear_complex = {complex_matrix,        complex_whole,   complex_along,
+                                              complex_accelerations, complex_momenta, complex_mass,
+                                              complex_flow};

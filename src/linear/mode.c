@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { AXES = 6, KINDS = 4, MOST_SHAPES = 12, WORK = 256 };
+enum { AXES = 6, KINDS = 4, MOST_SHAPES = 24, WORK = 256 };
 
 /* sway, heave, tilt or yaw: the kind of motion of each of δr, δθ */
 static const int kind_of[AXES] = {0, 0, 1, 2, 2, 3};

@@ -13,7 +13,7 @@ void mode_of(const gough_machine *machine, const double complex shape[6], gough_
 
 /* Eigenvalues that are equal up to `tolerance` have no shapes of their own, only a space of them. Replaces the shapes of such
  * eigenvalues by others of the same space in which surge, sway, heave, roll, pitch and yaw stand apart as far as they can, those
- * of surge first. At most 12 values. */
+ * of surge first. At most 24 values. */
 void mode_separate(const gough_machine *machine, int count, const double complex *value,
                    double tolerance, double complex (*shape)[6]);
 

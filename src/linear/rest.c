@@ -104,8 +104,8 @@ static void equal_apart(const gough_machine *machine, const double kappa[FREEDOM
 }
 
 /* Without damping: M̄ẍ + K x = 0, so that λ = ±√−κ is real or imaginary, exactly */
-static bool undamped(const at_rest *r, const double *K, double complex value[GOUGH_LINEAR],
-                     double complex shape[GOUGH_LINEAR][6]) {
+static bool undamped(const at_rest *r, const double *K, double complex value[GOUGH_LINEAR_MOST],
+                     double complex shape[GOUGH_LINEAR_MOST][6]) {
     double kappa[FREEDOMS];
     double complex x[FREEDOMS][6];
     const double largest = symmetric_problem(K, r->mass[0], kappa, x);
@@ -123,14 +123,16 @@ static bool undamped(const at_rest *r, const double *K, double complex value[GOU
     return true;
 }
 
-/* With damping: eigenvalues of the whole matrix, balanced */
-static bool damped(const at_rest *r, linear_matrix A, double complex value[GOUGH_LINEAR],
-                   double complex shape[GOUGH_LINEAR][6]) {
-    enum { N = GOUGH_LINEAR };
-    double a[N * N], re[N], im[N], right[N * N], work[WORK], left = 0, largest = 0;
+/* With damping: eigenvalues of the whole matrix of N rows, balanced */
+static bool damped(const at_rest *r, int N, const double *A,
+                   double complex value[GOUGH_LINEAR_MOST],
+                   double complex shape[GOUGH_LINEAR_MOST][6]) {
+    enum { MOST = GOUGH_LINEAR_MOST };
+    double a[MOST * MOST], re[MOST], im[MOST], right[MOST * MOST], work[WORK], left = 0,
+                                                                               largest = 0;
 
     for (int i = 0; i < N; i++) {
-        for (int j = 0; j < N; j++) a[i + N * j] = A[i][j];
+        for (int j = 0; j < N; j++) a[i + N * j] = A[N * i + j];
     }
     if (LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'V', N, a, N, re, im, &left, 1, right, N, work,
                            WORK) != 0) {
@@ -158,18 +160,19 @@ static bool comes_before(double complex a, double complex b) {
     return fabs(cimag(a)) < fabs(cimag(b));
 }
 
-static void list_eigenvalues(const gough_machine *machine, double complex value[GOUGH_LINEAR],
-                             double complex shape[GOUGH_LINEAR][6], gough_rest *rest) {
-    int order[GOUGH_LINEAR];
+static void list_eigenvalues(const gough_machine *machine, double complex value[GOUGH_LINEAR_MOST],
+                             double complex shape[GOUGH_LINEAR_MOST][6], gough_rest *rest) {
+    const int n = (int)rest->size;
+    int order[GOUGH_LINEAR_MOST];
 
-    for (int k = 0; k < GOUGH_LINEAR; k++) {
+    for (int k = 0; k < n; k++) {
         int place = k;
         for (; place > 0 && comes_before(value[k], value[order[place - 1]]); place--) {
             order[place] = order[place - 1];
         }
         order[place] = k;
     }
-    for (int k = 0; k < GOUGH_LINEAR; k++) {
+    for (int k = 0; k < n; k++) {
         gough_eigenvalue *e = &rest->eigenvalue[k];
         e->value[0] = creal(value[order[k]]) + 0; /* no minus zero */
         e->value[1] = cimag(value[order[k]]) + 0;
@@ -177,14 +180,35 @@ static void list_eigenvalues(const gough_machine *machine, double complex value[
     }
 }
 
+/* Of a loop with states of its own, or with matrices of gains: the verdict is that of the eigenvalues */
+static bool by_eigenvalues(const at_rest *r, gough_rest *rest) {
+    double complex value[GOUGH_LINEAR_MOST], shape[GOUGH_LINEAR_MOST][6];
+    double A[GOUGH_LINEAR_MOST * GOUGH_LINEAR_MOST];
+    int kept[LINEAR_BEYOND];
+
+    linear_beyond(r->loop.machine, r->loop.control, kept);
+    linear_complex.whole(&r->loop, 0, NULL, kept, (int)rest->size, A);
+    for (size_t i = 0; i < rest->size * rest->size; i++) {
+        if (!isfinite(A[i])) return false;
+    }
+    if (!damped(r, (int)rest->size, A, value, shape)) return false;
+    list_eigenvalues(r->loop.machine, value, shape, rest);
+    verdict_by_eigenvalues(r->loop.machine, rest);
+    return true;
+}
+
 static gough_status eigenvalues(const at_rest *r, double K[FREEDOMS][FREEDOMS], gough_rest *rest,
                                 gough_error *error) {
     const gough_machine *machine = r->loop.machine;
-    double complex value[GOUGH_LINEAR], shape[GOUGH_LINEAR][6];
+    double complex value[GOUGH_LINEAR_MOST], shape[GOUGH_LINEAR_MOST][6];
     double found_damping[FREEDOMS][FREEDOMS], C[FREEDOMS][FREEDOMS];
     bool found;
 
-    found = linear_is_damped(&r->loop) ? damped(r, rest->matrix, value, shape)
+    if (rest->size > GOUGH_LINEAR || r->loop.control->coupled) {
+        if (by_eigenvalues(r, rest)) return GOUGH_OK;
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL, "%s", no_eigenvalues);
+    }
+    found = linear_is_damped(&r->loop) ? damped(r, GOUGH_LINEAR, rest->matrix[0], value, shape)
                                        : undamped(r, K[0], value, shape);
     if (!found) return gough_fail(error, GOUGH_ERROR_NUMERICAL, "%s", no_eigenvalues);
 
@@ -275,15 +299,15 @@ static gough_status analyse(const at_rest *r, gough_rest *rest, gough_error *err
     gough_status status = linear_check(loop, 0, NULL, rest->matrix, wrong, error);
 
     if (status == GOUGH_OK) status = stiffness_of(r, loop, &rest->asymmetry, K, error);
-    if (status == GOUGH_OK && !(rest->asymmetry <= greatest_asymmetry) &&
-        machine_loads_follow(loop->machine)) {
+    const bool skew = !loop->control->coupled && !(rest->asymmetry <= greatest_asymmetry);
+    if (status == GOUGH_OK && skew && machine_loads_follow(loop->machine)) {
         status = gough_fail_key(error, GOUGH_ERROR_INPUT, "external",
                                 "external: load %d turns with the top or is a moment, so that its "
                                 "work depends on the way and the stiffness at rest is not "
                                 "symmetric; stability at rest is computed for forces with the axes "
                                 "of the base only. Simulate instead",
                                 machine_loads_follow(loop->machine));
-    } else if (status == GOUGH_OK && !(rest->asymmetry <= greatest_asymmetry)) {
+    } else if (status == GOUGH_OK && skew) {
         status = gough_fail(error, GOUGH_ERROR_NUMERICAL, "%s", no_eigenvalues);
     }
     if (status == GOUGH_OK) status = parts_of_stiffness(r, rest, error);
@@ -296,25 +320,35 @@ static gough_status analyse(const at_rest *r, gough_rest *rest, gough_error *err
     return GOUGH_OK;
 }
 
+gough_status linear_at_rest(const gough_model *model, const double component[GOUGH_COMPONENTS],
+                            gough_motion *motion, gough_control *control, gough_state *state,
+                            gough_error *error) {
+    gough_acceleration none;
+    gough_status status = motion_check(&model->motion, error);
+
+    if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
+    if (status == GOUGH_OK) status = equilibrium_find(model, component, motion, error);
+    if (status != GOUGH_OK) return status;
+    *control = model->control;
+    control->feedforward = true;
+    control->ignores_legs = control->ignores_friction = control->ignores_external = false;
+    gough_program(&model->machine, motion, 0, state, &none);
+    return GOUGH_OK;
+}
+
 gough_status gough_stability_at_rest(const gough_model *model,
                                      const double component[GOUGH_COMPONENTS], gough_rest *rest,
                                      gough_error *error) {
-    gough_control control = model->control;
+    gough_control control;
     gough_motion motion;
-    gough_acceleration none;
     at_rest r = {.loop = {&model->machine, &motion, &control, false, 0}};
     gough_status status;
 
     memset(rest, 0, sizeof *rest);
-    status = motion_check(&model->motion, error);
-    if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
+    status = linear_at_rest(model, component, &motion, &control, &r.state, error);
     if (status != GOUGH_OK) return status;
-    status = equilibrium_find(model, component, &motion, error);
-    if (status != GOUGH_OK) return status;
-    control.feedforward = true;
-    control.ignores_legs = control.ignores_friction = control.ignores_external = false;
-    gough_program(&model->machine, &motion, 0, &r.state, &none);
     linear_mass(&model->machine, &r.state, r.mass);
     rest->state = r.state;
+    rest->size = gough_linear_size(model);
     return analyse(&r, rest, error);
 }

@@ -87,3 +87,28 @@ bool verdict_at_rest(const gough_machine *machine, const double *mass, double K[
     rest->decaying = has_decay(rest, damping, size[1]);
     return true;
 }
+
+void verdict_by_eigenvalues(const gough_machine *machine, gough_rest *rest) {
+    const double unit = sqrt(machine->gravity_magnitude / machine->base_radius);
+    double largest = 0;
+    bool decays = true;
+
+    for (size_t k = 0; k < rest->size; k++)
+        largest = fmax(largest, hypot(rest->eigenvalue[k].value[0], rest->eigenvalue[k].value[1]));
+    const double limit = fmax(GOUGH_GROWTH_LIMIT * unit, rounding * largest);
+    rest->growing = rest->neutral = rest->drifting = 0;
+    for (size_t k = 0; k < rest->size; k++) {
+        gough_eigenvalue *e = &rest->eigenvalue[k];
+        if (e->value[0] > limit) {
+            rest->growing++;
+            continue;
+        }
+        if (rest->neutral < FREEDOMS && hypot(e->value[0], e->value[1]) <= limit)
+            rest->neutral_mode[rest->neutral++] = e->mode;
+        decays = decays && e->value[0] < -rounding * largest;
+        if (e->value[0] > 0) e->value[0] = 0;
+    }
+    rest->growth = rest->eigenvalue[0].value[0];
+    rest->stable = rest->growing == 0;
+    rest->decaying = rest->growing == 0 && rest->neutral == 0 && decays;
+}

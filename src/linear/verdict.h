@@ -13,4 +13,7 @@
 bool verdict_at_rest(const gough_machine *machine, const double *mass, double K[FREEDOMS][FREEDOMS],
                      double C[FREEDOMS][FREEDOMS], gough_rest *rest);
 
+/* The same from the eigenvalues alone, of a loop with states of its own or matrices of gains. One that is 0 counts as neutral. */
+void verdict_by_eigenvalues(const gough_machine *machine, gough_rest *rest);
+
 #endif

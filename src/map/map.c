@@ -12,6 +12,7 @@
 #include "base/quantity.h"
 #include "gough/batch.h"
 #include "gough/sizes.h"
+#include "linear/linear.h"
 #include "map/map_row.h"
 #include "plant/can_move.h"
 
@@ -244,7 +245,7 @@ static gough_status prepare(const gough_model *model, const gough_map_options *g
 
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
     if (status == GOUGH_OK) status = control_keeps_program(&model->machine, &model->control, error);
-
+    if (status == GOUGH_OK) status = linear_refuse_matrices(model, "the map of stability", error);
     if (status != GOUGH_OK) return status;
     memset(job, 0, sizeof *job);
     job->model = model;

@@ -8,6 +8,7 @@
 
 #include "base/assert.h"
 #include "gough/sizes.h"
+#include "linear/linear.h"
 #include "plant/can_move.h"
 
 /* the curve goes on above the G named by this factor */
@@ -276,6 +277,8 @@ gough_status gough_tune_size(const gough_model *model, const gough_tuning_option
     *bytes = 0;
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
     if (status == GOUGH_OK) status = control_keeps_program(&model->machine, &model->control, error);
+    if (status == GOUGH_OK && !(model->control.sampling.period > 0))
+        status = linear_refuse_states(model, "the least stiffness for an accuracy", error);
     if (status == GOUGH_OK) status = bytes_for_map(model, options, &for_map, error);
     if (status != GOUGH_OK) return status;
     *bytes = rounded(sizeof(tune)) + 2 * rounded(sizeof(gough_model)) +

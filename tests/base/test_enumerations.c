@@ -93,6 +93,21 @@ static gough_status call_rest(void) {
     return gough_stability_at_rest(&model, NULL, &rest, &error);
 }
 
+static gough_status call_sampled(void) {
+    static gough_sampled_rest rest;
+    return gough_sampled_at_rest(&model, NULL, &rest, &error);
+}
+
+static gough_status call_margins(void) {
+    static gough_sampled_margins margins;
+    return gough_sampled_margins_at_rest(&model, NULL, &margins, &error);
+}
+
+static gough_status call_floquet_sampled(void) {
+    static gough_sampled_floquet floquet;
+    return gough_floquet_sampled(&model, NULL, &floquet, &error);
+}
+
 static gough_status call_stiffness(void) {
     static gough_stiffness stiffness;
     return gough_stiffness_at_rest(&model, NULL, &stiffness, &error);
@@ -259,7 +274,8 @@ static const struct {
     {"velocity",
      "control.sampling.velocity",
      set_velocity,
-     {call_control, call_check, call_simulate, call_forces, call_batch, call_plant, call_flat}},
+     {call_control, call_check, call_simulate, call_forces, call_batch, call_plant, call_sampled,
+      call_margins, call_floquet_sampled, call_flat}},
     {"axis", NULL, set_axis, {call_map_size, call_map_find, call_map_draw}},
     {"interval", NULL, set_interval, {call_map_draw}},
     {"component", NULL, set_component, {call_low_pass, call_smooth}},

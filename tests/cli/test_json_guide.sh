@@ -49,7 +49,8 @@ json check-3.json check flight-simulator.yaml
 printf 't,yaw\n0,0\n1,0\n2,359\n3,0\n' >jump.csv
 json check-4.json check own-machine.yaml --set 'motion={samples: jump.csv}' --set simulation.duration=3
 json check-5.json check own-machine.yaml --pose yaw=5 --set 'external=[{force: [0, 0, 30]}]'
-hold '## check' check-1.json check-2.json check-3.json check-4.json check-5.json
+json check-6.json check own-machine.yaml --set 'control.sampling={period: 0.001}' --set control.damping=1000
+hold '## check' check-6.json check-1.json check-2.json check-3.json check-4.json check-5.json
 
 json run-1.json forces own-machine.yaml
 json run-2.json forces own-machine.yaml --set platform.legs.max_speed=0.05
@@ -69,6 +70,7 @@ jq -e '.set | has("load.mass")' one.json >/dev/null || fail "a run sets its keys
 json loop-1.json stability own-machine.yaml
 json loop-2.json stability paper-heave.yaml --matrix
 json loop-3.json stability own-machine.yaml --set 'motion={moves: [{start: 1, duration: 2, heave: 0.02}]}'
+json loop-4.json stability own-machine.yaml --set 'control.sampling={period: 0.001}' --set control.damping=1000
 hold '## stability' loop-*.json
 # the pose at the end of a program has the keys from `pose` to `decays`, and `stable`
 jq -r '.last | keys[]' loop-3.json | sort >last

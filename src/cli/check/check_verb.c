@@ -5,12 +5,14 @@
 #include "cli/check/check_loop.h"
 #include "cli/check/check_pose.h"
 #include "cli/check/check_record.h"
+#include "cli/check/check_sampling.h"
 #include "cli/check/check_warnings.h"
 #include "cli/check/machine_view.h"
 #include "cli/common/in_and_out.h"
 #include "cli/common/json.h"
 #include "cli/common/leg_table.h"
 #include "cli/common/option_values.h"
+#include "cli/common/sampled_view.h"
 #include "cli/common/scale.h"
 #include "cli/common/study_fields.h"
 #include "cli/common/talk.h"
@@ -26,6 +28,7 @@ typedef struct check {
     const gough_units *unit;
     double least[GOUGH_COMPONENTS], greatest[GOUGH_COMPONENTS];
     pose_view pose;
+    sampled_view sampled;
 } check;
 
 typedef struct check_line {
@@ -312,6 +315,7 @@ static void print_control(const check *c) {
     print_range(damping, own(c, GOUGH_UNIT_DAMPING, 1), unit_word(c->unit, GOUGH_UNIT_DAMPING));
     printf("%s\n", loop_matrix_words(control, control->cross_damping));
     print_loop(c->study, c->unit);
+    print_sampling(c->study, c->unit, &c->sampled);
 }
 
 static void print_settings(const check *c) {
@@ -469,6 +473,7 @@ static int print_check_json(const check *c) {
     json_object_set_new(object, "program", program_object(c));
     json_object_set_new(object, "control", control_object(c->study, c->unit));
     json_object_set_new(object, "actuators", drives_object(c->study, c->unit));
+    json_object_set_new(object, "sampling", sampled_view_object(c->unit, &c->sampled));
     json_object_set_new(object, "simulation", simulation);
     if (c->sweep) json_object_set_new(object, "sweep", sweep_object(c->sweep));
     return json_print(object);
@@ -497,6 +502,7 @@ static gough_status check_study(const command_line *line, const pose_view *pose,
         c.greatest[k] = in_units(c.unit, component_unit(k), c.greatest[k]);
     }
     pose_view_find(c.model, c.unit, &c.pose);
+    sampled_view_find(study, NULL, &c.sampled);
     check_warnings(line->verb, study, c.unit);
     if (line->json) return print_check_json(&c) ? GOUGH_ERROR_FILE : GOUGH_OK;
     if (!line->quiet) print_check(&c);
@@ -527,7 +533,9 @@ const command_verb check_verb = {
     .text =
         "Validate a study and describe its machine: leg lengths, condition and least singular "
         "value at home, principal moments of inertia, external loads, stiffness and compliance at "
-        "home or in --pose, dimensionless groups, range of the program, control and simulation "
+        "home or in --pose, dimensionless groups, range of the program, control (if it is sampled, "
+        "the stiffnesses "
+        "between which it holds the platform) and simulation "
         "settings. Suspicious values are reported as "
         "warnings.\vSTUDY is a study file, or - for standard input.",
     .endings = "yaml yml",

@@ -33,12 +33,28 @@ static const char *advice(const loop *l) {
     return l->open ? "it needs feedback (control.stiffness)" : "'gough stability' has the details";
 }
 
+/* From sample to sample, if the controller is sampled: what grows, and how fast. */
+static bool grows_by_samples(const gough_model *model, const double *component, gough_rest *rest) {
+    gough_sampled_rest *sampled = malloc(sizeof *sampled);
+    bool grows = false;
+    if (sampled && gough_sampled_at_rest(model, component, sampled, NULL) == GOUGH_OK) {
+        grows = !sampled->stable;
+        rest->growth = sampled->growth;
+        rest->eigenvalue[0].mode = sampled->multiplier[0].mode;
+    }
+    free(sampled);
+    return grows;
+}
+
 /* At rest in a pose; false if there is nothing to say. */
 static bool grows_at_rest(const loop *l, const double *component, const char *where) {
     gough_rest *rest = malloc(sizeof *rest);
     bool told = false;
     if (rest && gough_stability_at_rest(l->study->model, component, rest, NULL) == GOUGH_OK &&
-        rest->growing > 0 && rest->growth * l->study->simulation.duration > log(least_growth)) {
+        (l->study->model->control.sampling.period > 0
+             ? grows_by_samples(l->study->model, component, rest)
+             : rest->growing > 0) &&
+        rest->growth * l->study->simulation.duration > log(least_growth)) {
         remark(l->verb,
                "%s is unstable at rest %s: any deviation in %s, even from rounding, grows tenfold "
                "every %.3g%s; %s",

@@ -48,7 +48,7 @@ static json_t *drift_list(const gough_rest *rest) {
 /* The keys of a loop at rest. */
 static void set_rest(json_t *object, const gough_rest *rest, const double pose[GOUGH_COMPONENTS]) {
     json_t *eigenvalues = json_array(), *modes = json_array(), *thresholds = json_array();
-    for (int i = 0; i < GOUGH_LINEAR; i++) {
+    for (size_t i = 0; i < rest->size; i++) {
         json_array_append_new(eigenvalues, complex_pair(rest->eigenvalue[i].value));
         json_array_append_new(modes, mode_object(&rest->eigenvalue[i].mode));
     }
@@ -86,12 +86,31 @@ static void set_program(json_t *object, const stability_report *report) {
         json_array_append_new(multipliers, complex_pair(f->multiplier[i].value));
         json_array_append_new(modes, mode_object(&f->multiplier[i].mode));
     }
-    const bool is = report->periodic;
-    json_object_set_new(object, "period", json_number(is ? f->period : NAN));
-    json_object_set_new(object, "period_start", json_number(is ? f->start : NAN));
+    /* without a period of the program those from sample to sample, at rest where it ends */
+    const gough_sampled_rest *r =
+        report->ends ? &report->sampled_last.rest : &report->sampled_rest.rest;
+    const gough_sampled_floquet *a = &report->along;
+    const bool is = report->periodic, along = report->sampled_along;
+    const gough_multiplier *list = along ? a->multiplier : r->multiplier;
+    const size_t listed = !report->sampled ? 0 : along ? a->listed : r->listed;
+    for (size_t i = 0; i < listed; i++) {
+        json_array_append_new(multipliers, complex_pair(list[i].value));
+        json_array_append_new(modes, mode_object(&list[i].mode));
+    }
+    json_object_set_new(object, "period", json_number(is ? f->period : along ? a->period : NAN));
+    json_object_set_new(object, "period_start",
+                        json_number(is      ? f->start
+                                    : along ? a->start
+                                            : NAN));
+    json_object_set_new(object, "samples",
+                        report->sampled ? json_integer(along ? (json_int_t)a->samples : 1)
+                                        : json_null());
     json_object_set_new(object, "multipliers", multipliers);
     json_object_set_new(object, "multiplier_modes", modes);
-    json_object_set_new(object, "growth_per_period", json_number(is ? f->growth : NAN));
+    json_object_set_new(object, "growth_per_period",
+                        json_number(is      ? f->growth
+                                    : along ? a->growth
+                                            : NAN));
     json_object_set_new(object, "determinant", json_number(is ? f->determinant : NAN));
     json_object_set_new(object, "determinant_defect",
                         json_number(is ? f->determinant_defect : NAN));
@@ -109,6 +128,9 @@ json_t *stability_json(const stability_report *report, const stability_matrix *m
     set_rest(object, &report->rest, report->pose);
     json_object_set_new(object, "last", last_object(report));
     set_program(object, report);
+    json_object_set_new(object, "sampling",
+                        sampled_view_object(&report->units, report->ends ? &report->sampled_last
+                                                                         : &report->sampled_rest));
     json_object_set_new(object, "stable", json_boolean(stability_holds(report)));
     if (matrix) json_object_set_new(object, "matrix", matrix_rows(matrix->row));
     return object;

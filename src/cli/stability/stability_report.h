@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "cli/common/option_values.h"
+#include "cli/common/sampled_view.h"
 #include "cli/common/verb.h"
 #include "gough/gough.h"
 
@@ -22,6 +23,10 @@ typedef struct stability_report {
     bool ends; /* the program ends at rest elsewhere than at home: `last` holds there */
     double last_pose[GOUGH_COMPONENTS]; /* likewise */
     gough_rest last;
+    bool sampled; /* and then these hold, in units of the run */
+    sampled_view sampled_rest, sampled_last;
+    bool sampled_along; /* the program is periodic, and then this holds */
+    gough_sampled_floquet along;
     bool periodic; /* and then the two below hold */
     gough_period period;
     gough_floquet floquet;
@@ -38,6 +43,11 @@ void stability_scale(stability_report *report);
 bool stability_holds(const stability_report *report);
 
 void stability_print(FILE *stream, const stability_report *report);
+
+/* stability_sampled.c: a view of the report, and the loop about the program */
+void stability_print_sampled(FILE *stream, const stability_report *report,
+                             const sampled_view *view);
+void stability_print_sampled_along(FILE *stream, const stability_report *report);
 
 /* The linearised loop, ξ̇ = row · ξ. */
 typedef struct stability_matrix {

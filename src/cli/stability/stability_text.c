@@ -8,133 +8,17 @@
 #include "cli/common/talk.h"
 #include "cli/run/run_report.h"
 #include "cli/stability/stability_report.h"
+#include "cli/stability/value_groups.h"
 
 static const double DEGREES = 57.295779513082320877;
 static const double TENFOLD = 2.302585092994045684; /* log 10 */
 static const double TWO_PI = 6.283185307179586477;
 
-/* real and imaginary parts of eigenvalues below this part of the largest are rounding */
+/* real parts of eigenvalues below this part of the largest are rounding */
 static const double rounding = 1e-12;
 
 /* a smaller multiplier prints as 0: one period leaves nothing of the deviation in double precision */
 static const double least_multiplier = 1e-16;
-
-/* ---- numbers of one value together ------------------------------------------------------------------------------- */
-
-/* What a table of eigenvalues or multipliers is made of. */
-typedef struct mode_value {
-    double value[2];
-    const gough_mode *mode;
-} mode_value;
-
-typedef struct value_group {
-    double value[2];                      /* not below the real axis */
-    const gough_mode *mode[GOUGH_LINEAR]; /* of the values alike */
-    int count;
-} value_group;
-
-/* Values that differ by no more than the rounding of their own size, and of the largest. */
-static bool alike(const value_group *group, const mode_value *one, double own, double largest) {
-    const double near = 1e-6 * own + rounding * largest;
-    return fabs(group->value[0] - one->value[0]) <= near &&
-           fabs(group->value[1] - one->value[1]) <= near &&
-           strcmp(group->mode[0]->name, one->mode->name) == 0;
-}
-
-/* Groups of equal values; of conjugates the upper one stands for both. Eigenvalues are rounded in proportion to the largest of
- * them, multipliers each in proportion to itself. */
-static int group_values(const mode_value value[GOUGH_LINEAR], bool multipliers,
-                        value_group group[GOUGH_LINEAR]) {
-    double largest = 0;
-    int groups = 0;
-    for (int i = 0; i < GOUGH_LINEAR && !multipliers; i++)
-        largest = fmax(largest, hypot(value[i].value[0], value[i].value[1]));
-    for (int i = 0; i < GOUGH_LINEAR; i++) {
-        const double own = hypot(value[i].value[0], value[i].value[1]);
-        const double none = fmax(1e-9 * own, rounding * largest);
-        int g = 0;
-        if (value[i].value[1] < -none) continue;
-        while (g < groups && !alike(&group[g], &value[i], own, largest)) g++;
-        if (g == groups) {
-            group[groups++] = (value_group){.value = {value[i].value[0], value[i].value[1]}};
-            for (int k = 0; k < 2; k++)
-                if (fabs(value[i].value[k]) < none) group[g].value[k] = 0;
-        }
-        group[g].mode[group[g].count++] = value[i].mode;
-    }
-    return groups;
-}
-
-/* "yaw", "sway–tilt ×2" */
-static void name_group(const value_group *group, char name[GOUGH_MODE_NAME + 16]) {
-    if (group->count > 1)
-        snprintf(name, GOUGH_MODE_NAME + 16, "%s ×%d", group->mode[0]->name, group->count);
-    else
-        snprintf(name, GOUGH_MODE_NAME + 16, "%s", group->mode[0]->name);
-}
-
-/* Width of the column of names. */
-static int name_width(const value_group *group, int groups) {
-    int widest = 4;
-    for (int g = 0; g < groups; g++) {
-        char name[GOUGH_MODE_NAME + 16];
-        name_group(&group[g], name);
-        const int width = text_columns(name);
-        if (width > widest) widest = width;
-    }
-    return widest + 2;
-}
-
-static int print_name(FILE *stream, const value_group *group, int width) {
-    char name[GOUGH_MODE_NAME + 16];
-    name_group(group, name);
-    fprintf(stream, "    ");
-    stability_pad(stream, name, width);
-    return 4 + width;
-}
-
-static bool same_shape(const gough_mode *a, const gough_mode *b) {
-    double apart = 0;
-    for (int i = 0; i < 6; i++)
-        apart =
-            fmax(apart, hypot(a->shape[i][0] - b->shape[i][0], a->shape[i][1] - b->shape[i][1]));
-    return apart <= 1e-9;
-}
-
-/* What moves, at the end of a line that has `used` columns, or on one of its own. */
-static void print_moves(FILE *stream, const stability_report *report, const value_group *group,
-                        int used) {
-    char words[MODE_WORDS];
-    const gough_mode *mode[GOUGH_LINEAR];
-    int count = 0;
-    for (int i = 0; i < group->count; i++) /* λ = 0 of what drifts is double, with one shape */
-        if (!count || !same_shape(mode[count - 1], group->mode[i])) mode[count++] = group->mode[i];
-    stability_mode_words(mode, count, report->arm, &report->units, words);
-    if (used + 3 + text_columns(words) <= 100) {
-        fprintf(stream, "   %s\n", words);
-    } else {
-        fputc('\n', stream);
-        print_paragraph(stream, "        ", 8, "%s", words);
-    }
-}
-
-/* A number, or a dash where it says nothing. */
-static int print_cell(FILE *stream, double value, int width) {
-    if (isfinite(value))
-        fprintf(stream, "%*.6g", width, value);
-    else
-        fprintf(stream, "%*s", width, "-");
-    return width;
-}
-
-/* A heading in a cell; where it would touch the one before, the cell is wider. Returns the width. */
-static int print_heading(FILE *stream, const char *what, const char *unit, int width) {
-    const table_heading heading = heading_of(what, unit);
-    const int needed = (int)strlen(heading.text) + 1;
-    if (width < needed) width = needed;
-    fprintf(stream, "%*s", width, heading.text);
-    return width;
-}
 
 /* ---- at rest ----------------------------------------------------------------------------------------------------- */
 
@@ -145,15 +29,23 @@ static void print_eigenvalues(FILE *stream, const stability_report *report,
     const char *time = unit_word(unit, GOUGH_UNIT_TIME);
     char frequency_unit[16] = "";
     if (*time) snprintf(frequency_unit, sizeof frequency_unit, " rad/%s", time + 1);
-    mode_value value[GOUGH_LINEAR];
-    value_group group[GOUGH_LINEAR];
-    for (int i = 0; i < GOUGH_LINEAR; i++)
+    mode_value value[GOUGH_LINEAR_MOST];
+    value_group group[GOUGH_LINEAR_MOST];
+    for (size_t i = 0; i < rest->size; i++)
         value[i] = (mode_value){{rest->eigenvalue[i].value[0], rest->eigenvalue[i].value[1]},
                                 &rest->eigenvalue[i].mode};
-    const int groups = group_values(value, false, group), width = name_width(group, groups);
-    fprintf(stream, "  Small deviations vary as exp(lambda t); conjugate pairs of the twelve "
-                    "lambda are listed once\n"
-                    "    ");
+    const int groups = group_values(value, rest->size, false, group),
+              width = name_width(group, groups);
+    if (rest->size > GOUGH_LINEAR)
+        fprintf(stream,
+                "  Small deviations vary as exp(lambda t); conjugate pairs of the %zu lambda are "
+                "listed once\n"
+                "    ",
+                rest->size);
+    else
+        fprintf(stream, "  Small deviations vary as exp(lambda t); conjugate pairs of the twelve "
+                        "lambda are listed once\n"
+                        "    ");
     stability_pad(stream, "mode", width);
     const char *per_time = unit_word(unit, GOUGH_UNIT_RATE);
     int cell[4];
@@ -301,7 +193,7 @@ static void name_neutral(const gough_rest *rest, char words[6 * GOUGH_MODE_NAME]
 /* The slowest decay, where double precision can tell it from none beside the fastest. */
 static void print_decay(FILE *stream, const gough_rest *rest, const char *time) {
     double fastest = 0;
-    for (int i = 0; i < GOUGH_LINEAR; i++)
+    for (size_t i = 0; i < rest->size; i++)
         fastest = fmax(fastest, hypot(rest->eigenvalue[i].value[0], rest->eigenvalue[i].value[1]));
     if (-rest->growth > rounding * fastest)
         fprintf(stream,
@@ -379,6 +271,24 @@ static void print_sag(FILE *stream, const stability_report *report, const double
             shown[0], shown[1], shown[2], unit_word(&report->units, GOUGH_UNIT_LENGTH));
 }
 
+/* What is known of the stiffness beforehand; with matrices of gains it need not be symmetric. */
+static void print_rest_checks(FILE *stream, const stability_report *report,
+                              const gough_rest *rest) {
+    const bool coupled = report->study->model->control.coupled,
+               theorem = fabs(rest->trace_theorem) > 0;
+    if (coupled && !theorem) return;
+    fprintf(stream, "  Checked: ");
+    if (!coupled)
+        fprintf(stream, "the stiffness matrix is symmetric to %.1g of its largest element",
+                rest->asymmetry);
+    if (theorem)
+        fprintf(stream, "%s equals %s to a relative %.1g",
+                coupled ? "the trace of the stiffness of constant leg forces" : ";\n  its trace",
+                trace_words(report),
+                fabs(rest->trace - rest->trace_theorem) / fabs(rest->trace_theorem));
+    fprintf(stream, ".\n");
+}
+
 static void print_rest(FILE *stream, const stability_report *report, const gough_rest *rest,
                        const double pose[GOUGH_COMPONENTS], const char *where) {
     const gough_units *unit = &report->units;
@@ -386,19 +296,17 @@ static void print_rest(FILE *stream, const stability_report *report, const gough
     print_pose(stream, pose, unit);
     fprintf(stream, "\n");
     if (sags(report)) print_sag(stream, report, rest->state.position);
+    if (report->sampled) {
+        const bool last = rest == &report->last;
+        stability_print_sampled(stream, report,
+                                last ? &report->sampled_last : &report->sampled_rest);
+        fprintf(stream, "\n  With the same gains in continuous time\n");
+    }
     print_eigenvalues(stream, report, rest);
     print_thresholds(stream, report, rest);
     print_trace(stream, report, rest);
-    fprintf(stream, "  Checked: the stiffness matrix is symmetric to %.1g of its largest element",
-            rest->asymmetry);
-    if (fabs(rest->trace_theorem) > 0)
-        fprintf(stream,
-                ";\n"
-                "  its trace equals %s to a relative %.1g",
-                trace_words(report),
-                fabs(rest->trace - rest->trace_theorem) / fabs(rest->trace_theorem));
-    fprintf(stream, ".\n");
-    print_rest_verdict(stream, report, rest);
+    print_rest_checks(stream, report, rest);
+    if (!report->sampled) print_rest_verdict(stream, report, rest);
 }
 
 /* ---- about the program ------------------------------------------------------------------------------------------- */
@@ -407,11 +315,12 @@ static void print_multipliers(FILE *stream, const stability_report *report) {
     enum { CELL = 16 };
     const gough_floquet *f = &report->floquet;
     mode_value value[GOUGH_LINEAR];
-    value_group group[GOUGH_LINEAR];
+    value_group group[GOUGH_LINEAR_MOST];
     for (int i = 0; i < GOUGH_LINEAR; i++)
         value[i] = (mode_value){{f->multiplier[i].value[0], f->multiplier[i].value[1]},
                                 &f->multiplier[i].mode};
-    const int groups = group_values(value, true, group), width = name_width(group, groups);
+    const int groups = group_values(value, GOUGH_LINEAR, true, group),
+              width = name_width(group, groups);
     const table_heading rate_heading =
         heading_of("growth", unit_word(&report->units, GOUGH_UNIT_RATE));
     fprintf(stream, "  A small deviation is multiplied by mu in each period; conjugate pairs of "
@@ -530,7 +439,10 @@ void stability_print(FILE *stream, const stability_report *report) {
         print_rest(stream, report, &report->last, report->last_pose, " where the program ends");
     if (report->periodic)
         print_program(stream, report);
+    else if (report->sampled_along)
+        stability_print_sampled_along(stream, report);
     else if (!report->posed)
-        fprintf(stream, "\nThe program %s, so there is no period and there are no multipliers.\n",
-                report->period.start > 0 ? "comes to rest" : "rests");
+        fprintf(stream, "\nThe program %s, so there is no period%s.\n",
+                report->period.start > 0 ? "comes to rest" : "rests",
+                report->sampled ? "" : " and there are no multipliers");
 }

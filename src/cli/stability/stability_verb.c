@@ -97,7 +97,7 @@ static const scaled_member threshold_members[] = {SCALED(gough_threshold, stiffn
 static void scale_rest(gough_rest *rest, const gough_units *u) {
     scale_matrix(rest->matrix, u);
     SCALE(rest, rest_members, u);
-    for (int i = 0; i < GOUGH_LINEAR; i++) {
+    for (size_t i = 0; i < rest->size; i++) {
         SCALE(&rest->eigenvalue[i], eigenvalue_members, u);
         scale_mode(&rest->eigenvalue[i].mode, u);
     }
@@ -107,13 +107,20 @@ static void scale_rest(gough_rest *rest, const gough_units *u) {
     }
 }
 
+static void scale_sampled(gough_sampled_rest *rest, const gough_units *u) {
+    for (size_t i = 0; i < rest->listed; i++) scale_mode(&rest->multiplier[i].mode, u);
+}
+
 static const scaled_member report_members[] = {SCALED(stability_report, arm, LENGTH),
                                                SCALED(stability_report, period.start, TIME),
                                                SCALED(stability_report, period.period, TIME)};
 
 static const scaled_member floquet_members[] = {SCALED(stability_report, floquet.start, TIME),
-                                                SCALED(stability_report, floquet.period, TIME),
-                                                SCALED(stability_report, sag, LENGTH)};
+                                                SCALED(stability_report, floquet.period, TIME)};
+
+static const scaled_member along_members[] = {SCALED(stability_report, along.start, TIME),
+                                              SCALED(stability_report, along.period, TIME),
+                                              SCALED(stability_report, sag, LENGTH)};
 
 /* From the study's units; a pose keeps the digits that it was given with. */
 static void scale_pose(double pose[GOUGH_COMPONENTS], const gough_units *own,
@@ -132,6 +139,11 @@ void stability_scale(stability_report *report) {
     scale_pose(report->last_pose, &report->study->units, u);
     scale_rest(&report->rest, u);
     if (report->ends) scale_rest(&report->last, u);
+    scale_sampled(&report->sampled_rest.rest, u);
+    scale_sampled(&report->sampled_last.rest, u);
+    SCALE(report, along_members, u);
+    for (size_t i = 0; i < report->along.listed; i++)
+        scale_mode(&report->along.multiplier[i].mode, u);
     if (!report->periodic) return;
     SCALE(report, floquet_members, u);
     for (int i = 0; i < GOUGH_LINEAR; i++) scale_mode(&report->floquet.multiplier[i].mode, u);
@@ -139,13 +151,16 @@ void stability_scale(stability_report *report) {
 
 bool stability_holds(const stability_report *report) {
     if (report->periodic) return report->floquet.stable;
+    if (report->sampled_along) return report->along.stable;
+    if (report->sampled)
+        return report->ends ? report->sampled_last.rest.stable : report->sampled_rest.rest.stable;
     return report->ends ? report->last.stable : report->rest.stable;
 }
 
 /* ---- finding ----------------------------------------------------------------------------------------------------- */
 
 static bool is_damped(const gough_model *model) {
-    bool damped = false;
+    bool damped = model->control.coupled;
     for (int i = 0; i < GOUGH_LEGS; i++)
         damped = damped || model->control.damping[i] > 0 ||
                  model->machine.platform.friction.viscous[i] > 0;
@@ -171,17 +186,27 @@ static bool find_last_pose(const gough_study *study, double start, double pose[G
     return elsewhere;
 }
 
-/* How far the periodic motion is from the program when the period begins. */
-static double find_sag(const gough_model *model, const gough_floquet *floquet) {
+/* How far a periodic motion is from the program at a time. */
+static double find_sag(const gough_model *model, double start, const gough_state *state) {
     gough_state program;
     gough_acceleration acceleration;
     double sum = 0;
-    gough_program(&model->machine, &model->motion, floquet->start, &program, &acceleration);
+    gough_program(&model->machine, &model->motion, start, &program, &acceleration);
     for (int k = 0; k < 3; k++) {
-        const double apart = floquet->state.position[k] - program.position[k];
+        const double apart = state->position[k] - program.position[k];
         sum += apart * apart;
     }
     return sqrt(sum);
+}
+
+/* From sample to sample, if the controller is sampled; modes in the units of the output. */
+static gough_status find_sampled(const stability_report *report, const double *component,
+                                 sampled_view *view, gough_error *error) {
+    if (!report->sampled) return GOUGH_OK;
+    sampled_view_find(report->study, component, view);
+    if (view->found) return GOUGH_OK;
+    *error = view->why;
+    return GOUGH_ERROR_NUMERICAL;
 }
 
 static gough_status find_about_program(stability_report *report, gough_error *error) {
@@ -189,15 +214,23 @@ static gough_status find_about_program(stability_report *report, gough_error *er
     double component[GOUGH_COMPONENTS];
     gough_status status = gough_motion_period(&model->motion, &report->period, error);
     if (status) return status;
+    if (!report->period.resting && report->sampled) {
+        report->sampled_along = true;
+        status = gough_floquet_sampled(model, &report->period, &report->along, error);
+        if (!status) report->sag = find_sag(model, report->along.start, &report->along.state);
+        return status;
+    }
     if (!report->period.resting) {
         report->periodic = true;
         status = gough_floquet_multipliers(model, &report->period, 0, &report->floquet, error);
-        if (!status) report->sag = find_sag(model, &report->floquet);
+        if (!status) report->sag = find_sag(model, report->floquet.start, &report->floquet.state);
         return status;
     }
     report->ends = find_last_pose(report->study, report->period.start, report->last_pose);
     if (!report->ends) return GOUGH_OK;
     read_components(report->study, report->last_pose, component);
+    status = find_sampled(report, component, &report->sampled_last, error);
+    if (status) return status;
     return gough_stability_at_rest(model, component, &report->last, error);
 }
 
@@ -206,6 +239,7 @@ gough_status stability_find(stability_report *report, gough_error *error) {
     double component[GOUGH_COMPONENTS];
     report->arm = report->study->model->machine.base_radius;
     report->damped = is_damped(report->study->model);
+    report->sampled = report->study->model->control.sampling.period > 0;
     gough_status status = report->posed ? GOUGH_OK : find_about_program(report, error);
     const bool fed = report->study->model->control.feedforward;
     if (status == GOUGH_ERROR_INPUT || (status == GOUGH_ERROR_NUMERICAL && fed)) {
@@ -216,6 +250,8 @@ gough_status stability_find(stability_report *report, gough_error *error) {
     }
     if (status) return status;
     read_components(report->study, report->pose, component);
+    status = find_sampled(report, component, &report->sampled_rest, error);
+    if (status) return status;
     return gough_stability_at_rest(report->study->model, component, &report->rest, error);
 }
 
@@ -228,6 +264,12 @@ static gough_status find_matrix(const struct loop_options *loop, const gough_stu
     double component[GOUGH_COMPONENTS];
     gough_rest *rest = NULL;
     gough_status status;
+    if (study->model->control.sampling.period > 0 ||
+        gough_linear_size(study->model) != GOUGH_LINEAR)
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "--matrix prints the twelve rows of a loop whose controller is "
+                          "continuous and whose drives follow at once; this one has states of its "
+                          "own");
     if (isfinite(loop->at)) {
         status =
             gough_linearise(study->model, gough_unit_read(&study->units, GOUGH_UNIT_TIME, loop->at),
@@ -334,7 +376,10 @@ const command_verb stability_verb = {
             "the least stiffness G that each mode needs, Floquet multipliers along a periodic "
             "program.\vThe loop is linearised exactly: about rest at home or in --pose, and about "
             "the program over one period, which is found from its formulas or given as "
-            "motion.period. With --sweep-stiffness it computes a map of stability and lists the "
+            "motion.period. The loop of a sampled controller is computed from sample to sample, "
+            "with the "
+            "stiffnesses between which it is stable. With --sweep-stiffness it computes a map of "
+            "stability and lists the "
             "resonance tongues, in which a stiffer loop is unstable again. An unstable loop is a "
             "valid result: the exit status is 0.",
     .endings = "yaml yml",

@@ -125,7 +125,7 @@ class Check:
             "groups": {"height": Q(groups["h"], None, eps), "top_radius": Q(groups["r"], None, eps),
                        "inertia": each(groups["J"], None, max(groups["J"])),
                        "stiffness": gains(groups["G"]), "damping": gains(groups["D"])},
-            "program": program, "control": self.control_json(), "actuators": self.actuators_json(),
+            "program": program, "control": self.control_json(), "actuators": self.actuators_json(), "sampling": None,
             "simulation": {"duration": bound(meaning.duration, "time"), "output_step": bound(meaning.output_step, "time"),
                            "method": meaning.method, "step": bound(meaning.step, "time") if fixed else None,
                            "tolerance": None if fixed else bound(meaning.tolerance, None)}}

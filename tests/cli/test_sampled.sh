@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# What check and stability say of a sampled controller at rest: windows of the theory as sentences and as JSON, in the study's units
+# and in others, verdicts, refusals.
+# Not sanitized: the numbers are those of tests/linear, which run under sanitizers.
+# shellcheck source=tests/cli/support.sh
+source "$(dirname "$0")/support.sh"
+command -v jq >/dev/null || { echo "skipped: no jq"; exit 77; }
+
+cat >"$scratch/machine.yaml" <<'END'
+units: dimensionless
+platform: {base: {radius: 1, half_angle: 10}, top: {radius: 0.6, half_angle: 6.4688478326275441}, height: 1}
+load: {mass: 1, inertia: [0.08, 0.08, 0.15]}
+control: {stiffness: 2, damping: 0.3, sampling: {period: 0.05, delay: 0.05}}
+simulation: {duration: 10, output_step: 0.1}
+END
+says() { tr -s ' \n' '  ' <"$scratch/out" | grep -qF -- "$1" || fail "no '$1' in: $(cat "$scratch/out")"; }
+lacks() { ! tr -s ' \n' '  ' <"$scratch/out" | grep -qF -- "$1" || fail "'$1' in: $(cat "$scratch/out")"; }
+set_key() { run "$1" "$scratch/machine.yaml" "${@:2}"; }
+
+# ---- sentences ----
+for verb in check stability; do
+    set_key $verb
+    says 'window of G 0.894107 (below it sway–tilt grows) to 3.75109 (above it sway–tilt at 6.051 grows), with the damping D = 0.3'
+    says 'longest period 0.0886986 with these gains and a delay in proportion'
+    says 'longest delay 0.106693 with these gains and this period'
+    says 'stiffest loop G up to 11.0575, with the damping D = 1.37854'
+    says 'no gains hold from a period of 0.181991 on, with a delay in proportion'
+    set_key $verb --set control.sampling.period=0.2 --set control.sampling.delay=0.2
+    says 'window of G closed: no stiffness and damping hold the platform with this period and delay; they can with periods up to 0.181991 and a delay in proportion'
+    set_key $verb --set control.damping=0
+    says 'window of G closed: no stiffness holds the platform with the damping D = 0; with D = 1.37854 stiffnesses up to 11.0575 do'
+    set_key $verb --set 'control.stiffness=[2, 1, 1, 1, 1, 1]'
+    says 'of the stiffest leg, the others in proportion, with the damping D = 0.3'
+done
+set_key check
+says 'sampling every 0.05, commands act 0.05 later; as if they were 0.075 late'
+set_key check --set control.sampling.delay=0
+says 'sampling every 0.05, commands act at once; as if they were 0.025 late'
+set_key check
+says 'largest multiplier |mu| = 0.996395078 a sample: deviations die out'
+lacks 'noise of commands'
+set_key check --set control.sampling.noise=0.001 --set control.sampling.resolution=0.01 --set control.sampling.velocity=difference
+says 'one count of length moves a command by 0.08' # G q + D q/T
+says 'noise of commands'
+set_key check --set control.stiffness=5
+says 'deviations grow'
+
+# ---- stability: the continuous loop beside, one verdict ----
+set_key stability
+says 'the largest 18 of 18 mu'
+says 'Stable: every deviation dies out; the slowest falls to a tenth in 31.88.'
+says 'With the same gains in continuous time'
+[[ $(grep -c 'dies out' "$scratch/out") == 1 ]] || fail "two verdicts: $(cat "$scratch/out")"
+set_key stability --set control.stiffness=4
+says 'Unstable: a deviation in sway–tilt grows tenfold every'
+lacks 'Stable:'
+set_key stability --set control.sampling= --set 'actuators={kind: lag, time_constant: 0.05}'
+says 'of the 18 lambda'
+
+# ---- JSON ----
+set_key check --json
+jq -e '.sampling | (.window | map(. * 1e5 | round)) == [89411, 375109] and .lower.mode == "sway–tilt" and .upper.damping == 0.3 and
+    .period == 0.05 and (.effective_delay - 0.075 | fabs) < 1e-15 and (.radius - 0.996395078 | fabs) < 1e-9 and .decays' "$scratch/out" >/dev/null ||
+    fail "check: $(jq -c .sampling "$scratch/out")"
+set_key stability --json
+jq -e '.samples == 1 and .stable and (.multipliers | length) == 18 and (.eigenvalues | length) == 12 and .period == null and
+    ((.multipliers[0] | (.[0] * .[0] + .[1] * .[1] | sqrt)) - .sampling.radius | fabs) < 1e-14' "$scratch/out" >/dev/null || fail "stability: $(jq -c '[.samples, .multipliers]' "$scratch/out")"
+set_key stability --json --set control.stiffness=4
+[[ $(jq -c '[.stable, .sampling.decays]' "$scratch/out") == '[false,false]' ]] || fail "stable beyond the window"
+set_key check --json --set control.damping=0
+[[ $(jq -c '.sampling | [.window, .upper]' "$scratch/out") == '[null,null]' ]] || fail "a window without damping"
+set_key check --json --set control.sampling=
+[[ $(jq -c .sampling "$scratch/out") == null ]] || fail "sampling of a continuous controller"
+
+# ---- along a program ----
+turning=(--set 'motion={heave: 0.01*sin(6.283185307179586*t)}')
+set_key stability "${turning[@]}"
+says 'Along the program, of period 1 or 20 samples'
+says 'A small deviation is multiplied by mu in each period; the largest 18 of 18 mu'
+[[ $(grep -c 'dies out' "$scratch/out") == 2 ]] || fail "verdicts at rest and along the program: $(cat "$scratch/out")"
+set_key stability --json "${turning[@]}"
+jq -e '.samples == 20 and .period == 1 and .stable and (.multipliers | length) == 18 and .determinant == null and
+    ((.multipliers[0] | (.[0] * .[0] + .[1] * .[1] | sqrt)) - .growth_per_period | fabs) < 1e-14' "$scratch/out" >/dev/null ||
+    fail "along the program: $(jq -c '[.samples, .period, .stable]' "$scratch/out")"
+
+# ---- units: the same machine in millimetres and milliseconds ----
+si='{radius: 1.5, half_angle: 10}'
+cat >"$scratch/si.yaml" <<END
+platform: {base: $si, top: {radius: 1.1, half_angle: 10}, height: 2}
+load: {mass: 1050, center_of_mass: [0, 0, 0.55], inertia: [600, 600, 900]}
+control: {stiffness: 4e5, damping: 2e4, sampling: {period: 0.001, delay: 0.001, velocity: difference, noise: 1e-6}}
+simulation: {duration: 1, output_step: 0.1}
+END
+cat >"$scratch/mm.yaml" <<END
+units: {length: mm, time: ms}
+platform: {base: {radius: 1500, half_angle: 10}, top: {radius: 1100, half_angle: 10}, height: 2000}
+load: {mass: 1050, center_of_mass: [0, 0, 550], inertia: [6e8, 6e8, 9e8]}
+control: {stiffness: 4e2, damping: 2e4, sampling: {period: 1, delay: 1, velocity: difference, noise: 1e-3}}
+simulation: {duration: 1000, output_step: 100}
+END
+run check "$scratch/si.yaml" --json
+cp "$scratch/out" "$scratch/si.json"
+run check "$scratch/mm.yaml" --json
+jq -e -s 'def near(a; b): (a - b | fabs) <= 1e-6 * (b | fabs);
+    .[0].sampling as $si | .[1].sampling as $mm |
+    near($mm.window[0] * 1e3; $si.window[0]) and near($mm.window[1] * 1e3; $si.window[1]) and near($mm.upper.frequency * 1e3; $si.upper.frequency) and
+    near($mm.best.damping; $si.best.damping) and near($mm.period_limit / 1e3; $si.period_limit) and near($mm.longest_period / 1e3; $si.longest_period) and
+    near($mm.least_mass; $si.least_mass) and near($mm.command_noise[0]; $si.command_noise[0]) and near($mm.growth_rate * 1e3; $si.growth_rate)' \
+    "$scratch/si.json" "$scratch/out" >/dev/null || fail "units: $(jq -c .sampling "$scratch/si.json" "$scratch/out")"
+run check "$scratch/si.yaml"
+says ' N/m (above it sway–tilt at'
+says ' rad/s grows), with the damping D = 20000 N s/m'
+
+# ---- refusals ----
+refused() {
+    local sentence=$1
+    shift
+    "$GOUGH" "$@" >/dev/null 2>"$scratch/err" && fail "$*: not refused"
+    grep -qF -- "$sentence" "$scratch/err" || fail "$*: no '$sentence': $(cat "$scratch/err")"
+}
+moving=(--set 'motion={heave: 0.1*sin(t)}')
+refused 'is not a whole number of samples of 0.05' stability "$scratch/machine.yaml" "${moving[@]}"
+refused 'the nearest period of sampling is 0.0498' stability "$scratch/machine.yaml" "${moving[@]}"
+refused 'use --pose surge=0' stability "$scratch/machine.yaml" "${moving[@]}"
+refused 'the map of stability is not computed for a sampled controller' stability "$scratch/machine.yaml" --sweep-stiffness 1:2:3 "${moving[@]}"
+refused '--matrix prints the twelve rows' stability "$scratch/machine.yaml" --matrix
+refused 'is not computed for drives that lag' stability "$scratch/machine.yaml" "${moving[@]}" --set control.sampling= --set 'actuators={kind: lag, time_constant: 0.05}'
+refused 'more than 12 periods' stability "$scratch/machine.yaml" --set control.sampling.delay=0.7
+run check "$scratch/machine.yaml" --set control.sampling.delay=0.7
+says 'window of G not determined: '
+finish
