@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "base/assert.h"
-#include "gough/sizes.h"
 #include "linear/linear.h"
 #include "plant/can_move.h"
 
@@ -33,48 +32,11 @@ static const double most_range = 1e15;
 /* the threshold at rest over this is where the search begins */
 static const double below_threshold = 4;
 
+/* so far below the upper edge of a sampled loop, which is known to less, the search ends, relative */
+static const double before_edge = 1e-5;
+
 /* so often a G may be lifted over what grows */
 enum { MOST_LIFTS = 200 };
-
-/* ---- what is asked ------------------------------------------------------------------------------------------------ */
-
-gough_status gough_tuning_options_init(gough_tuning_options *options, size_t size) {
-    if (size != sizeof *options) return gough_size_refuse(options, size);
-    *options = (gough_tuning_options){.size = size,
-                                      .angle_deviation = INFINITY,
-                                      .damping_ratio = NAN,
-                                      .margin = 0.02,
-                                      .greatest = INFINITY};
-    return GOUGH_OK;
-}
-
-static gough_status check_options(const gough_tuning_options *o, gough_error *error) {
-    if (gough_size_check(o->size, sizeof(gough_tuning_options), "gough_tuning_options", error) !=
-        GOUGH_OK)
-        return GOUGH_ERROR_INPUT;
-    if (!(o->deviation > 0) || !isfinite(o->deviation))
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the deviation allowed must be a finite number > 0, not %.9g" IN_LENGTH,
-                          o->deviation);
-    if (!(o->angle_deviation > 0))
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the angle deviation allowed must be > 0, not %.9g", o->angle_deviation);
-    if (!isnan(o->damping_ratio) && !(o->damping_ratio >= 0 && o->damping_ratio < 1))
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the damping ratio must be at least 0 and less than 1, not %.9g",
-                          o->damping_ratio);
-    if (!(o->margin >= 0 && o->margin <= 0.5))
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the margin must be from 0 to 0.5 (a fraction of G), not %.9g",
-                          o->margin);
-    if (!(o->least >= 0) || !isfinite(o->least) || !(o->greatest >= o->least))
-        return gough_fail(
-            error, GOUGH_ERROR_INPUT,
-            "the search for the stiffness needs two numbers, 0 <= a < b, not %.9g" IN_STIFFNESS
-            " and %.9g" IN_STIFFNESS,
-            o->least, o->greatest);
-    return GOUGH_OK;
-}
 
 gough_map_options tune_map_options(const gough_tuning_options *options, double from, double to,
                                    size_t count) {
@@ -95,6 +57,13 @@ static gough_batch_options batch_options(const gough_tuning_options *options) {
 
     batch.threads = options->threads;
     return batch;
+}
+
+/* G is the same in all legs, and so is D where it follows from G: without what the study's matrices have beside their diagonals */
+static void uncouple(gough_control *control) {
+    memset(control->cross_stiffness, 0, sizeof control->cross_stiffness);
+    memset(control->cross_damping, 0, sizeof control->cross_damping);
+    control->coupled = false;
 }
 
 static tune *lay_out(const gough_model *model, const gough_tuning_options *options, size_t for_map,
@@ -118,7 +87,9 @@ static tune *lay_out(const gough_model *model, const gough_tuning_options *optio
     t->model = model;
     t->options = options;
     t->ratio = !isnan(options->damping_ratio);
+    t->sampled = model->control.sampling.period > 0;
     memcpy(t->loop, model, sizeof *model);
+    uncouple(&t->loop->control);
     return t;
 }
 
@@ -128,6 +99,18 @@ static void set_stiffness(gough_model *model, double stiffness) {
     for (int v = 0; v < GOUGH_LEGS; v++) model->control.stiffness[v] = stiffness;
 }
 
+void tune_make_plain(gough_model *model) {
+    model->control.sampling.period = 0;
+    memset(model->control.integral, 0, sizeof model->control.integral);
+    memset(&model->machine.platform.actuators, 0, sizeof model->machine.platform.actuators);
+}
+
+void tune_make_as_asked(const tune *t, gough_model *model) {
+    model->control.sampling = t->model->control.sampling;
+    memcpy(model->control.integral, t->model->control.integral, sizeof model->control.integral);
+    model->machine.platform.actuators = t->model->machine.platform.actuators;
+}
+
 /* thresholds at rest with feed-forward, and the fastest mode where G outweighs all else */
 static gough_status look_at_home(tune *t, gough_error *error) {
     gough_tuning *tuning = t->tuning;
@@ -135,6 +118,8 @@ static gough_status look_at_home(tune *t, gough_error *error) {
     gough_status status;
 
     t->steady->control.feedforward = true;
+    tune_make_plain(t->steady);
+    uncouple(&t->steady->control);
     set_stiffness(t->steady, 0);
     for (int v = 0; v < GOUGH_LEGS; v++) t->steady->control.damping[v] = 0;
     status = gough_stability_at_rest(t->steady, NULL, &t->rest, error);
@@ -163,6 +148,26 @@ static double damped_steps(const tune *t) {
 
     for (int v = 0; v < GOUGH_LEGS; v++) damping = fmax(damping, tune_damping_of(t, v));
     return t->simulation.duration * damping * t->frequency * t->frequency / 6;
+}
+
+/* a sampled controller holds the platform up to the upper edge only, which the margin keeps away from */
+static gough_status limit_to_window(tune *t, gough_error *error) {
+    const double end = t->tuning->upper / (1 + t->options->margin) * (1 - before_edge);
+
+    if (!(end < t->greatest)) return GOUGH_OK;
+    if (t->options->least > 0 && !(end > t->options->least))
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the search for the stiffness begins at %.6g" IN_STIFFNESS
+                          ", but the sampled controller holds the platform at home up to "
+                          "%.6g" IN_STIFFNESS
+                          " only (%s); give --stiffness a:b with a below that, or shorten "
+                          "control.sampling.period",
+                          t->options->least, t->tuning->upper, t->tuning->upper_mode.name);
+    t->greatest = end;
+    t->least = fmin(t->least, end / 10);
+    t->edged = t->bounded = true;
+    t->most_steps = false;
+    return GOUGH_OK;
 }
 
 static gough_status find_range(tune *t, gough_error *error) {
@@ -205,6 +210,8 @@ static gough_status find_range(tune *t, gough_error *error) {
         t->greatest = longest * longest;
         t->most_steps = true;
     }
+    const gough_status status = limit_to_window(t, error);
+    if (status != GOUGH_OK) return status;
     t->whole = (size_t)ceil(log10(t->greatest / t->least) * TUNE_DECADE) + 1;
     t->last = t->whole;
     if (!t->bounded && !t->most_steps && t->furthest > t->greatest) {
@@ -221,7 +228,17 @@ static gough_status find_range(tune *t, gough_error *error) {
 static gough_status find_period(tune *t, gough_error *error) {
     gough_tuning *tuning = t->tuning;
     gough_error why = {0};
-    const gough_status status = gough_motion_period(&t->model->motion, &t->period, &why);
+    gough_status status;
+
+    if (t->sampled) {
+        tuning->periodic = false;
+        t->period = (gough_period){.resting = true};
+        memset(&t->steady->motion, 0, sizeof t->steady->motion);
+        strcpy(tuning->unchecked, "the controller is sampled, so home was checked, from sample to "
+                                  "sample");
+        return GOUGH_OK;
+    }
+    status = gough_motion_period(&t->model->motion, &t->period, &why);
 
     if (status != GOUGH_OK && t->model->motion.period > 0)
         return gough_fail(error, status, "%s", why.message);
@@ -250,17 +267,19 @@ static gough_status bytes_for_map(const gough_model *model, const gough_tuning_o
     tune probe = {.model = model, .options = options, .steady = &steady, .tuning = &tuning};
     gough_status status;
 
+    *bytes = 0;
+    if (model->control.sampling.period > 0) return GOUGH_OK;
     probe.unit =
         model->machine.load.mass * model->machine.gravity_magnitude / model->machine.base_radius;
     if (!(probe.unit > 0)) probe.unit = model->machine.load.mass;
     status = look_at_home(&probe, error);
 
-    *bytes = 0;
     if (status == GOUGH_OK) status = find_period(&probe, error);
     if (status == GOUGH_OK) {
         const gough_map_options map =
             tune_map_options(options, 0.5 * probe.map_top, probe.map_top, TUNE_ROUND + 2);
         steady.control = model->control;
+        uncouple(&steady.control);
         steady.control.feedforward = true;
         status = gough_map_size(&steady, &map, bytes, error);
     }
@@ -272,7 +291,7 @@ gough_status gough_tune_size(const gough_model *model, const gough_tuning_option
                              size_t *bytes, gough_error *error) {
     const gough_batch_options batch = batch_options(options);
     size_t for_map = 0;
-    gough_status status = check_options(options, error);
+    gough_status status = tune_check_options(model, options, error);
 
     *bytes = 0;
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
@@ -304,6 +323,8 @@ static gough_status prepare(tune *t, const gough_simulation *simulation, bool fe
     memcpy(t->steady, t->loop, sizeof *t->steady);
     t->loop->control.feedforward = feedforward;
     status = look_at_home(t, error);
+    tune_make_as_asked(t, t->steady);
+    if (status == GOUGH_OK) status = tune_find_window(t, error);
     if (status == GOUGH_OK) status = find_range(t, error);
     if (status == GOUGH_OK) status = find_period(t, error);
     t->steady->control.feedforward = feedforward;
@@ -515,7 +536,7 @@ gough_status gough_tune(const gough_model *model, const gough_simulation *simula
                         gough_error *error) {
     hunt h = {0};
     size_t for_map;
-    gough_status status = check_options(options, error);
+    gough_status status = tune_check_options(model, options, error);
     tune *t;
 
     memset(tuning, 0, sizeof *tuning);
@@ -526,6 +547,11 @@ gough_status gough_tune(const gough_model *model, const gough_simulation *simula
     t->point = point;
     t->tuning = tuning;
     status = prepare(t, simulation, feedforward, error);
+    if (status == GOUGH_OK && t->sampled && !(tuning->upper > 0)) {
+        tuning->fails = tuning->slope = tuning->scale = NAN;
+        tune_reason_closed(t);
+        return GOUGH_OK;
+    }
     if (status == GOUGH_OK) status = search(t, &h, error);
     if (status == GOUGH_OK) status = tune_check_outliers(t, error);
     if (status != GOUGH_OK) return status;

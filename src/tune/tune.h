@@ -39,6 +39,9 @@ typedef struct tune {
     bool most_steps; /* `greatest` is where runs get too long */
     bool bounded;    /* the options say where the search ends */
     bool fine;       /* all runs take small fixed steps: adaptive ones have missed something */
+    bool sampled;    /* the controller is: rest at home is looked at, from sample to sample */
+    bool edged;      /* `greatest` is where a sampled controller no longer holds the platform */
+    gough_sampled_margins margins; /* where it never does */
     gough_rest rest;
 
     gough_batch_run run[TUNE_ROUND + 1];
@@ -57,6 +60,18 @@ typedef struct tune {
     size_t last;  /* … and on to `furthest` */
 } tune;
 
+/* ---- tune_options.c ---- */
+
+/* whether the options, and the model's damping, can be searched with */
+gough_status tune_check_options(const gough_model *model, const gough_tuning_options *options,
+                                gough_error *error);
+
+/* ---- tune.c ---- */
+
+/* a continuous controller without integral and ideal drives, whose loop has the modes of the platform only; and back */
+void tune_make_plain(gough_model *model);
+void tune_make_as_asked(const tune *t, gough_model *model);
+
 /* ---- tune_scale.c ---- */
 
 /* unit, settled, furthest; from model and simulation */
@@ -66,6 +81,19 @@ void tune_find_scales(tune *t);
 
 /* smallest −Re λ/|λ| of a loop's eigenvalues; NaN if they cannot be computed */
 double tune_least_ratio(double matrix[GOUGH_LINEAR][GOUGH_LINEAR]);
+
+/* ---- tune_sampled.c ---- */
+
+/* the same of a loop with a sampled controller at rest at home, of its poles s, with multipliers e^{sT} */
+double tune_sampled_ratio(const gough_model *model);
+
+/* (tune-1) of those poles; fails where no damping gives the ratio */
+gough_status tune_sampled_damping(const gough_model *model, double ratio, double *damping,
+                                  gough_error *error);
+
+/* `upper` and its mode where the controller is sampled: the G from which the loop at home is unstable, or above which no D gives
+ * the ratio; NaN: none holds, and the margins of the loop tell what would. Changes the gains of `steady`. */
+gough_status tune_find_window(tune *t, gough_error *error);
 
 /* ---- tune_run.c ---- */
 
@@ -136,5 +164,8 @@ gough_status tune_check_outliers(tune *t, gough_error *error);
 
 /* why no G does it */
 void tune_reason(tune *t);
+
+/* the same where a sampled controller holds the platform with none */
+void tune_reason_closed(tune *t);
 
 #endif

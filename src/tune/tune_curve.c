@@ -374,6 +374,55 @@ static void say_far(const tune *t, const gough_tuning_point *best, double slope,
                              : "search further with --stiffness");
 }
 
+/* The deviation falls with G, but a sampled controller cannot have the G. */
+static void say_edge(const tune *t, const gough_tuning_point *best, gough_error *why) {
+    const gough_tuning *tuning = t->tuning;
+
+    gough_fail(why, GOUGH_OK,
+               "the upper edge of stability comes first: the sampled controller holds the platform "
+               "at home%s for G below %.6g%s (%s), and up to %.3g %% less than that the least "
+               "deviation is %.3g%s, at G = %.6g%s; shorten control.sampling.period or its "
+               "delay%s",
+               t->ratio ? " with that damping ratio" : "", shown_stiffness(t, tuning->upper),
+               stiffness_word(t), tuning->upper_mode.name, 100 * t->options->margin,
+               shown_length(t, best->position_deviation), length_word(t),
+               shown_stiffness(t, best->stiffness), stiffness_word(t),
+               t->ratio ? ", or ask for another ratio" : ", or give --damping-ratio");
+}
+
+void tune_reason_closed(tune *t) {
+    const gough_sampling *s = &t->model->control.sampling;
+    const gough_sampled_margins *m = &t->margins;
+    const char *time = word(t, GOUGH_UNIT_TIME);
+    const double damping = t->model->control.damping[0];
+    char lack[120] = "", best[120] = "", limit[140] = "";
+    gough_error why = {0};
+
+    if (t->ratio)
+        snprintf(lack, sizeof lack, "no D gives its least damped mode the ratio %.6g",
+                 t->options->damping_ratio);
+    else if (damping > 0)
+        snprintf(lack, sizeof lack, "the damping D = %.6g%s does not hold it",
+                 shown(t, GOUGH_UNIT_DAMPING, damping), word(t, GOUGH_UNIT_DAMPING));
+    else
+        snprintf(lack, sizeof lack, "without damping it shakes; give --damping-ratio");
+    if (m->best_stiffness > 0)
+        snprintf(best, sizeof best, "; the greatest G held by any D is %.6g%s, with D = %.6g%s",
+                 shown_stiffness(t, m->best_stiffness), stiffness_word(t),
+                 shown(t, GOUGH_UNIT_DAMPING, m->best_damping), word(t, GOUGH_UNIT_DAMPING));
+    if (m->period_limit > 0)
+        snprintf(
+            limit, sizeof limit,
+            "; with a period of %.6g%s or more, and a delay in proportion, no gains hold it at all",
+            shown(t, GOUGH_UNIT_TIME, m->period_limit), time);
+    gough_fail(&why, GOUGH_OK,
+               "the window of G is closed: at home, with a controller sampled every %.6g%s that "
+               "acts %.6g%s later, %s%s%s",
+               shown(t, GOUGH_UNIT_TIME, s->period), time, shown(t, GOUGH_UNIT_TIME, s->delay),
+               time, lack, best, limit);
+    memcpy(t->tuning->reason, why.message, sizeof t->tuning->reason);
+}
+
 void tune_reason(tune *t) {
     gough_error sentence = {0}, *why = &sentence;
     const gough_tuning_options *o = t->options;
@@ -405,6 +454,8 @@ void tune_reason(tune *t) {
                    shown_stiffness(t, best->stiffness), stiffness_word(t),
                    gough_unit_factor(angles, GOUGH_UNIT_ANGLE) * best->angle_deviation,
                    angles->name[GOUGH_BASE_ANGLE] ? word(t, GOUGH_UNIT_ANGLE) : " degrees");
+    else if (t->edged)
+        say_edge(t, best, why);
     else if (!(slope < flat))
         say_floor(t, best, why);
     else

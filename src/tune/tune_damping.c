@@ -2,6 +2,7 @@
  * docs/theory/tuning.md. */
 #include <lapacke.h>
 #include <math.h>
+#include <string.h>
 
 #include "base/quantity.h"
 #include "linear/equilibrium.h"
@@ -82,6 +83,7 @@ static gough_status parts(const gough_model *model, double unit, affine *A, goug
     gough_status status = equilibrium_find(model, NULL, &motion, error);
 
     control.feedforward = true;
+    memset(control.cross_damping, 0, sizeof control.cross_damping);
     for (int with = 0; with < 2 && status == GOUGH_OK; with++) {
         double(*matrix)[N] = with ? A->damped : A->still;
         const char *wrong;
@@ -110,6 +112,12 @@ gough_status gough_damping_for_ratio(const gough_model *model, double ratio, dou
     status = motion_check(&model->motion, error);
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
     if (status != GOUGH_OK) return status;
+    if (model->control.sampling.period > 0) {
+        if (ratio > 0) return tune_sampled_damping(model, ratio, damping, error);
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "with a sampled controller the damping ratio must be greater than 0: at "
+                          "0 the loop is at the edge of stability");
+    }
     for (int v = 0; v < GOUGH_LEGS; v++) stiffness = fmax(stiffness, model->control.stiffness[v]);
     unit = stiffness > 0
                ? sqrt(stiffness * mass)

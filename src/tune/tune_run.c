@@ -53,7 +53,18 @@ static double damped_step(const tune *t) {
 }
 
 bool tune_is_stiff(const tune *t) {
-    return !(t->simulation.step > 0) && damped_step(t) < t->simulation.output_step / small_steps;
+    return !t->sampled && !(t->simulation.step > 0) &&
+           damped_step(t) < t->simulation.output_step / small_steps;
+}
+
+/* Adaptive steps that are as short as the small fixed ones: the samples of a controller end steps wherever they are due. */
+static gough_simulation with_short_steps(const tune *t, gough_simulation s) {
+    const double step = t->simulation.output_step / small_steps;
+
+    s.method = GOUGH_DOP853;
+    s.step = 0;
+    s.max_step = s.max_step > 0 ? fmin(s.max_step, step) : step;
+    return s;
 }
 
 /* Fixed steps of the method of order 8: a hundredth of the study's output step, less where the fastest mode or the damping asks for
@@ -82,6 +93,7 @@ static gough_simulation simulation_for(const tune *t, double stiffness, bool tim
     while (turn / parts > turn_between_rows && s.duration / s.output_step * parts < most_rows)
         parts *= 2;
     s.output_step /= parts;
+    if (t->fine && t->sampled) return with_short_steps(t, s);
     return t->fine ? with_small_steps(t, s, stiffness) : with_own_step(t, s, stiffness, parts);
 }
 
@@ -383,9 +395,11 @@ gough_status tune_detail(tune *t, gough_error *error) {
     tuning->angle_time = l.angle_time;
     binding_leg(t, &l.summary);
 
+    if (t->sampled) tuning->damping_ratio = tune_sampled_ratio(t->loop);
+    tune_make_plain(t->loop);
     status = gough_stability_at_rest(t->loop, NULL, &t->rest, error);
     if (status != GOUGH_OK) return status;
-    tuning->damping_ratio = tune_least_ratio(t->rest.matrix);
+    if (!t->sampled) tuning->damping_ratio = tune_least_ratio(t->rest.matrix);
     if (fabs(tuning->damping_ratio) < rounding_ratio) tuning->damping_ratio = 0;
     if (tuning->binding != GOUGH_TUNING_THRESHOLD && tuning->binding != GOUGH_TUNING_TONGUE)
         binding_mode(t, &l);

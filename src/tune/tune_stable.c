@@ -34,11 +34,25 @@ bool tune_follows(const tune *t, double stiffness) {
 
 /* ---- at one G ----------------------------------------------------------------------------------------------------- */
 
+static void look_at_samples(tune *t, gough_tuning_point *point, gough_mode *mode) {
+    gough_sampled_rest rest;
+    gough_error none;
+
+    if (gough_sampled_at_rest(t->steady, NULL, &rest, &none) != GOUGH_OK) return;
+    point->growth = exp(rest.growth);
+    point->stable = rest.stable;
+    *mode = rest.multiplier[0].mode;
+}
+
 /* Where no motion to look at is found, the loop does not hold: growth is unknown, and it is not stable. */
 static void look_at_rest(tune *t, gough_tuning_point *point, gough_mode *mode) {
     gough_rest *rest = &t->rest;
     gough_error none;
 
+    if (t->sampled) {
+        look_at_samples(t, point, mode);
+        return;
+    }
     if (gough_stability_at_rest(t->steady, NULL, rest, &none) != GOUGH_OK) return;
     point->growth = exp(rest->growth);
     point->stable = rest->stable;
@@ -92,7 +106,8 @@ static bool can_map(tune *t, double from, double to, size_t count, double dampin
     size_t bytes;
 
     set_gains(t, from, damping);
-    if (!t->loop->control.feedforward || !(to > from) || to > t->map_top) return false;
+    if (t->sampled || !t->loop->control.feedforward || !(to > from) || to > t->map_top)
+        return false;
     if (!t->period.resting && is_well_damped(t, to, damping)) return false;
     return gough_map_size(t->steady, &options, &bytes, NULL) == GOUGH_OK && bytes <= t->map_bytes;
 }

@@ -82,9 +82,10 @@ hold '### A map' map.json
 
 json tune-1.json tune paper-perturbed.yaml --deviation 1e-3 --feedforward program
 json tune-2.json tune own-machine.yaml --deviation 1e-4 --feedforward none --set 'platform.legs.length=[0.1, 0.6]'
-hold '## tune' tune-1.json tune-2.json
+json tune-3.json tune paper-perturbed.yaml --deviation 1e-3 --damping-ratio 0.2 --stiffness 1:10 --feedforward program --set control.sampling.period=0.05 --set simulation.duration=3
+hold '## tune' tune-1.json tune-2.json tune-3.json
 json gains-1.json tune own-machine.yaml --poles 2,0.7 --pose yaw=5
-json gains-2.json tune paper-heave.yaml --lqr 1,1
+json gains-2.json tune paper-heave.yaml --lqr 1,1 --set control.sampling.period=0.05
 hold '### Gains' gains-1.json gains-2.json
 
 # the words for the end of a run are those of the library

@@ -91,12 +91,37 @@ run tune millimetres.yaml --lqr 100,1
 expect_code 0 "$what in millimetres"
 agree "$(keys)" "$json" 1e-3 || fail "$what: other gains in millimetres: $(keys), not $json"
 
+# ---- the keys in a study: the poles come back ------------------------------------------------------------------------
+
+comes_back() { # comes_back OPTION…: pasted into the study, the gains give the poles again
+    grep -v '^control' metres.yaml >pasted.yaml
+    "$GOUGH" tune metres.yaml "$@" | sed -n '/^control:$/,$p' >>pasted.yaml
+    "$GOUGH" tune metres.yaml "$@" --json | jq -c '[.gains.poles[] | [.[0], (.[1] | fabs)]] | sort' >asked.json
+    what="the study with the keys of tune $*"
+    run stability pasted.yaml --pose surge=0 --json --set control.feedforward=program
+    expect_code 0 "$what"
+    jq -e --slurpfile asked asked.json '[.eigenvalues[] | [.[0], (.[1] | fabs)]] | sort | [., $asked[0]] | transpose | length == 12 and
+        all(.[]; (.[0][0] * .[0][0] + .[0][1] * .[0][1] | sqrt) as $size | (.[0][0] - .[1][0] | fabs) <= 1e-9 * $size and (.[0][1] - .[1][1] | fabs) <= 1e-9 * $size)' out >/dev/null ||
+        fail "$what: the poles are $(jq -c .eigenvalues out), not $(cat asked.json)"
+    run stability pasted.yaml --pose surge=0 --set control.feedforward=program
+    [[ $code == 0 ]] && grep -q 'every deviation dies out' out || fail "$what: the text of stability does not say that deviations die out: $(cat out)"
+}
+comes_back --poles 3,0.7
+comes_back --lqr 1e8,1e6
+
 # ---- what is not ideal is said --------------------------------------------------------------------------------------
 
 run tune paper-heave.yaml --poles 2,0.7 --set control.feedforward=none
 what="tune without feed-forward" says 'control.feedforward: none, so the platform sags'
 run tune flight-simulator-legs.yaml --poles 2,0.7
 what="tune with dry friction" says 'Dry friction of the legs'
+
+run tune metres.yaml --poles 3,0.7 --set control.sampling.period=0.001
+expect_code 0 "tune --poles of a sampled study"
+what="tune --poles of a sampled study" says 'continuous controller without integral'
+says "With the study's own controller, sampled every 0.001 s, deviations at rest change at most by a factor of 0.9"
+run tune metres.yaml --poles 3,0.7 --set control.sampling.period=0.2 --json
+jq -e '.gains.sampled | .stable == false and .radius > 1 and .growth_rate > 0' out >/dev/null || fail "$what: $(jq -c .gains.sampled out)"
 
 # ---- refusals ------------------------------------------------------------------------------------------------------
 

@@ -3,10 +3,12 @@
 #include "cli/tune/tune_gains.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/common/json.h"
 #include "cli/common/left_out.h"
+#include "cli/common/memory.h"
 #include "cli/common/option_values.h"
 #include "cli/common/paragraph.h"
 #include "cli/common/scale.h"
@@ -112,23 +114,51 @@ typedef struct gains_report {
     const gains_options *asked;
     gough_units units;
     gough_gains gains; /* in units of the run */
+    bool sampled;      /* the study's controller is, and stability with it is known: */
+    double radius, growth;
+    bool stable;
 } gains_report;
 
-static gough_status find(gains_report *report, gough_error *error) {
+/* What the gains do under the study's own controller, if it is sampled. */
+static void find_samples(gains_report *report, const double component[GOUGH_COMPONENTS]) {
+    const gough_model *own = report->study->model;
+    if (!(own->control.sampling.period > 0)) return;
+    gough_model *model = allocate(sizeof *model);
+    gough_sampled_rest rest;
+    *model = *own;
+    model->control.feedforward = true; /* as the poles have it */
+    gough_gains_apply(&report->gains, &model->control);
+    report->sampled = gough_sampled_at_rest(model, component, &rest, NULL) == GOUGH_OK;
+    free(model);
+    if (!report->sampled) return;
+    report->radius = rest.radius;
+    report->growth = rest.growth;
+    report->stable = rest.stable;
+}
+
+static gough_status find_gains(const gains_report *report, const double component[GOUGH_COMPONENTS],
+                               gough_gains *gains, gough_error *error) {
     const gains_options *asked = report->asked;
     const gough_study *study = report->study;
     const gough_units *own = &study->units;
-    double component[GOUGH_COMPONENTS];
-    for (int c = 0; c < GOUGH_COMPONENTS; c++)
-        component[c] = gough_unit_read(own, component_unit(c), asked->pose[c]);
     if (by_poles(asked))
         return gough_gains_by_poles(study->model, component,
                                     gough_unit_read(own, GOUGH_UNIT_RATE, asked->poles[0]),
-                                    asked->poles[1], &report->gains, error);
+                                    asked->poles[1], gains, error);
     const double stiffness = gough_unit_read(own, GOUGH_UNIT_STIFFNESS, 1),
                  damping = gough_unit_read(own, GOUGH_UNIT_DAMPING, 1);
     return gough_gains_by_lqr(study->model, component, asked->lqr[0] * stiffness * stiffness,
-                              asked->lqr[1] * damping * damping, &report->gains, error);
+                              asked->lqr[1] * damping * damping, gains, error);
+}
+
+static gough_status find(gains_report *report, gough_error *error) {
+    const gough_units *own = &report->study->units;
+    double component[GOUGH_COMPONENTS];
+    for (int c = 0; c < GOUGH_COMPONENTS; c++)
+        component[c] = gough_unit_read(own, component_unit(c), report->asked->pose[c]);
+    const gough_status status = find_gains(report, component, &report->gains, error);
+    if (!status) find_samples(report, component);
+    return status;
 }
 
 /* ---- for reading -------------------------------------------------------------------------------------------------- */
@@ -236,6 +266,14 @@ static void print_reservations(FILE *stream, const gains_report *report) {
                         late ? "actuators.kind: lag" : "", late && integral ? ", " : "",
                         integral ? "control.integral" : "");
     }
+    if (report->sampled)
+        print_paragraph(stream, "", 0,
+                        "With the study's own controller, sampled every %.6g%s, deviations at rest "
+                        "%s by a factor of %.6g from sample to sample.",
+                        control->sampling.period *
+                            gough_unit_factor(&report->units, GOUGH_UNIT_TIME),
+                        unit_word(&report->units, GOUGH_UNIT_TIME),
+                        report->stable ? "change at most" : "grow", report->radius);
     print_left_out_friction(stream, model);
 }
 
@@ -298,6 +336,17 @@ static json_t *asked_object(const gains_report *report) {
     return object;
 }
 
+/* null with a continuous controller */
+static json_t *sampled_object(const gains_report *report) {
+    if (!report->sampled) return json_null();
+    const double rate = gough_unit_factor(&report->units, GOUGH_UNIT_RATE);
+    json_t *object = json_object();
+    json_object_set_new(object, "radius", json_number(report->radius));
+    json_object_set_new(object, "growth_rate", json_number(report->growth * rate));
+    json_object_set_new(object, "stable", json_boolean(report->stable));
+    return object;
+}
+
 static json_t *gains_object(const gains_report *report) {
     const gough_units *u = &report->units;
     const gough_gains *gains = &report->gains;
@@ -316,6 +365,7 @@ static json_t *gains_object(const gains_report *report) {
     json_object_set_new(object, "modes", modes);
     json_object_set_new(object, "residual",
                         json_number(by_poles(report->asked) ? (double)NAN : gains->residual));
+    json_object_set_new(object, "sampled", sampled_object(report));
     return object;
 }
 

@@ -35,6 +35,11 @@ static const scaled_member curve_members[] = {KEYED(gough_tuning, slope, NONE, "
 static const scaled_member rest_members[] = {
     KEYED(gough_tuning, threshold, STIFFNESS, "stiffness")};
 
+/* of the upper edge of a sampled loop */
+static const scaled_member upper_members[] = {
+    KEYED(gough_tuning, upper, STIFFNESS, "stiffness"),
+    KEYED(gough_tuning, upper_frequency, RATE, "frequency")};
+
 /* of what was asked for */
 static const scaled_member asked_members[] = {
     KEYED(gough_tuning_options, deviation, LENGTH, "deviation"),
@@ -68,6 +73,7 @@ void tune_scale(tune_report *report) {
         SCALE(tuning, leg_members, u);
         SCALE(tuning, curve_members, u);
         SCALE(tuning, rest_members, u);
+        SCALE(tuning, upper_members, u);
         /* the deviation is scale · G^slope */
         tuning->scale *= pow(gough_unit_factor(u, GOUGH_UNIT_STIFFNESS), -tuning->slope);
         for (size_t i = 0; i < tuning->exceptions; i++)
@@ -151,6 +157,15 @@ static json_t *choice_object(const tune_choice *choice) {
     return object;
 }
 
+/* Where a sampled controller no longer holds the platform; null for a continuous one and where it never does. */
+static json_t *upper_object(const gough_tuning *tuning) {
+    if (!tuning->sampled || !(tuning->upper > 0)) return json_null();
+    json_t *object = json_object();
+    JSON_SET(object, tuning, upper_members);
+    json_object_set_new(object, "mode", text_or_null(tuning->upper_mode.name));
+    return object;
+}
+
 int tune_print_json(const tune_report *report) {
     const gough_tuning *first = &report->choice[0].tuning;
     json_t *object = json_object(), *threshold = json_object(), *list = json_array();
@@ -165,6 +180,7 @@ int tune_print_json(const tune_report *report) {
                         json_boolean(leaves_out_friction(report->study->model)));
     json_object_set_new(object, "asked", asked_object(report));
     json_object_set_new(object, "threshold", threshold);
+    json_object_set_new(object, "upper", upper_object(first));
     json_object_set_new(object, "choices", list);
     return json_print(object);
 }

@@ -166,6 +166,21 @@ static void print_choice(FILE *stream, const tune_choice *choice, const gough_un
     print_curve(stream, tuning, unit);
 }
 
+/* Where a sampled controller no longer holds the platform. */
+static void print_upper(FILE *stream, const tune_report *report) {
+    const gough_tuning *first = &report->choice[0].tuning;
+    const char *time = unit_word(&report->units, GOUGH_UNIT_TIME);
+    const bool by_ratio = isfinite(report->asked.damping_ratio);
+    print_paragraph(stream, "", 0,
+                    "Its controller is sampled: %s at home for G %s %.6g%s, where %s shakes with "
+                    "%.4g %s%s",
+                    by_ratio ? "some D gives that damping ratio" : "it holds the platform",
+                    by_ratio ? "up to" : "below", first->upper,
+                    unit_word(&report->units, GOUGH_UNIT_STIFFNESS), first->upper_mode.name,
+                    first->upper_frequency, *time ? "rad/" : "radians per unit of time",
+                    *time ? time + 1 : "");
+}
+
 void tune_print(FILE *stream, const tune_report *report) {
     const gough_units *unit = &report->units;
     const gough_tuning_options *asked = &report->asked;
@@ -181,6 +196,7 @@ void tune_print(FILE *stream, const tune_report *report) {
         fprintf(stream,
                 "At rest at home, with feed-forward, the machine needs G above %.6g%s (%s)\n",
                 first->threshold, unit_word(unit, GOUGH_UNIT_STIFFNESS), first->least_mode.name);
+    if (first->sampled && first->upper > 0) print_upper(stream, report);
     for (int c = 0; c < report->choices; c++) print_choice(stream, &report->choice[c], unit);
     print_linear_friction(stream, report->study->model);
 }
