@@ -104,6 +104,7 @@ comes_back() { # comes_back OPTION…: pasted into the study, the gains give the
         all(.[]; (.[0][0] * .[0][0] + .[0][1] * .[0][1] | sqrt) as $size | (.[0][0] - .[1][0] | fabs) <= 1e-9 * $size and (.[0][1] - .[1][1] | fabs) <= 1e-9 * $size)' out >/dev/null ||
         fail "$what: the poles are $(jq -c .eigenvalues out), not $(cat asked.json)"
     run stability pasted.yaml --pose surge=0 --set control.feedforward=program
+    says 'stiffness G = a matrix with'
     [[ $code == 0 ]] && grep -q 'every deviation dies out' out || fail "$what: the text of stability does not say that deviations die out: $(cat out)"
 }
 comes_back --poles 3,0.7

@@ -73,19 +73,23 @@ static double least_gain(const double gain[GOUGH_LEGS]) {
 
 /* "50 N/m" or "4 to 6 N/m" */
 typedef struct gain_words {
-    char text[64];
+    char text[112];
 } gain_words;
 
-static gain_words words_of_gain(const double gain[GOUGH_LEGS], double factor, const char *word) {
+/* Of matrices the diagonals. */
+static gain_words words_of_gain(const gough_control *control, const double gain[GOUGH_LEGS],
+                                double factor, const char *word) {
     const double least = least_gain(gain);
+    const char *matrix = control->coupled ? "a matrix with " : "",
+               *where = control->coupled ? " on its diagonal" : "";
     double greatest = 0;
     gain_words words;
     for (int i = 0; i < GOUGH_LEGS; i++) greatest = fmax(greatest, gain[i]);
     if (greatest > least)
-        snprintf(words.text, sizeof words.text, "%.6g to %.6g%s", least * factor, greatest * factor,
-                 word);
+        snprintf(words.text, sizeof words.text, "%s%.6g to %.6g%s%s", matrix, least * factor,
+                 greatest * factor, word, where);
     else
-        snprintf(words.text, sizeof words.text, "%.6g%s", least * factor, word);
+        snprintf(words.text, sizeof words.text, "%s%.6g%s%s", matrix, least * factor, word, where);
     return words;
 }
 
@@ -97,8 +101,9 @@ static bool same_threshold(const gough_threshold *a, const gough_threshold *b) {
 static void print_thresholds(FILE *stream, const stability_report *report, const gough_rest *rest) {
     const gough_units *unit = &report->units;
     const double factor = gough_unit_factor(&report->units, GOUGH_UNIT_STIFFNESS);
-    const gain_words gain = words_of_gain(report->study->model->control.stiffness, factor,
-                                          unit_word(unit, GOUGH_UNIT_STIFFNESS));
+    const gain_words gain =
+        words_of_gain(&report->study->model->control, report->study->model->control.stiffness,
+                      factor, unit_word(unit, GOUGH_UNIT_STIFFNESS));
     bool told[6] = {false};
     fprintf(stream, "  Least stiffness G, the same in all legs, above which each mode is stable\n");
     for (int i = 0; i < 6; i++) {
@@ -423,10 +428,10 @@ void stability_print(FILE *stream, const stability_report *report) {
     const gough_units *unit = u;
     print_title(stream, report->study->title);
     const gain_words stiffness =
-        words_of_gain(control->stiffness, gough_unit_factor(u, GOUGH_UNIT_STIFFNESS),
+        words_of_gain(control, control->stiffness, gough_unit_factor(u, GOUGH_UNIT_STIFFNESS),
                       unit_word(unit, GOUGH_UNIT_STIFFNESS));
     const gain_words damping =
-        words_of_gain(control->damping, gough_unit_factor(u, GOUGH_UNIT_DAMPING),
+        words_of_gain(control, control->damping, gough_unit_factor(u, GOUGH_UNIT_DAMPING),
                       unit_word(unit, GOUGH_UNIT_DAMPING));
     print_paragraph(stream, "", 0,
                     "Stability of the closed loop: %s, stiffness G = %s, damping D = %s",
