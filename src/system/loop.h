@@ -104,6 +104,26 @@ static inline void loop_reach(struct system *r, loop *l, real t, const number *y
     }
 }
 
+/* A controller that samples at other times from now on, or has not sampled before: it looks now, and what it commands acts at
+ * once. */
+static inline void loop_resume(struct system *r, loop *l, real t, const number *y) {
+    const gough_sampling *s = &r->lane[0].control->sampling;
+    const long long next = (long long)ceil((double)t / s->period - sample_slack);
+
+    sample_clock_begin(&l->clock, s, 0, r->lane[0].samples);
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        sampler_put(&l->rule, i, r->lane[i].control);
+        for (int v = 0; v < LEGS; v++)
+            number_put(&l->home[v], i, r->lane[i].machine->home_length[v]);
+    }
+    l->fresh = 1;
+    l->clock.sample = next > 0 ? next - 1 : 0;
+    const number *u = l->queue[l->clock.sample % LOOP_QUEUE];
+    loop_look(r, l, t, y);
+    for (int v = 0; v < LEGS; v++) r->held[v] = u[v];
+    l->clock.sample = l->clock.act = next;
+}
+
 /* The loop at the beginning of a run, in whose state y pose and velocities are set: fills what lies beyond them, and l where the
  * controller is sampled. Before the first command acts it is in force already. */
 static inline void loop_begin(struct system *r, loop *l, double step, number *y) {

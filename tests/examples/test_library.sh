@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The guide to the library: its program in Python computes what the C program of the README does, its handler compiles, it names the
-# libraries' files and every header.
+# The guide to the library: its program in Python computes what the C program of the README does, its handler compiles, its controller
+# moves the machine as a run of the same study does, it names the libraries' files and every header.
 set -euo pipefail
 cd "${SOURCE:-$(dirname "$0")/../..}"
 : "${BUILD:?}"
@@ -9,7 +9,9 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failed=0
 fail() { echo "$*"; failed=1; }
-block() { sed -n "/^\`\`\`$1/,/^\`\`\`\$/p" "$2" | sed '/^```/d'; }
+block() { # block LANGUAGE FILE [NUMBER]
+    awk -v opening="\`\`\`$1" -v wanted="${3:-1}" '$0 == opening { n++; on = n == wanted; next } /^```/ { on = 0 } on' "$2"
+}
 
 block c README.md >"$scratch/lift.c"
 block c "$guide" >"$scratch/handler.c"
@@ -22,6 +24,25 @@ if command -v python3 >/dev/null; then
     said=$(python3 "$scratch/lift.py" "$BUILD/libgough.so") || fail "the program in Python does not run"
     [[ "$said " == "$forces" ]] || fail "Python computes $said, C $forces"
 fi
+
+block c "$guide" 2 >"$scratch/loop.c"
+"${CC:-cc}" "${flags[@]}" "$scratch/loop.c" -o "$scratch/loop" -L"$BUILD" -lgough -lm || fail "the controller does not compile"
+cat >"$scratch/loop.yaml" <<'STUDY'
+units: {length: mm, force: N, mass: kg, angle: rad, time: s}
+gravity: 9806.65
+platform:
+  base: {radius: 1500, half_angle: 0.14}
+  top: {radius: 1100, half_angle: 0.14}
+  height: 2000
+load: {mass: 1050, inertia: [410e6, 520e6, 460e6]}
+control: {stiffness: 400, damping: 15, sampling: {period: 0.001, velocity: difference}}
+initial: {heave: 10}
+simulation: {duration: 0.05, output_step: 0.05, method: rk4, step: 0.001}
+STUDY
+"${GOUGH:-$BUILD/gough}" simulate "$scratch/loop.yaml" -q -o "$scratch/loop.csv" || fail "the study of the controller does not run"
+above=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "ez") c = i } END { printf "%.4f", $c }' "$scratch/loop.csv")
+[[ $(LD_LIBRARY_PATH=$BUILD "$scratch/loop") == "$above mm above home after 0.05 s" ]] ||
+    fail "the controller: $(LD_LIBRARY_PATH=$BUILD "$scratch/loop"); the study: $above mm"
 
 soname=$(readelf -d "$BUILD/libgough.so" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')
 [[ $(grep -o 'libgough\.so\.[0-9.]*[0-9]' "$guide" | sort -u) == "$soname" ]] || fail "the guide names another library than $soname"

@@ -61,6 +61,9 @@ static struct {
 static const double most_steps = 1e5, most_durations = 1e6;
 static const size_t most_input = (size_t)1 << 25, most_room = (size_t)1 << 20;
 
+/* of delay: less than a hundred */
+static const double most_periods = 99;
+
 static void say(const char *sentence) { strncpy(live.message, sentence, sizeof live.message - 1); }
 
 /* ---- the program under its sliders ---- */
@@ -90,7 +93,7 @@ static void live_stage(struct system *r, real t) {
     const jet clock = clock_at(t), amplitude = setting_at(&live.amplitude, t);
     const real factor = live.disturbance;
     jet component[GOUGH_COMPONENTS];
-    number program[LEGS];
+    number program[LEGS], shared[LEGS];
     wanted *s = &r->now;
     const int sound = r->fault.what == NULL;
 
@@ -106,10 +109,17 @@ static void live_stage(struct system *r, real t) {
         wanted_forces(r, r->share ? factor * wanted_vertical(r, t) : number_of(0), s);
     }
 
-    for (int v = 0; v < LEGS; v++) program[v] = s->force[v], s->force[v] = number_of(0);
+    for (int v = 0; v < LEGS; v++) {
+        program[v] = s->force[v];
+        shared[v] = s->shake[v];
+        s->force[v] = s->shake[v] = number_of(0);
+    }
     wanted_disturb(r, t, s);
     if (r->noise.present) noise_add(r, t, s);
-    for (int v = 0; v < LEGS; v++) s->force[v] = program[v] + factor * s->force[v];
+    for (int v = 0; v < LEGS; v++) {
+        s->force[v] = program[v] + factor * s->force[v];
+        s->shake[v] = shared[v] + factor * s->shake[v];
+    }
     s->push = along(live.push, factor, s->push);
     s->turn = scale(factor, s->turn);
 }
@@ -136,8 +146,15 @@ static void set_up_run(void) {
     const system_lane lane = {&live.model.machine, &live.control, &live.model.disturbance,
                               live.model.disturbance.noise.run, live.control.sampling.run};
     struct system *r = &live.d.r;
+    number held[LEGS], measured[LEGS], unmet[LEGS];
 
+    memcpy(held, r->held, sizeof held);
+    memcpy(measured, r->measured, sizeof measured);
+    memcpy(unmet, r->unmet, sizeof unmet);
     system_begin(r, &live.model.motion, &live.options, &lane);
+    memcpy(r->held, held, sizeof held);
+    memcpy(r->measured, measured, sizeof measured);
+    memcpy(r->unmet, unmet, sizeof unmet);
     if (as_given()) return;
     r->provide = live_stage;
     r->loaded = r->loaded || pushed();
@@ -209,9 +226,10 @@ static real clock_reaches(real inner, real low, real high) {
     return high;
 }
 
-/* where the part of a step ends that begins at t: as in a run, or in the program's own time */
+/* where the part of a step ends that begins at t: as in a run, or in the program's own time; and where commands change */
 static double part_end(void *clock, double t, double end, double h) {
     (void)clock;
+    if (live.d.r.traits & SAMPLED) end = fmin(end, sample_clock_next(&live.d.loop.clock));
     if (as_given()) return appointments_part(&live.d.when, t, end, h);
     const real stop = appointments_part(&live.disturbances, t, end, h);
     const real from = clock_at(t).v, to = clock_at(stop).v;
@@ -228,7 +246,10 @@ static int move(void *context, long long k, int part) {
     (void)k, (void)part;
     (void)forward_go(d, &live.work, NULL);
     d->t = d->m.t1;
-    if (forward_settle(d, 0, &until) == GOUGH_OK) return 0;
+    if (forward_settle(d, 0, &until) == GOUGH_OK) {
+        if (forward_sample(d) == GOUGH_OK) return 0;
+        until = d->t;
+    }
     forward_return(d, until);
     conclude();
     return 1;
@@ -299,6 +320,7 @@ static void start(void) {
         motion->scaled = true;
     }
     forward_start(&live.d);
+    loop_begin(&live.d.r, &live.d.loop, 0, live.d.y); /* whatever steps the study has */
     *motion = given;
     appointments_begin(&live.program, motion, NULL, NULL, 0, live.options.duration,
                        live.options.output_step);
@@ -374,6 +396,29 @@ void live_set_damping(double damping) {
     if (!isfinite(damping)) return;
     for (int v = 0; v < LEGS; v++) live.control.damping[v] = fmax(damping, 0);
     settle();
+}
+
+/* the controller samples at other times */
+static void retime(double period, double delay) {
+    gough_sampling *s = &live.control.sampling;
+    forward *d = &live.d;
+
+    s->period = fmax(period, 0);
+    s->delay = fmin(fmax(delay, 0), most_periods * s->period);
+    s->jitter = 0;
+    settle();
+    if (!live.begun || live.end.cause != GOUGH_END_DONE) return;
+    if (!(d->r.traits & SAMPLED) || !(d->t > 0)) return;
+    loop_resume(&d->r, &d->loop, d->t, d->y);
+    forward_refresh(d);
+}
+
+void live_set_period(double period) {
+    if (isfinite(period)) retime(period, live.control.sampling.delay);
+}
+
+void live_set_delay(double delay) {
+    if (isfinite(delay)) retime(live.control.sampling.period, delay);
 }
 
 void live_set_feedforward(int feedforward) {
