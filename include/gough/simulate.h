@@ -222,12 +222,13 @@ GOUGH_API size_t gough_plant_size(void);
  *  @param model       where it begins, what acts on it, and its program, which rows compare with; must outlive the plant
  *  @param simulation  method and fixed step, without which there is no step to make. Its duration counts only for
  *                     gough_simulation_check() and for how short the pulses are that steps must not pass
+ *  @param[out] row    the beginning, before any command; NULL: not wanted
  *  @param[out] end    may be NULL
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT if gough_simulation_check() refuses the options, or for adaptive steps or quadruple
  *  precision; GOUGH_ERROR_NUMERICAL if the motion ends where it begins, as @p end says */
 GOUGH_API gough_status gough_plant_begin(void *plant, const gough_model *model,
-                                         const gough_simulation *simulation, gough_end *end,
-                                         gough_error *error);
+                                         const gough_simulation *simulation, gough_row *row,
+                                         gough_end *end, gough_error *error);
 
 /** One fixed step of a plant, with commands that are held over it. With the commands of gough_simulate() for a controller that
  *  samples each step without delay, it gives the same bits.

@@ -24,6 +24,14 @@ static gough_status plant_end(const struct gough_plant *p, gough_end *end, gough
     return gough_fail(error, GOUGH_ERROR_NUMERICAL, "%s", p->end.message);
 }
 
+static void plant_show(struct gough_plant *p, gough_row *row) {
+    forward *d = &p->d;
+
+    row_fill(&d->r, system_whole(&d->r, d->t), d->t, &d->now, 1, ROW_WHOLE, d->drift, row->value);
+    row->quad = NULL;
+    d->drift = 0;
+}
+
 /* commands begin to act at the present time; a drive that lags has followed the first one already, and RATTLE's body is told */
 static void plant_renew(struct gough_plant *p) {
     forward *d = &p->d;
@@ -45,7 +53,7 @@ static void plant_renew(struct gough_plant *p) {
 }
 
 gough_status gough_plant_begin(void *memory, const gough_model *model,
-                               const gough_simulation *simulation, gough_end *end,
+                               const gough_simulation *simulation, gough_row *row, gough_end *end,
                                gough_error *error) {
     struct gough_plant *p = memory;
     const simulate_parts parts = {&model->motion,
@@ -79,6 +87,7 @@ gough_status gough_plant_begin(void *memory, const gough_model *model,
     (void)forward_begin(&p->d);
     p->d.rows = p->d.row;
     p->d.m.until = (real)INFINITY;
+    if (row && p->end.cause == GOUGH_END_DONE) plant_show(p, row);
     return plant_end(p, end, error);
 }
 
@@ -95,11 +104,6 @@ gough_status gough_step(void *plant, const double command[GOUGH_LEGS], gough_row
     plant_renew(p);
     (void)march_fixed(&d->m, p->step, p->step + 1, forward_move, &p->loop);
     p->step++;
-    if (row && p->end.cause == GOUGH_END_DONE) {
-        row_fill(&d->r, system_whole(&d->r, d->t), d->t, &d->now, 1, ROW_WHOLE, d->drift,
-                 row->value);
-        row->quad = NULL;
-        d->drift = 0;
-    }
+    if (row && p->end.cause == GOUGH_END_DONE) plant_show(p, row);
     return plant_end(p, end, error);
 }

@@ -199,7 +199,7 @@ static void check_plant(gough_method method, double lag) {
     s.law = record;
     s.law_context = &own;
     run(model, &s, &last);
-    ck_assert_msg(gough_plant_begin(plant, model, &s, &end, &error) == GOUGH_OK, "%s",
+    ck_assert_msg(gough_plant_begin(plant, model, &s, NULL, &end, &error) == GOUGH_OK, "%s",
                   error.message);
     for (int k = 0; k < 20; k++) {
         ck_assert_msg(gough_step(plant, own.command[k], &row, &end, &error) == GOUGH_OK, "%s",
@@ -239,7 +239,7 @@ START_TEST(a_plant_ends_and_refuses) {
     gough_end end;
     int steps = 0;
 
-    ck_assert_int_eq(gough_plant_begin(plant, model, &s, &end, &error), GOUGH_OK);
+    ck_assert_int_eq(gough_plant_begin(plant, model, &s, NULL, &end, &error), GOUGH_OK);
     for (; status == GOUGH_OK && steps < 1000; steps++)
         status = gough_step(plant, none, &row, &end, &error);
     ck_assert_int_eq(status, GOUGH_ERROR_NUMERICAL);
@@ -252,11 +252,11 @@ START_TEST(a_plant_ends_and_refuses) {
 
     s.step = 0;
     s.method = GOUGH_DOP853;
-    ck_assert_int_eq(gough_plant_begin(plant, model, &s, &end, &error), GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(gough_plant_begin(plant, model, &s, NULL, &end, &error), GOUGH_ERROR_INPUT);
     ck_assert_msg(strstr(error.message, "fixed steps") != NULL, "%s", error.message);
     s = fixed(GOUGH_RK4, 0.05);
     s.precision = GOUGH_QUADRUPLE;
-    ck_assert_int_eq(gough_plant_begin(plant, model, &s, &end, &error), GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(gough_plant_begin(plant, model, &s, NULL, &end, &error), GOUGH_ERROR_INPUT);
     free(plant);
     free(model);
 }
