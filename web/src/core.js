@@ -52,7 +52,8 @@ export class Core {
     this.calls.live_restart();
   }
 
-  // Any of stiffness, damping (gains of all legs), feedforward (true or false), disturbance, amplitude, frequency (factors).
+  // Any of stiffness, damping (gains of all legs), period, delay (times), feedforward (true or false), disturbance, amplitude,
+  // frequency (factors).
   set(settings) {
     for (const [name, value] of Object.entries(settings)) {
       const call = this.calls[`live_set_${name}`];

@@ -174,10 +174,10 @@ export class Live {
     );
   }
 
-  /** A setting that the reader has moved: stiffness, damping, disturbance, amplitude, frequency or feedforward. */
+  /** A setting that the reader has moved: stiffness, damping, period, delay, disturbance, amplitude, frequency or feedforward. */
   change(name, value) {
-    const gain = name === "stiffness" || name === "damping";
-    const told = gain ? value / this.study.factor(name) : value;
+    const kind = { stiffness: "stiffness", damping: "damping", period: "time", delay: "time" }[name];
+    const told = kind ? value / this.study.factor(kind) : value;
     this.moved[name] = told;
     this.tell("set", { settings: { [name]: told } });
     this.tell("pace", { step: this.step() });
@@ -217,7 +217,11 @@ export class Live {
 
   /** Makes all controls that the reader can set. */
   buildControls() {
-    this.sliders = { ...this.gainSliders(), ...this.multiplierSliders() };
+    this.sliders = {
+      ...this.gainSliders(),
+      ...this.samplingSliders(),
+      ...this.multiplierSliders(),
+    };
     this.feedforward = element("input", {
       type: "checkbox",
       id: "live-feedforward",
@@ -278,6 +282,35 @@ export class Live {
         logarithmic: true,
         value: Math.max(...damping),
         help: unequalNote(damping),
+      }),
+    };
+  }
+
+  /** Sliders of when the controller looks and when its commands act; a period of 0 is a continuous one. */
+  samplingSliders() {
+    const { study } = this;
+    const time = this.timeUnit * study.factor("time");
+    const power = 10 ** Math.round(Math.log10(time));
+    const { period = 0, delay = 0 } = study.control.sampling ?? {};
+    const range = { unit: unit(study.unitOf("time")), logarithmic: true };
+    return {
+      period: this.slider({
+        id: "period",
+        label: "Sampling period",
+        ...range,
+        least: power / 10000,
+        greatest: power,
+        value: period ?? 0,
+        help: "0: a continuous controller",
+      }),
+      delay: this.slider({
+        id: "delay",
+        label: "Delay of commands",
+        ...range,
+        least: power / 10000,
+        greatest: power,
+        value: delay ?? 0,
+        help: "from a sample until its command acts; a continuous controller has none",
       }),
     };
   }
@@ -350,11 +383,13 @@ export class Live {
 
   /** The sliders with their headings, and the box of the feed-forward. */
   settings() {
-    const { stiffness, damping, amplitude, frequency, disturbance } = this.sliders;
+    const { stiffness, damping, period, delay, amplitude, frequency, disturbance } = this.sliders;
     return [
       element("h3", {}, "Feedback"),
       stiffness.node,
       damping.node,
+      period.node,
+      delay.node,
       element("label", { class: "check" }, this.feedforward, "feed the program's forces forward"),
       element("h3", {}, "Program and disturbance"),
       amplitude.node,
