@@ -69,7 +69,7 @@ static void say_usage(FILE *where) {
     fputs("bench [--quick] [--json] [--only=SECTION] [--gough=COMMAND]\n"
           "  --quick   short runs: shows that all works, the times mean little\n"
           "  --json    the table for machines\n"
-          "  --only    kernels, steps, precision, mujoco, solvers, threads, map or process\n"
+          "  --only    kernels, steps, loop, precision, mujoco, solvers, threads, map or process\n"
           "  --gough   the command whose processes are timed\n",
           where);
 }
@@ -104,6 +104,7 @@ int main(int count, char **text) {
     static const bench_section *const sections[] = {
         &section_kernels,
         &section_steps,
+        &section_loop,
         &section_precision,
 #if defined(BENCH_PEERS)
         &section_mujoco,

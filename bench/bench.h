@@ -42,8 +42,8 @@ typedef struct {
     void (*report)(bench *b, void *own);
 } bench_section;
 
-extern const bench_section section_kernels, section_steps, section_precision, section_threads,
-    section_map, section_process, section_claims;
+extern const bench_section section_kernels, section_steps, section_loop, section_precision,
+    section_threads, section_map, section_process, section_claims;
 #if defined(BENCH_PEERS)
 extern const bench_section section_mujoco, section_solvers;
 #endif
