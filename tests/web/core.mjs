@@ -19,8 +19,8 @@ load: {mass: 1.3, center_of_mass: [0.05, -0.03, 0.1], inertia: [0.08, 0.09, 0.15
 `;
 const held = "control: {stiffness: [30, 31, 32, 33, 34, 35], damping: 2}\n";
 // looks at times that are whole multiples of a power of two, too
-const sampled = "control: {stiffness: [30, 31, 32, 33, 34, 35], damping: 2, integral: 5, tracking_time: 0.5, sampling: {period: 0.03125," +
-  " delay: 0.0078125, velocity: difference, cutoff: 6, resolution: 1e-5, noise: 1e-6}}\n" +
+const sampled = "control: {stiffness: [30, 31, 32, 33, 34, 35], damping: 2, integral: 5, tracking_time: 0.5," +
+  " sampling: {period: 0.03125, delay: 0.0078125, velocity: difference, cutoff: 6, resolution: 1e-5, noise: 1e-6}}\n" +
   "actuators: {kind: lag, time_constant: 0.02, max_force: 0.5}\n";
 const pushed = 'disturbance: {leg_force: [0.01*t, 0, 0.02, 0, -0.01*t^2/(1 + t^2), "ramp(t, 2)/50"]}\n';
 const moves = "motion: {moves: [{start: 0.5, duration: 2, heave: 0.1}, {start: 3, duration: 1.5, surge: 0.05}]}\n";

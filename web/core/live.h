@@ -28,8 +28,8 @@ const char *LIVE_EXPORT(live_message)(void);
 void LIVE_EXPORT(live_set_stiffness)(double stiffness);
 void LIVE_EXPORT(live_set_damping)(double damping);
 
-/* Period of a sampled controller, 0 for a continuous one, and the delay of its commands; negative ones count as 0, and a delay is at
- * most 99 periods. At the moment of a change it samples, and what it commands acts at once. */
+/* Period of a sampled controller, 0 for a continuous one, and the delay of its commands; negative ones count as 0, and a delay
+ * is at most 99 periods. At the moment of a change it samples, and what it commands acts at once. */
 void LIVE_EXPORT(live_set_period)(double period);
 void LIVE_EXPORT(live_set_delay)(double delay);
 
