@@ -304,7 +304,7 @@ const all = machine + waves + pushed + held + stepped("dop853");
 test("sets gains as the study does", () =>
   assertSameEnd(all, { set: { stiffness: 20, damping: 0.5 } }, "control.stiffness=20", "control.damping=0.5"));
 test("sets period and delay of the samples as the study does", () =>
-  assertSameEnd(all, { set: { delay: 0, period: 0.03125 } }, "control.sampling.period=0.03125"));
+  assertSameEnd(all, { set: { delay: 0, period: 0.0390625 } }, "control.sampling.period=0.0390625")); // of which 6 is no multiple
 test("a delay holds commands back as the study does", () =>
   assertSameEnd(all.replace("damping: 2", "damping: 2, sampling: {period: 0.03125}"), { set: { delay: 0.0234375 } },
     "control.sampling.delay=0.0234375"));
