@@ -211,7 +211,7 @@ static gough_status call_control(void) { return gough_control_check(&model.contr
 static gough_status call_plant(void) {
     void *memory = room(gough_plant_size());
     simulation.step = 0.05;
-    const gough_status status = gough_plant_begin(memory, &model, &simulation, NULL, &error);
+    const gough_status status = gough_plant_begin(memory, &model, &simulation, NULL, NULL, &error);
     free(memory);
     return status;
 }
