@@ -138,6 +138,21 @@ simulation: {duration: 10, output_step: 0.002}
   await page.close();
 });
 
+test("begins with the study's period and delay, and a period that is too long shakes the platform off", async () => {
+  const page = await live(example("sampled-flight-simulator"));
+  const shown = async (name) => Number(await byName(page, `live-${name}-number`).inputValue());
+  assert.equal(await shown("period"), 0.001);
+  assert.equal(await shown("delay"), 0.001);
+  assert.match(await page.locator("body").textContent(), /sampled every 0\.001 s/);
+  await reach(page, 0.5);
+  assert.ok((await off(page)) < 1e-3, `${await off(page)} off`);
+  await set(page, "period", 0.05);
+  await byName(page, "fallen").waitFor({ state: "visible", timeout: limit(120000) });
+  assert.match(await byName(page, "fallen").textContent(), /speed/);
+  assert.deepEqual(page.said, []);
+  await page.close();
+});
+
 test("the slider does what the number does", async () => {
   const page = await live(example("paper-feedback"));
   await byName(page, "live-stiffness").evaluate((slider) => {

@@ -165,6 +165,7 @@ class Page {
       `${study.unitsSentence} · base radius ${amount(machine.base_radius, study.unit("l1"))} · `,
       study.openLoop ? "open loop" : `feedback G = ${amount(stiffness, study.gainUnit(0))}`,
       damping > 0 ? `, D = ${amount(damping, study.gainUnit(1))}` : "",
+      control.sampling ? `, sampled every ${amount(control.sampling.period, study.unitOf("time"))}` : "",
       control.feedforward ? ", program forces fed forward" : ", no program forces",
       simulate?.deviation
         ? `, at most ${study.say(simulate.deviation.position, "ex", 3)}${unitAfter(study.unit("ex"))} off its program`

@@ -277,7 +277,10 @@ gough_status page_study(const command_line *line, gough_study *study, json_t **o
     json_object_set_new(motion, "about", json_field(study, "motion.about"));
     json_object_set_new(motion, "order", json_field(study, "motion.order"));
     json_object_set_new(page, "motion", motion);
-    json_object_set_new(page, "control", json_section(study, "control"));
+    json_t *control = json_section(study, "control");
+    if (study->model->control.sampling.period > 0)
+        json_object_set_new(control, "sampling", json_section(study, "control.sampling"));
+    json_object_set_new(page, "control", control);
     json_object_set_new(page, "simulation", simulation_object(study));
     json_object_set_new(page, "live", live_object(study));
     add_stability(study, page);
