@@ -22,7 +22,8 @@ static inline gough_study *study_by_hand(const char *title, bool everything) {
     study->model->machine.base_radius = 4.0;
     study->model->machine.load.mass = 10.0;
     study->model->machine.gravity_magnitude = 9.0;
-    study->simulation.reactions = study->simulation.joints = everything;
+    study->simulation.reactions = study->simulation.joints = study->simulation.actuators =
+        everything;
     return study;
 }
 
