@@ -14,7 +14,7 @@ void gough_assertion_failed(const char *file, int line, const char *condition) {
 int main(void) {
     static gough_model model;
     static gough_outcome outcome;
-    static _Alignas(64) char memory[1 << 22];
+    static _Alignas(64) char memory[1 << 23];
     const gough_platform platform = gough_platform_symmetric(1.0, 0.2, 0.6, 0.1, 1.0);
     const gough_load load = {.mass = 1.0, .inertia = {{0.08, 0, 0}, {0, 0.08, 0}, {0, 0, 0.15}}};
     const gough_simulation simulation = gough_simulation_default();
