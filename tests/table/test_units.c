@@ -185,16 +185,19 @@ END_TEST
 /* The order of every table, written out once more. */
 START_TEST(columns_are_those_of_every_table_in_order) {
     static const char *const names[] = {
-        "t",   "x",   "y",   "z",     "roll",   "pitch", "yaw",   "vx",  "vy",  "vz",  "wx",
-        "wy",  "wz",  "ax",  "ay",    "az",     "alx",   "aly",   "alz", "l1",  "l2",  "l3",
-        "l4",  "l5",  "l6",  "dl1",   "dl2",    "dl3",   "dl4",   "dl5", "dl6", "f1",  "f2",
-        "f3",  "f4",  "f5",  "f6",    "p1",     "p2",    "p3",    "p4",  "p5",  "p6",  "condition",
-        "ex",  "ey",  "ez",  "eroll", "epitch", "eyaw",  "drift", "rxx", "ryy", "rzz", "rxy",
-        "ryz", "rzx", "h1",  "h2",    "h3",     "h4",    "h5",    "h6",  "tx1", "ty1", "tz1",
-        "tx2", "ty2", "tz2", "tx3",   "ty3",    "tz3",   "tx4",   "ty4", "tz4", "tx5", "ty5",
-        "tz5", "tx6", "ty6", "tz6",   "bx1",    "by1",   "bz1",   "bx2", "by2", "bz2", "bx3",
-        "by3", "bz3", "bx4", "by4",   "bz4",    "bx5",   "by5",   "bz5", "bx6", "by6", "bz6",
-        "s1",  "s2",  "s3",  "s4",    "s5",     "s6"};
+        "t",     "x",    "y",   "z",         "roll", "pitch", "yaw", "vx",    "vy",     "vz",
+        "wx",    "wy",   "wz",  "ax",        "ay",   "az",    "alx", "aly",   "alz",    "l1",
+        "l2",    "l3",   "l4",  "l5",        "l6",   "dl1",   "dl2", "dl3",   "dl4",    "dl5",
+        "dl6",   "f1",   "f2",  "f3",        "f4",   "f5",    "f6",  "p1",    "p2",     "p3",
+        "p4",    "p5",   "p6",  "condition", "ex",   "ey",    "ez",  "eroll", "epitch", "eyaw",
+        "drift", "rxx",  "ryy", "rzz",       "rxy",  "ryz",   "rzx", "h1",    "h2",     "h3",
+        "h4",    "h5",   "h6",  "tx1",       "ty1",  "tz1",   "tx2", "ty2",   "tz2",    "tx3",
+        "ty3",   "tz3",  "tx4", "ty4",       "tz4",  "tx5",   "ty5", "tz5",   "tx6",    "ty6",
+        "tz6",   "bx1",  "by1", "bz1",       "bx2",  "by2",   "bz2", "bx3",   "by3",    "bz3",
+        "bx4",   "by4",  "bz4", "bx5",       "by5",  "bz5",   "bx6", "by6",   "bz6",    "s1",
+        "s2",    "s3",   "s4",  "s5",        "s6",   "u1",    "u2",  "u3",    "u4",     "u5",
+        "u6",    "m1",   "m2",  "m3",        "m4",   "m5",    "m6",  "sat1",  "sat2",   "sat3",
+        "sat4",  "sat5", "sat6"};
     ck_assert_uint_eq(sizeof names / sizeof names[0], GOUGH_COLUMNS);
     for (int c = 0; c < GOUGH_COLUMNS; c++) ck_assert_str_eq(gough_column(c)->name, names[c]);
 }
