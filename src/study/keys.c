@@ -30,8 +30,8 @@ const char *study_shape_phrase(gough_shape shape) {
         [GOUGH_SHAPE_NUMBER_OR_SIX] = "a number or a list of six numbers",
         [GOUGH_SHAPE_PAIR_OR_SIX] = "a list of two numbers or a list of six such pairs",
         [GOUGH_SHAPE_RANGE] = "a number or a list of two numbers",
-        [GOUGH_SHAPE_DRIVES] = "a mapping such as {kind: lag, time_constant: 0.005}, or a list of "
-                               "six such mappings",
+        [GOUGH_SHAPE_DRIVES] =
+            "a mapping such as {kind: lag, time_constant: 0.005} or a list of six",
         [GOUGH_SHAPE_RANGE_OR_SIX] = "a number, a list of two numbers, or a list of six of these",
         [GOUGH_SHAPE_GAINS] = "a number, a list of six numbers or a 6×6 matrix [[…], …]",
         [GOUGH_SHAPE_POINTS] = "a list of six points [x, y, z]",
