@@ -457,9 +457,11 @@ static inline gough_status forward_check(forward *d, number residual, real *unti
 static inline gough_status forward_stuck(forward *d, real unit) {
     const real reach = d->t > unit ? d->t : unit, duration = d->r.options->duration;
 
-    for (real ahead = 16 * REAL_EPSILON; ahead < (real)1e-6; ahead = 4 * ahead) {
+    real ahead = 16 * REAL_EPSILON;
+    while (ahead < (real)1e-6) {
         if (d->r.fault.what || !(d->t + ahead * reach <= duration)) break;
         system_wanted(&d->r, d->t + ahead * reach);
+        ahead = 4 * ahead;
     }
     if (d->r.fault.what) return limits_fault(&d->r, d->end);
     return forward_stop(
