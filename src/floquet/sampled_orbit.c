@@ -173,7 +173,8 @@ static void change(const sampled_layout *l, const double *deviation, sampled_sta
         state->waiting[i / GOUGH_LEGS][i % GOUGH_LEGS] += deviation[row++];
 }
 
-/* (floquet-7): (1 − Φ) step = missing, in the units of the deviation; returns its size, INFINITY where there is none */
+/* (floquet-7): solves (1 − Φ) step = missing, in the units of the deviation. Returns the size of the step, or INFINITY if the
+ * equations have no solution. */
 static double newton_step(const orbit *o, double *step) {
     const int n = o->layout.n;
     whole_matrix a;

@@ -114,7 +114,7 @@ static void scales_of(search *s) {
 
 /* ---- the function whose roots are sought ----------------------------------------------------------------------- */
 
-/* the largest |μ| less 1 with the gains that are set; positive where there is none */
+/* the largest |μ| minus 1 with the gains as they are set; positive if it cannot be computed */
 static double excess(search *s) {
     sampled_law_of(&s->control, &s->law);
     sampled_map_of(&s->plant, &s->step, &s->law, &s->map);

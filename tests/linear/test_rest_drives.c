@@ -180,7 +180,7 @@ START_TEST(matrix_of_the_whole_loop) {
 }
 END_TEST
 
-/* a lag that is short is none, and a sampled controller counts as continuous */
+/* with a very short lag the loop is that of ideal drives; what is sampled does not count here */
 START_TEST(limits_of_the_loop) {
     gough_model *model = new_model(2, 0.3);
     const gough_rest ideal = at_rest(model);

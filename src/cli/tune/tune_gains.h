@@ -14,7 +14,7 @@ typedef struct gains_options {
 
 extern const option_group gains_group;
 
-/* Whether gains are asked for, and what is wrong with that by itself; NULL: nothing. */
+/* What is wrong with the options of --poles and --lqr on their own, as a sentence; NULL if nothing is. */
 bool gains_asked(const gains_options *asked);
 const char *gains_contradiction(const gains_options *asked);
 
