@@ -5,7 +5,9 @@
 #include <math.h>
 #include <string.h>
 
-enum { AXES = 6, KINDS = 4, MOST_SHAPES = 24, WORK = 256 };
+#include "base/assert.h"
+
+enum { AXES = 6, KINDS = 4, MOST_SHAPES = GOUGH_LINEAR_MOST, WORK = 256 };
 
 /* sway, heave, tilt or yaw: the kind of motion of each of δr, δθ */
 static const int kind_of[AXES] = {0, 0, 1, 2, 2, 3};
@@ -134,6 +136,7 @@ void mode_separate(const gough_machine *machine, int count, const double complex
                    double tolerance, double complex (*shape)[6]) {
     bool taken[MOST_SHAPES] = {false};
 
+    assert_true(count <= MOST_SHAPES);
     for (int i = 0; i < count; i++) {
         double complex space[MOST_SHAPES][AXES];
         int member[MOST_SHAPES], n = 0;

@@ -225,6 +225,7 @@ static study_node *make_child(study_arena *arena, study_node *parent, const char
 study_node *study_plan_target(study_arena *arena, study_node *root, const study_axis *axis,
                               bool *made) {
     char *rest = study_arena_copy(arena, axis->key.path, strlen(axis->key.path)), *missing;
+    *made = false;
     if (!rest) return NULL;
     study_node *node = walk_tree(root, &rest, &missing);
     *made = missing != NULL;
