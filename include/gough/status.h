@@ -124,6 +124,10 @@ typedef enum gough_cause {
  *  invalid, leg_acceleration, base_swing, top_swing, platform_pose, platform_speed, platform_acceleration. */
 GOUGH_API const char *gough_cause_name(gough_cause cause);
 
+/** A clause that says what happens in a run that ends for a cause, such as "a leg becomes too short", to be put into a sentence;
+ *  "the run ends" for a number that is no cause. A static text. Safe to call concurrently. */
+GOUGH_API const char *gough_cause_words(gough_cause cause);
+
 /** How and when a run ended. */
 typedef struct gough_end {
     gough_cause cause; /**< why */

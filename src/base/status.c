@@ -214,3 +214,45 @@ const char *gough_cause_name(gough_cause cause) {
     }
     return "unknown";
 }
+
+const char *gough_cause_words(gough_cause cause) {
+    switch (cause) {
+    case GOUGH_END_DONE:
+        return "the run reaches its end";
+    case GOUGH_END_LEG_SHORT:
+        return "a leg becomes too short";
+    case GOUGH_END_LEG_LONG:
+        return "a leg becomes too long";
+    case GOUGH_END_LEG_SPEED:
+        return "a leg moves too fast";
+    case GOUGH_END_LEG_FORCE:
+        return "a leg's force exceeds its limit";
+    case GOUGH_END_LEG_NO_LENGTH:
+        return "the joints of a leg meet";
+    case GOUGH_END_SINGULAR:
+        return "the platform collapses into a singular pose";
+    case GOUGH_END_NOT_FINITE:
+        return "a formula or the motion is not finite";
+    case GOUGH_END_NO_CONVERGENCE:
+        return "the steps do not converge";
+    case GOUGH_END_STOPPED:
+        return "the caller stops the run";
+    case GOUGH_END_INVALID:
+        return "the values do not make a valid study";
+    case GOUGH_END_LEG_ACCELERATION:
+        return "a leg's acceleration exceeds its limit";
+    case GOUGH_END_BASE_SWING:
+        return "a leg turns too far at the base";
+    case GOUGH_END_TOP_SWING:
+        return "a leg turns too far at the top";
+    case GOUGH_END_PLATFORM_POSE:
+        return "the platform leaves its range";
+    case GOUGH_END_PLATFORM_SPEED:
+        return "the platform moves too fast";
+    case GOUGH_END_PLATFORM_ACCELERATION:
+        return "the platform's acceleration exceeds its limit";
+    case GOUGH_CAUSES:
+        break;
+    }
+    return "the run ends";
+}

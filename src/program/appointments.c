@@ -137,13 +137,11 @@ static const gough_formula *loading(const gough_machine *m, int i) {
 }
 static int loadings(const gough_machine *m) { return m ? 6 * (int)m->externals : 0; }
 
-static void watch(appointments *a, const gough_formula *formula, double pace) {
+static void watch(appointments *a, const gough_formula *formula) {
     corner_search none = {0, 0};
 
     if (formula_form(formula, &none) != ANYTHING) return;
-    a->formula[a->functions] = formula;
-    a->pace_of[a->functions] = pace;
-    a->functions++;
+    a->formula[a->functions++] = formula;
 }
 
 static void watch_all(appointments *a) {
@@ -152,19 +150,18 @@ static void watch_all(appointments *a) {
     a->functions = a->recorded = 0;
     if (m && m->kind == GOUGH_MOTION_SAMPLES) {
         a->recorded = 1;
-        for (int c = 0; c < GOUGH_COMPONENTS; c++) {
-            a->formula[c] = NULL;
-            a->pace_of[c] = a->pace;
-        }
+        for (int c = 0; c < GOUGH_COMPONENTS; c++) a->formula[c] = NULL;
         a->functions = GOUGH_COMPONENTS;
     } else if (m && m->kind == GOUGH_MOTION_FORMULAS) {
-        for (int c = 0; c < GOUGH_COMPONENTS; c++) watch(a, &m->formula[c], a->pace);
+        for (int c = 0; c < GOUGH_COMPONENTS; c++) watch(a, &m->formula[c]);
     }
-    for (int i = 0; a->disturbance && i < DISTURBING; i++) {
-        watch(a, disturbing(a->disturbance, i), 1);
-    }
-    for (int i = 0; i < loadings(a->machine); i++) watch(a, loading(a->machine, i), 1);
+    a->paced = a->functions;
+    for (int i = 0; a->disturbance && i < DISTURBING; i++) watch(a, disturbing(a->disturbance, i));
+    for (int i = 0; i < loadings(a->machine); i++) watch(a, loading(a->machine, i));
 }
+
+/* the time of function i in a unit of time */
+static double pace_of(const appointments *a, int i) { return i < a->paced ? a->pace : 1; }
 
 static bool noisy(const gough_noise *n) {
     return n->interval > 0 && (n->leg_force > 0 || n->force > 0 || n->moment > 0);
@@ -255,7 +252,7 @@ static void values(const appointments *a, double t, double value[APPOINTMENT_FUN
 
     if (a->recorded) samples_jets(&a->motion->samples, a->pace * t, component);
     for (int i = 0; i < a->functions; i++) {
-        value[i] = a->formula[i] ? formula_jet(a->formula[i], a->pace_of[i] * t).v : component[i].v;
+        value[i] = a->formula[i] ? formula_jet(a->formula[i], pace_of(a, i) * t).v : component[i].v;
     }
 }
 
@@ -289,9 +286,15 @@ static int record_bends(const gough_samples *s, int component, double from, doub
     return 0;
 }
 
+/* a piece, and what the functions are at its end and in its middle */
+typedef struct {
+    double from, to;
+    double middle[APPOINTMENT_FUNCTIONS], last[APPOINTMENT_FUNCTIONS];
+} appointment_piece;
+
 /* (step-7) for one function on a piece */
 static int bends(const appointments *a, int i, const appointment_piece *p, double bound) {
-    const double pace = a->pace_of[i], from = pace * p->from, to = pace * p->to;
+    const double pace = pace_of(a, i), from = pace * p->from, to = pace * p->to;
 
     if (a->formula[i] == NULL) {
         return record_bends(&a->motion->samples, i, from, to, bound / (pace * pace));
@@ -300,13 +303,12 @@ static int bends(const appointments *a, int i, const appointment_piece *p, doubl
     return !(pace * pace * interval_magnitude(e.dd) <= bound);
 }
 
-/* whether all functions are slow on a piece, `middle` being their values there */
-static int quiet(appointments *a, const appointment_piece *p,
-                 const double middle[APPOINTMENT_FUNCTIONS]) {
+/* whether all functions are slow on a piece that begins where the known ones end */
+static int quiet(appointments *a, const appointment_piece *p) {
     const double length = p->to - p->from;
 
     for (int i = 0; i < a->functions; i++) {
-        const double x = p->first[i], y = middle[i], z = p->last[i];
+        const double x = a->reached[i], y = p->middle[i], z = p->last[i];
         const double change = fmax(fmax(fabs(x - y), fabs(y - z)), fabs(x - z));
         if (change > a->size[i] && isfinite(change)) a->size[i] = change;
         const double least = small_part * a->size[i];
@@ -317,36 +319,30 @@ static int quiet(appointments *a, const appointment_piece *p,
 
 /* finds the next piece */
 static void look_on(appointments *a) {
-    double middle[APPOINTMENT_FUNCTIONS];
+    appointment_piece p;
 
     if (a->waiting == 0) { /* a duration more */
-        appointment_piece *root = &a->pending[a->waiting++];
-        root->from = a->looked;
-        root->to = root->from + a->duration;
-        values(a, root->from, root->first);
-        values(a, root->to, root->last);
+        if (!a->begun) values(a, a->looked, a->reached);
+        a->begun = 1;
+        a->pending[a->waiting++] = a->looked + a->duration;
     }
+    p.from = a->looked;
+    p.to = a->pending[a->waiting - 1];
+    values(a, p.to, p.last);
     for (;;) {
-        appointment_piece *p = &a->pending[a->waiting - 1];
-        const double half = (p->from + p->to) / 2;
-        const int shortest = p->to - p->from <= a->least || a->waiting == APPOINTMENT_DEPTH;
-        if (!shortest) values(a, half, middle);
-        if (shortest || quiet(a, p, middle)) {
-            a->piece[a->known].from = p->from;
-            a->piece[a->known].to = p->to;
-            a->looked = p->to;
-            a->known++;
-            a->waiting--;
-            return;
-        }
-        appointment_piece *left = &a->pending[a->waiting++];
-        left->from = p->from;
-        left->to = p->from = half;
-        for (int i = 0; i < a->functions; i++) {
-            left->first[i] = p->first[i];
-            left->last[i] = p->first[i] = middle[i];
-        }
+        const double half = (p.from + p.to) / 2;
+        if (p.to - p.from <= a->least || a->waiting == APPOINTMENT_DEPTH) break;
+        values(a, half, p.middle);
+        if (quiet(a, &p)) break;
+        a->pending[a->waiting++] = p.to = half;
+        memcpy(p.last, p.middle, (size_t)a->functions * sizeof p.last[0]);
     }
+    a->piece[a->known].from = p.from;
+    a->piece[a->known].to = p.to;
+    a->looked = p.to;
+    memcpy(a->reached, p.last, (size_t)a->functions * sizeof p.last[0]);
+    a->known++;
+    a->waiting--;
 }
 
 /* forgets the pieces that end before t */
@@ -429,7 +425,7 @@ void appointments_begin(appointments *a, const gough_motion *motion,
     a->before = -INFINITY;
     a->clear = a->longest = 0;
     a->looked = from;
-    a->waiting = a->known = 0;
+    a->waiting = a->known = a->begun = 0;
     for (int i = 0; i < APPOINTMENT_FUNCTIONS; i++) a->size[i] = 0;
     watch_all(a);
 }

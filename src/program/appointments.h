@@ -23,11 +23,6 @@ enum {
 };
 
 typedef struct {
-    double from, to;
-    double first[APPOINTMENT_FUNCTIONS], last[APPOINTMENT_FUNCTIONS]; /* values at its ends */
-} appointment_piece;
-
-typedef struct {
     const gough_motion *motion;           /* NULL: without the program */
     const gough_disturbance *disturbance; /* NULL: without the disturbance */
     const gough_machine *machine;         /* of whose external loads; NULL: of none */
@@ -36,17 +31,18 @@ typedef struct {
 
     /* what is watched: formulas that depend on t, or the six components of a record */
     const gough_formula *formula[APPOINTMENT_FUNCTIONS];
-    double pace_of[APPOINTMENT_FUNCTIONS];
     int functions, recorded;
+    int paced;                          /* the first so many are the program's, in its own time */
     double size[APPOINTMENT_FUNCTIONS]; /* largest V so far */
+    double reached[APPOINTMENT_FUNCTIONS]; /* values at the end of the known pieces */
 
     double corner, before; /* the next one after `asked`, and the one before it if it was met */
     double asked;
     double clear, longest; /* fixed steps up to here, and no longer than that, need no look */
 
-    appointment_piece
-        pending[APPOINTMENT_DEPTH]; /* to the right of what is known, the next one last */
-    int waiting;
+    /* ends of the pieces to the right of what is known, the next one last; each begins where the one before it ends */
+    double pending[APPOINTMENT_DEPTH];
+    int waiting, begun;
     struct {
         double from, to;
     } piece[APPOINTMENT_AHEAD]; /* known, in order of time */

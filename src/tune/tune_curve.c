@@ -263,39 +263,6 @@ static bool met_somewhere(const tune *t, const gough_tuning_point **where) {
     return false;
 }
 
-static const char *end_words(gough_cause cause) {
-    switch (cause) {
-    case GOUGH_END_LEG_SHORT:
-        return "a leg becomes too short";
-    case GOUGH_END_LEG_LONG:
-        return "a leg becomes too long";
-    case GOUGH_END_LEG_SPEED:
-        return "a leg moves too fast";
-    case GOUGH_END_LEG_FORCE:
-        return "a leg's force exceeds its limit";
-    case GOUGH_END_LEG_ACCELERATION:
-        return "a leg's acceleration exceeds its limit";
-    case GOUGH_END_BASE_SWING:
-        return "a leg turns too far at the base";
-    case GOUGH_END_TOP_SWING:
-        return "a leg turns too far at the top";
-    case GOUGH_END_PLATFORM_POSE:
-        return "the platform leaves its range";
-    case GOUGH_END_PLATFORM_SPEED:
-        return "the platform moves too fast";
-    case GOUGH_END_PLATFORM_ACCELERATION:
-        return "the platform's acceleration exceeds its limit";
-    case GOUGH_END_LEG_NO_LENGTH:
-        return "the joints of a leg meet";
-    case GOUGH_END_SINGULAR:
-        return "the platform collapses into a singular pose";
-    case GOUGH_END_NOT_FINITE:
-        return "a formula or the motion is not finite";
-    default:
-        return "the steps do not converge";
-    }
-}
-
 /* Numbers and names of units in sentences. */
 static double shown(const tune *t, gough_unit unit, double value) {
     const gough_units *units = t->options->units;
@@ -331,7 +298,7 @@ static void say_ends(tune *t, gough_error *why) {
             "%s%s; change the study's program, limits or initial state",
             shown_stiffness(t, last->stiffness), stiffness_word(t),
             shown(t, GOUGH_UNIT_TIME, last->end_time), word(t, GOUGH_UNIT_TIME),
-            end_words(last->cause), leg);
+            gough_cause_words(last->cause), leg);
 }
 
 static void say_floor(const tune *t, const gough_tuning_point *best, gough_error *why) {

@@ -140,6 +140,18 @@ START_TEST(causes_have_their_words) {
 }
 END_TEST
 
+/* a clause has a subject and a verb, and no two causes are told alike */
+START_TEST(every_cause_has_a_clause_of_its_own) {
+    for (int c = GOUGH_END_DONE; c < GOUGH_CAUSES; c++) {
+        const char *words = gough_cause_words((gough_cause)c);
+        ck_assert_ptr_nonnull(strchr(words, ' '));
+        ck_assert_str_ne(words, "the run ends");
+        for (int d = GOUGH_END_DONE; d < c; d++)
+            ck_assert_str_ne(words, gough_cause_words((gough_cause)d));
+    }
+}
+END_TEST
+
 int main(void) {
     Suite *suite = suite_create("status");
     TCase *tests = tcase_create("status");
@@ -147,6 +159,7 @@ int main(void) {
     tcase_add_test(tests, no_error_struct_is_no_error);
     tcase_add_test(tests, an_error_about_a_key_names_it);
     tcase_add_test(tests, a_sentence_stays_in_its_room);
+    tcase_add_test(tests, every_cause_has_a_clause_of_its_own);
     tcase_add_test(tests, text_is_padded_to_its_width);
     tcase_add_test(tests, a_format_that_makes_no_sense_loses_only_its_conversion);
     tcase_add_test(tests, long_sentences_are_cut);

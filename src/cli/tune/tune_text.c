@@ -12,39 +12,6 @@
 
 /* ---- words -------------------------------------------------------------------------------------------------------- */
 
-static const char *end_words(gough_cause cause) {
-    switch (cause) {
-    case GOUGH_END_LEG_SHORT:
-        return "a leg becomes too short";
-    case GOUGH_END_LEG_LONG:
-        return "a leg becomes too long";
-    case GOUGH_END_LEG_SPEED:
-        return "a leg moves too fast";
-    case GOUGH_END_LEG_FORCE:
-        return "a leg's force exceeds its limit";
-    case GOUGH_END_LEG_ACCELERATION:
-        return "a leg's acceleration exceeds its limit";
-    case GOUGH_END_BASE_SWING:
-        return "a leg turns too far at the base";
-    case GOUGH_END_TOP_SWING:
-        return "a leg turns too far at the top";
-    case GOUGH_END_PLATFORM_POSE:
-        return "the platform leaves its range";
-    case GOUGH_END_PLATFORM_SPEED:
-        return "the platform moves too fast";
-    case GOUGH_END_PLATFORM_ACCELERATION:
-        return "the platform's acceleration exceeds its limit";
-    case GOUGH_END_LEG_NO_LENGTH:
-        return "the joints of a leg meet";
-    case GOUGH_END_SINGULAR:
-        return "the platform collapses into a singular pose";
-    case GOUGH_END_NOT_FINITE:
-        return "a number is not finite";
-    default:
-        return "the steps do not converge";
-    }
-}
-
 /* Why a smaller G is not enough. */
 static void print_binding(FILE *stream, const gough_tuning *tuning, const gough_units *unit) {
     const char *mode = *tuning->mode.name ? tuning->mode.name : "a mode";
@@ -59,7 +26,8 @@ static void print_binding(FILE *stream, const gough_tuning *tuning, const gough_
                      ", at its largest %.0f %% in %s", 100 * tuning->mode_share, tuning->mode.name);
         break;
     case GOUGH_TUNING_END:
-        snprintf(text, sizeof text, "early ends: with a smaller G %s", end_words(tuning->cause));
+        snprintf(text, sizeof text, "early ends: with a smaller G %s",
+                 gough_cause_words(tuning->cause));
         break;
     case GOUGH_TUNING_THRESHOLD:
         snprintf(text, sizeof text, "stability: with a smaller G %s grows at rest", mode);
@@ -103,7 +71,7 @@ static void print_exception(FILE *stream, const gough_tuning_exception *e,
     else if (e->kind == GOUGH_TUNING_UNSTABLE)
         fprintf(stream, "no pose of rest, or no periodic motion, is found");
     else if (e->kind == GOUGH_TUNING_ENDED)
-        fprintf(stream, "the run ends early: %s", end_words(e->cause));
+        fprintf(stream, "the run ends early: %s", gough_cause_words(e->cause));
     else
         fprintf(stream, "%.3g times the trend", e->worst);
     if (e->kind == GOUGH_TUNING_OFF_TREND && e->small_steps && fabs(log(e->worst)) > log(far_off))
