@@ -365,10 +365,10 @@ typedef struct {
     signals end; /* of the last part of a step */
 } group_loop;
 
-/* what sampled controllers do at the end of a step, after which other forces may act */
+/* what sampled controllers do at the end of a step, whose signals m are, after which other forces may act */
 static inline void group_sample(group *g, signals *m, double t) {
-    loop_reach(&g->r, &g->loop, t, g->at[g->now].y);
-    system_signals(&g->r, t, g->at[g->now].y, m);
+    loop_reach(&g->r, &g->loop, t, &m->g);
+    system_signals_again(&g->r, t, g->at[g->now].y, m);
     signals_rates(&g->r, m, g->at[g->now].rate);
     looks_jump(&g->looks, g->going_mask);
     group_look(g, system_wanted(&g->r, t), m, t);

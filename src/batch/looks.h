@@ -129,12 +129,13 @@ static inline void looks_integrate(looks *l, number heard, const double weight[Q
     l->energy = number_select(number_greater(heard, number_of(0.5)), l->energy + sum, l->energy);
 }
 
-/* Whether the last four looks are equally far apart. */
-static inline int looks_even(const looks *l) {
+/* Whether the last looks, three or four, are equally far apart. */
+static inline int looks_even(const looks *l, int count) {
     const double one = l->time[1] - l->time[0], two = l->time[2] - l->time[1],
                  three = l->time[3] - l->time[2];
 
-    return fabs(one - two) <= 1e-6 * two && fabs(three - two) <= 1e-6 * two;
+    if (count == QUADRATURE_ROWS && !(fabs(one - two) <= 1e-6 * two)) return 0;
+    return fabs(three - two) <= 1e-6 * two;
 }
 
 /* No value of the cubic through four looks equally far apart is greater than that between the middle two: with second differences
@@ -170,26 +171,36 @@ static inline looks_bends looks_bend_all(looks *l) {
                          looks_second(a, b, c, LOOKS_TURN)};
 }
 
-/* how far looks_bound() of any leg may be above the peak so far: from the largest value and second difference of all legs */
+/* how far the polynomial of any leg may be above the peak so far, from the largest value and second difference of all legs */
 static inline number looks_over(const number *one, const number *two, int column, number bends,
                                 number peak) {
-    return number_larger(one[column], two[column]) + number_of(0.071) * bends - peak;
+    return number_larger(one[column], two[column]) + bends - peak;
 }
 
-/* Whether any peak may lie between the middle two of four looks equally far apart. Where not, which is almost always, looks_reach()
- * need not ask each column: no bound there is greater, rounding included. */
-static inline int looks_any(looks *l) {
-    const looks_bends *a = &l->before, *b = &l->bends;
-    const number *one = looks_back(l, 2), *two = looks_back(l, 1);
-    const number force = a->force + b->force, speed = a->speed + b->speed;
-    const number power = a->power + b->power, apart = a->distance + b->distance;
-    number most = looks_over(one, two, LOOKS_MOST_FORCE, force, l->force);
+/* Whether any peak may lie between look a of the last four and the next, by the polynomial through the last `count` looks, three or
+ * four, which are equally far apart. Where not, which is almost always, looks_peaks() need not ask each column: no bound there is
+ * greater, rounding included. Between the middle two of four looks the bound is that of looks_bound(). Between the first two or
+ * the last two the cubic is s(s − 1)/2 δ₁ + s(s − 1)(s − 2)/6 (δ₂ − δ₁) off the chord, δ₁ being the nearer second difference: at
+ * most (1/8 + 0.0642) |δ₁| + 0.0642 |δ₂|. The parabola through three looks is at most 1/8 |δ| off. */
+static inline int looks_any(looks *l, int count, int a) {
+    const looks_bends *before = &l->before, *b = &l->bends;
+    const number *one = looks_back(l, QUADRATURE_ROWS - 1 - a);
+    const number *two = looks_back(l, QUADRATURE_ROWS - 2 - a);
+    const number share = number_of(count == QUADRATURE_ROWS && a == 1 ? 0.071 : 0.19);
+    const number more = number_of(count == QUADRATURE_ROWS ? 1 : 0);
+    number most =
+        looks_over(one, two, LOOKS_MOST_FORCE, share * (more * before->force + b->force), l->force);
 
-    most = number_larger(most, looks_over(one, two, LOOKS_MOST_SPEED, speed, l->speed));
+    most = number_larger(most, looks_over(one, two, LOOKS_MOST_SPEED,
+                                          share * (more * before->speed + b->speed), l->speed));
+    const number power = share * (more * before->power + b->power);
     most = number_larger(most, looks_over(one, two, LOOKS_MOST_POWER, power, l->power));
     most = number_larger(most, looks_over(one, two, LOOKS_MOST_BRAKING, power, l->braking));
-    most = number_larger(most, looks_over(one, two, LOOKS_DISTANCE, apart, l->distance));
-    most = number_larger(most, looks_over(one, two, LOOKS_TURN, a->turn + b->turn, l->turn));
+    most = number_larger(most,
+                         looks_over(one, two, LOOKS_DISTANCE,
+                                    share * (more * before->distance + b->distance), l->distance));
+    most = number_larger(
+        most, looks_over(one, two, LOOKS_TURN, share * (more * before->turn + b->turn), l->turn));
     return number_any(number_greater(most, number_of(0)));
 }
 
@@ -249,7 +260,7 @@ static inline void looks_peaks(looks *l, number heard, int count, int a) {
     f.fitted = 0;
     for (int i = 0; i < QUADRATURE_ROWS; i++) f.row[i] = looks_back(l, QUADRATURE_ROWS - 1 - i);
     f.middle = count == QUADRATURE_ROWS && a == 1;
-    f.even = f.middle && looks_even(l);
+    f.even = f.middle && looks_even(l, count);
     looks_peaks_of(l, heard, LOOKS_FORCE, LEGS, plus, &f, &l->force);
     looks_peaks_of(l, heard, LOOKS_SPEED, LEGS, plus, &f, &l->speed);
     looks_peaks_of(l, heard, LOOKS_POWER, LEGS, plus, &f, &l->power);
@@ -268,8 +279,8 @@ static inline void looks_sum_up(looks *l, number heard, int count, int a) {
         quadrature_weigh(l->time, count, a, weight);
     }
     looks_integrate(l, heard, weight);
-    if (count == QUADRATURE_ROWS && a == 1 && looks_even(l) && !looks_any(l)) return;
-    if (count >= 3) looks_peaks(l, heard, count, a);
+    if (count < 3 || (looks_even(l, count) && !looks_any(l, count, a))) return;
+    looks_peaks(l, heard, count, a);
 }
 
 /* what has passed since the last interval that was summed up, which has no look after it */

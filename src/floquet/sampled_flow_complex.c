@@ -97,11 +97,13 @@ static void act(passage *p, const number command[LEGS], double t, double time, d
 static void pass(passage *p, const sampled_layout *layout, double t, double tolerance, int steps[2],
                  complex_state *s) {
     number(*command)[LEGS] = p->l.queue;
+    legs g;
 
+    loop_legs(&p->r, s->y, &g);
     p->l.memory = s->memory;
     p->l.fresh = 0;
     p->l.clock.sample = 0;
-    loop_look(&p->r, &p->l, t, s->y);
+    loop_look(&p->r, &p->l, t, &g);
     s->memory = p->l.memory;
     if (layout->rest > 0)
         act(p, s->waiting[layout->whole], t, layout->rest, tolerance, &steps[0], s->y);

@@ -387,9 +387,10 @@ static inline void forward_refresh(forward *d) {
 static inline gough_status forward_sample(forward *d) {
     d->renewed = d->r.traits & SAMPLED && !(d->t < sample_clock_next(&d->loop.clock));
     if (!d->renewed) return GOUGH_OK;
-    loop_reach(&d->r, &d->loop, d->t, d->y);
+    loop_reach(&d->r, &d->loop, d->t, &d->now.g);
     if (d->r.fault.what) return limits_fault(&d->r, d->end);
-    forward_refresh(d);
+    system_signals_again(&d->r, d->t, d->y, &d->now);
+    signals_rates(&d->r, &d->now, d->rate);
     if (d->r.options->summary == NULL) return GOUGH_OK;
     gough_summary_jump(d->r.options->summary);
     forward_look(d, d->t, d->y);

@@ -18,14 +18,17 @@ typedef struct {
     number queue[LOOP_QUEUE][LEGS];
 } loop;
 
-/* what a controller finds at a sample: errors, their rates, lengths as measured */
-static inline void loop_measure(struct system *r, const loop *l, const wanted *s, const number *y,
-                                number error[LEGS], number rate[LEGS], number speed[LEGS]) {
+/* the legs in a state, with their rates */
+static inline void loop_legs(const struct system *r, const number *y, legs *g) {
     const coordinates x = coordinates_load(y), v = coordinates_load(y + COORDINATES);
-    legs g;
 
-    legs_at(&r->h, &x, &g);
-    legs_rates(&r->h, &v, &g);
+    legs_at(&r->h, &x, g);
+    legs_rates(&r->h, &v, g);
+}
+
+/* what a controller finds at a sample: errors, their rates, lengths as measured */
+static inline void loop_measure(struct system *r, const loop *l, const wanted *s, const legs *g,
+                                number error[LEGS], number rate[LEGS], number speed[LEGS]) {
     for (int n = 0; n < LEGS; n++) {
         const uint64_t number_of_draw =
             sample_noise_draws + (uint64_t)n + (uint64_t)LEGS * (uint64_t)l->clock.sample;
@@ -36,10 +39,10 @@ static inline void loop_measure(struct system *r, const loop *l, const wanted *s
                 number_put(&draw, i,
                            gough_random_normal(p->seed, r->lane[i].samples, number_of_draw));
         }
-        r->measured[n] = sampler_length(&l->rule, g.length[n], l->home[n], draw);
+        r->measured[n] = sampler_length(&l->rule, g->length[n], l->home[n], draw);
         error[n] = s->program.length[n] - r->measured[n];
-        rate[n] = s->program.rate[n] - g.rate[n];
-        speed[n] = g.rate[n];
+        rate[n] = s->program.rate[n] - g->rate[n];
+        speed[n] = g->rate[n];
     }
 }
 
@@ -65,8 +68,8 @@ static inline void loop_ask(const struct system *r, const loop *l, real t, const
     }
 }
 
-/* the sample that is due, at t in a state: its command goes into the queue */
-static inline void loop_look(struct system *r, loop *l, real t, const number *y) {
+/* the sample that is due, at t with the legs of the state: its command goes into the queue */
+static inline void loop_look(struct system *r, loop *l, real t, const legs *g) {
     const sampler_gains gains = {r->G, r->D, r->integral,
                                  r->traits & COUPLED ? &r->coupling : NULL};
     const real preview = r->lane[0].control->sampling.preview;
@@ -75,7 +78,7 @@ static inline void loop_look(struct system *r, loop *l, real t, const number *y)
 
     for (int v = 0; v < LEGS; v++) fed[v] = s->force[v];
     s = system_wanted(r, t);
-    loop_measure(r, l, s, y, error, rate, speed);
+    loop_measure(r, l, s, g, error, rate, speed);
     if (l->fresh) sampler_begin(&l->rule, error, rate, &l->memory);
     l->fresh = 0;
     sampler_asks(&l->rule, &gains, fed, error, rate, &l->memory, asked);
@@ -90,13 +93,13 @@ static inline void loop_look(struct system *r, loop *l, real t, const number *y)
     l->clock.sample++;
 }
 
-/* what is due at t: samples, and commands that begin to act */
-static inline void loop_reach(struct system *r, loop *l, real t, const number *y) {
+/* what is due at t with the legs of the state: samples, and commands that begin to act */
+static inline void loop_reach(struct system *r, loop *l, real t, const legs *g) {
     sample_clock *c = &l->clock;
 
     while (!(t < sample_clock_next(c))) {
         if (sample_clock_looks(c)) {
-            loop_look(r, l, t, y);
+            loop_look(r, l, t, g);
         } else {
             const number *u = l->queue[c->act++ % LOOP_QUEUE];
             for (int v = 0; v < LEGS; v++) r->held[v] = u[v];
@@ -109,7 +112,9 @@ static inline void loop_reach(struct system *r, loop *l, real t, const number *y
 static inline void loop_resume(struct system *r, loop *l, real t, const number *y) {
     const gough_sampling *s = &r->lane[0].control->sampling;
     const long long next = (long long)ceil((double)t / s->period - sample_slack);
+    legs g;
 
+    loop_legs(r, y, &g);
     sample_clock_begin(&l->clock, s, 0, r->lane[0].samples);
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         sampler_put(&l->rule, i, r->lane[i].control);
@@ -119,7 +124,7 @@ static inline void loop_resume(struct system *r, loop *l, real t, const number *
     l->fresh = 1;
     l->clock.sample = next > 0 ? next - 1 : 0;
     const number *u = l->queue[l->clock.sample % LOOP_QUEUE];
-    loop_look(r, l, t, y);
+    loop_look(r, l, t, &g);
     for (int v = 0; v < LEGS; v++) r->held[v] = u[v];
     l->clock.sample = l->clock.act = next;
 }
@@ -128,7 +133,9 @@ static inline void loop_resume(struct system *r, loop *l, real t, const number *
  * controller is sampled. Before the first command acts it is in force already. */
 static inline void loop_begin(struct system *r, loop *l, double step, number *y) {
     drive_signals m;
+    legs g;
 
+    loop_legs(r, y, &g);
     for (int i = MOTION; i < r->states; i++) y[i] = number_of(0);
     if (r->traits & SAMPLED) {
         const gough_sampling *s = &r->lane[0].control->sampling;
@@ -139,16 +146,12 @@ static inline void loop_begin(struct system *r, loop *l, double step, number *y)
                 number_put(&l->home[v], i, r->lane[i].machine->home_length[v]);
         }
         l->fresh = 1;
-        loop_look(r, l, 0, y);
+        loop_look(r, l, 0, &g);
         for (int v = 0; v < LEGS; v++) r->held[v] = l->queue[0][v];
-        loop_reach(r, l, 0, y);
+        loop_reach(r, l, 0, &g);
     }
     if (!(r->traits & LAGGING)) return;
     const wanted *s = system_wanted(r, 0);
-    const coordinates x = coordinates_load(y), v = coordinates_load(y + COORDINATES);
-    legs g;
-    legs_at(&r->h, &x, &g);
-    legs_rates(&r->h, &v, &g);
     signals_loop(r, s, &g, y, &m);
     for (int n = 0; n < LEGS; n++) y[r->drive.at + n] = m.command[n];
 }

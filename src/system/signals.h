@@ -164,28 +164,47 @@ KERNEL_INLINE coordinates signals_plain_acceleration(const struct system *r, con
     return accelerations_under(&r->h, x, rate, &p, NULL, NULL);
 }
 
+/* all that follows from the legs of an instant, on a plain machine and on any */
+KERNEL_INLINE void signals_plain_rest(const struct system *r, const wanted *s, const number *y,
+                                      signals *m) {
+    signals_plain_forces(r, s, &m->g, m->force);
+    if (r->traits & SAMPLED) signals_loop(r, s, &m->g, y, &m->loop);
+    for (int v = 0; v < LEGS; v++) m->leg[v] = m->force[v];
+    m->acceleration = signals_plain_acceleration(r, &m->x, &m->rate, &m->g, m->leg);
+}
+
+static inline void signals_rest(const struct system *r, const wanted *s, const number *y,
+                                signals *m) {
+    signals_forces(r, s, &m->g, y, &m->loop, m->force);
+    signals_legs(r, &m->g, m->force, m->leg);
+    m->acceleration = signals_acceleration(r, s, &m->x, &m->rate, &m->g, m->leg);
+}
+
 static inline void system_signals(struct system *r, real t, const number *y, signals *m) {
     const wanted *s = system_wanted(r, t);
 
     r->evaluations++;
-    if (signals_plain(r)) {
-        m->x = coordinates_load(y);
-        m->rate = coordinates_load(y + COORDINATES);
-        legs_at(&r->h, &m->x, &m->g);
-        legs_rates(&r->h, &m->rate, &m->g);
-        signals_plain_forces(r, s, &m->g, m->force);
-        if (r->traits & SAMPLED) signals_loop(r, s, &m->g, y, &m->loop);
-        for (int v = 0; v < LEGS; v++) m->leg[v] = m->force[v];
-        m->acceleration = signals_plain_acceleration(r, &m->x, &m->rate, &m->g, m->leg);
-        return;
-    }
     m->x = coordinates_load(y);
     m->rate = coordinates_load(y + COORDINATES);
     legs_at(&r->h, &m->x, &m->g);
     legs_rates(&r->h, &m->rate, &m->g);
-    signals_forces(r, s, &m->g, y, &m->loop, m->force);
-    signals_legs(r, &m->g, m->force, m->leg);
-    m->acceleration = signals_acceleration(r, s, &m->x, &m->rate, &m->g, m->leg);
+    if (signals_plain(r)) {
+        signals_plain_rest(r, s, y, m);
+    } else {
+        signals_rest(r, s, y, m);
+    }
+}
+
+/* the same at the same instant, after a controller has given other commands */
+static inline void system_signals_again(struct system *r, real t, const number *y, signals *m) {
+    const wanted *s = system_wanted(r, t);
+
+    r->evaluations++;
+    if (signals_plain(r)) {
+        signals_plain_rest(r, s, y, m);
+    } else {
+        signals_rest(r, s, y, m);
+    }
 }
 
 #endif
