@@ -223,6 +223,82 @@ START_TEST(margins_are_edges_of_random_machines) {
 }
 END_TEST
 
+/* ---- a delay alone ---------------------------------------------------------------------------------------------- */
+
+/* the growth rate of heave, its largest multiplier's; *frequency: how fast it turns */
+static double heave_growth(const gough_sampled_rest *r, double period, double *frequency) {
+    for (size_t i = 0; i < r->listed; i++) {
+        const double *value = r->multiplier[i].value;
+        if (strcmp(r->multiplier[i].mode.name, "heave") != 0) continue;
+        *frequency = fabs(atan2(value[1], value[0])) / period;
+        return log(hypot(value[0], value[1])) / period;
+    }
+    ck_abort_msg("no multiplier is of heave");
+}
+
+/* On the edge of (loop-6) heave neither grows nor dies out once the period is short against the delay, and turns at ω. What the
+ * period changes is of order 1 in it, and of order 2 once half a period is taken off the delay. */
+START_TEST(short_periods_tend_to_a_pure_delay) {
+    const double kappa = 6 / 1.49, delay = 0.12;
+
+    for (int k = 1; k <= 4; k++) {
+        const double omega = 0.35 * k / delay, square = omega * omega + heave_square;
+        double growth[3], frequency;
+        for (int n = 0; n < 3; n++) {
+            const double T = delay / (3 << n);
+            gough_model *model = new_model(T, delay, EXACT);
+            set_gains(model, square * cos(omega * delay) / kappa,
+                      square * sin(omega * delay) / (omega * kappa));
+            const gough_sampled_rest r = rest_of(model);
+            growth[n] = heave_growth(&r, T, &frequency);
+            free(model);
+        }
+        const double order = log2((growth[0] - growth[1]) / (growth[1] - growth[2]));
+        const double limit = (growth[0] - 6 * growth[1] + 8 * growth[2]) / 3;
+        near(order, 1, 0.3, "order"); /* three periods a delay are few */
+        ck_assert_msg(growth[2] > 0.005 * omega, "growth %g", growth[2]);
+        near(limit, 0, 2e-3 * omega, "growth without a period");
+        near(frequency, omega, 0.15 * omega, "frequency");
+
+        const double T = delay / 12; /* the delay of the hold is half a period */
+        gough_model *model = new_model(T, delay - T / 2, EXACT);
+        set_gains(model, square * cos(omega * delay) / kappa,
+                  square * sin(omega * delay) / (omega * kappa));
+        const gough_sampled_rest r = rest_of(model);
+        near(heave_growth(&r, T, &frequency), 0, 2e-3 * omega, "growth with half a period less");
+        near(frequency, omega, 2e-3 * omega, "frequency with half a period less");
+        free(model);
+    }
+}
+END_TEST
+
+/* without gravity the stiffest loop is that of the fastest mode, 0.549774/τ² with 0.948166/τ, where ωτ tan ωτ = 2 */
+START_TEST(stiffest_loop_of_a_pure_delay) {
+    const double delay = 0.05, none[3] = {0, 0, 0};
+    double stiffness[3], damping[3], x = 1;
+
+    for (int i = 0; i < 60; i++) x = atan(2 / x);
+    near(x * x * cos(x), .549774, 5e-7, "c1");
+    near(x * sin(x), .948166, 5e-7, "c2");
+    for (int n = 0; n < 3; n++) {
+        gough_model *model = new_model(delay / (3 << n), delay, EXACT);
+        const gough_machine old = model->machine;
+        gough_error error = {0};
+        ck_assert(gough_machine_init(&model->machine, &old.platform, &old.load, none, &error) ==
+                  GOUGH_OK);
+        const gough_sampled_margins m = margins_of(model);
+        stiffness[n] = m.best_stiffness;
+        damping[n] = m.best_damping;
+        free(model);
+    }
+    const double kappa = 9.095554;
+    const double limit = (stiffness[0] - 6 * stiffness[1] + 8 * stiffness[2]) / 3;
+    const double with = (damping[0] - 6 * damping[1] + 8 * damping[2]) / 3;
+    near(limit, x * x * cos(x) / (kappa * delay * delay), 0.01 * limit, "stiffness");
+    near(with, x * sin(x) / (kappa * delay), 0.03 * with, "damping");
+}
+END_TEST
+
 /* ---- drives that lag ------------------------------------------------------------------------------------------- */
 
 static void give_lag(gough_model *model, double time_constant) {
@@ -369,6 +445,7 @@ int main(void) {
     return SUITE_RUN("linear/sampled", 60, windows_of_the_paper_machine,
                      upper_edge_without_delay_is_a_closed_form, best_gains_follow_one_mode,
                      sampling_pumps_an_undamped_loop, margins_are_edges_of_random_machines,
+                     short_periods_tend_to_a_pure_delay, stiffest_loop_of_a_pure_delay,
                      lag_bounds_the_stiffness, fast_drives_are_ideal, matrices_of_gains,
                      noise_of_the_command, refuses_what_it_cannot_compute);
 }
