@@ -180,6 +180,26 @@ static void run_rest(const input *in, uint64_t *h) {
     for (int i = 0; i < 6; i++) hash_double(h, rest.threshold[i].stiffness);
 }
 
+static void run_sampled(const input *in, uint64_t *h) {
+    gough_error error = {0};
+    gough_sampled_rest rest;
+    gough_sampled_margins margins;
+
+    if (gough_sampled_at_rest(in->study->model, NULL, &rest, &error) != GOUGH_OK ||
+        gough_sampled_margins_at_rest(in->study->model, NULL, &margins, &error) != GOUGH_OK) {
+        stop(in->path, error.message);
+    }
+    for (size_t i = 0; i < rest.listed; i++) {
+        hash_doubles(h, rest.multiplier[i].value, 2);
+        hash_mode(h, &rest.multiplier[i].mode);
+    }
+    hash_double(h, rest.growth);
+    hash_double(h, margins.lower.stiffness);
+    hash_double(h, margins.upper.stiffness);
+    hash_double(h, margins.longest_period);
+    hash_double(h, margins.longest_delay);
+}
+
 static void run_floquet(const input *in, uint64_t *h) {
     gough_error error = {0};
     gough_floquet f;
@@ -325,6 +345,14 @@ typedef struct {
                 RATTLE_KEYS                                                                        \
         }                                                                                          \
     }
+/* a delay of whole steps, drives that are ideal where no stepper moves others */
+#define WHOLE_DELAY "control.sampling.delay=0.05"
+#define SAMPLED_LANES(n)                                                                           \
+    {                                                                                              \
+        "sampled/lanes", "sampled.yaml", LIBM, n, run_sweep, {                                     \
+            "simulation={duration: 2, output_step: 0.05, method: rk4, step: 0.0125}", WHOLE_DELAY  \
+        }                                                                                          \
+    }
 #define EVERY_LANE(method) LANES(1, method), LANES(2, method), LANES(4, method), LANES(8, method)
 #define MAP_LANES(n)                                                                               \
     {                                                                                              \
@@ -399,6 +427,26 @@ static const digest_case cases[] = {
     HEAVY_RATTLE_LANES(2),
     HEAVY_RATTLE_LANES(4),
     HEAVY_RATTLE_LANES(8),
+
+    {"sampled/dop853", "sampled.yaml", LIBM, 0, run_simulate, {NULL}},
+    {"sampled/rk4", "sampled.yaml", LIBM, 0, run_simulate, {FIXED("rk4")}},
+    {"sampled/rattle4",
+     "sampled.yaml",
+     LIBM,
+     0,
+     run_simulate,
+     {FIXED("rattle4"), "actuators={max_force: 0.215}"}},
+    {"sampled/quad",
+     "sampled.yaml",
+     LIBM,
+     0,
+     run_simulate,
+     {SHORT("rk4"), WHOLE_DELAY, "control.sampling.period=0.05", QUAD}},
+    {"sampled/rest", "sampled.yaml", LIBM | LAPACK, 0, run_sampled, {NULL}},
+    SAMPLED_LANES(1),
+    SAMPLED_LANES(2),
+    SAMPLED_LANES(4),
+    SAMPLED_LANES(8),
 
     EVERY_LANE("rk4"),
     EVERY_LANE("dop853"),
