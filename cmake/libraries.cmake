@@ -9,7 +9,7 @@ gough_edition(GOUGH_EDITION ${GOUGH_HEADERS} ${GOUGH_HEADER_TABLES})
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${GOUGH_HEADERS} ${GOUGH_HEADER_TABLES})
 configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/gough/version.h @ONLY)
 file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
-    src/base/*.c src/kernel/*.c src/program/*.c src/plant/*.c src/model/*.c src/integrate/*.c src/run/*.c src/batch/*.c)
+    src/base/*.c src/kernel/*.c src/program/*.c src/plant/*.c src/model/*.c src/pose/*.c src/integrate/*.c src/run/*.c src/batch/*.c)
 file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/linear/*.c src/floquet/*.c src/map/*.c src/tune/*.c)
 # The core does not show its inner functions: what the others need of them is compiled into them again.
 list(APPEND GOUGH_ANALYSE_SOURCES ${PROJECT_SOURCE_DIR}/src/program/appointments.c ${PROJECT_SOURCE_DIR}/src/base/crew.c)
@@ -42,6 +42,17 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
         PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx512f;-mavx512dq;-mavx512vl")
 else()
     list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "(prefetch_lanes|run_double)_[48]\\.c$")
+endif()
+
+# The same for the paths to all poses; what is certified on the way of one pose is worth as much.
+set_source_files_properties(src/pose/pose_double.c src/pose/track_double.c src/pose/track_lanes_2.c
+    PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    set_source_files_properties(src/pose/track_lanes_4.c PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx2")
+    set_source_files_properties(src/pose/track_lanes_8.c
+        PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx512f;-mavx512dq;-mavx512vl")
+else()
+    list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "track_lanes_[48]\\.c$")
 endif()
 
 # gough_room_libraries(SUFFIX [FLAGS…]): the static libraries gough_core<SUFFIX>, gough_analyse<SUFFIX> and gough_files<SUFFIX>.

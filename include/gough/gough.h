@@ -12,6 +12,7 @@
 #include "gough/map.h"
 #include "gough/model.h"
 #include "gough/names.h"
+#include "gough/pose.h"
 #include "gough/random.h"
 #include "gough/report.h"
 #include "gough/result.h"

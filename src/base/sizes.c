@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "gough/batch.h"
+#include "gough/pose.h"
 #include "gough/report.h"
 #include "gough/sweep.h"
 #include "gough/text.h"
@@ -64,6 +65,10 @@ static const struct {
     SIZE_OF(gough_place),
     SIZE_OF(gough_platform),
     SIZE_OF(gough_platform_limits),
+    SIZE_OF(gough_pose),
+    SIZE_OF(gough_pose_certificate),
+    SIZE_OF(gough_pose_single),
+    SIZE_OF(gough_poses),
     SIZE_OF(gough_record),
     SIZE_OF(gough_record_column),
     SIZE_OF(gough_remark),

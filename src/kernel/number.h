@@ -1,6 +1,6 @@
 /* The vocabulary of every kernel text: one number type, chosen by the file that includes the texts.
  *
- * Before including, define one of NUMBER_DOUBLE, NUMBER_QUAD, NUMBER_COMPLEX, NUMBER_LANES (2, 4 or 8).
+ * Before including, define one of NUMBER_DOUBLE, NUMBER_FLOAT, NUMBER_QUAD, NUMBER_COMPLEX, NUMBER_LANES (2, 4 or 8).
  *
  *   number    what the equations are written in: + - * / apply
  *   real      the scalar beside it: time, and all that is the same in every lane; broadcast by number_of_real
@@ -20,7 +20,7 @@
 #define KERNEL_INLINE __attribute__((always_inline)) static inline
 /* Where speed counts more than size, which is not in the page's core and not for numbers that are slow themselves: a few
  * instructions are laid out at each call, however large the caller is, and what most machines need has a text without the rest. */
-#if (defined(NUMBER_DOUBLE) || defined(NUMBER_LANES)) && !defined(__wasm__)
+#if (defined(NUMBER_DOUBLE) || defined(NUMBER_FLOAT) || defined(NUMBER_LANES)) && !defined(__wasm__)
 #define KERNEL_SMALL KERNEL_INLINE
 enum { KERNEL_QUICK = 1 };
 #else
@@ -61,6 +61,25 @@ static inline number number_floor(number x) { return floor(x); }
 static inline mask number_greater(number a, number b) { return a > b; }
 static inline number number_select(mask m, number a, number b) { return m ? a : b; }
 static inline number number_magnitude(number x) { return fabs(x); }
+static inline int number_any(mask m) { return m; }
+
+#elif defined(NUMBER_FLOAT)
+
+typedef float number;
+typedef float real;
+typedef int mask;
+#define REAL_LITERAL(x) x##F
+#define REAL_EPSILON 1.1920929e-07F
+#define REAL_PI 3.14159265358979323846F
+enum { NUMBER_SWEEPS = 3, NUMBER_SURE_SWEEPS = 1, NUMBER_NEWTON = 7 };
+
+static inline number number_of_real(real x) { return x; }
+static inline real number_first(number x) { return x; }
+static inline number number_root(number x) { return sqrtf(x); }
+static inline number number_floor(number x) { return floorf(x); }
+static inline mask number_greater(number a, number b) { return a > b; }
+static inline number number_select(mask m, number a, number b) { return m ? a : b; }
+static inline number number_magnitude(number x) { return fabsf(x); }
 static inline int number_any(mask m) { return m; }
 
 #elif defined(NUMBER_QUAD)
@@ -218,7 +237,7 @@ static inline number number_magnitude(number x) {
 }
 
 #else
-#error "define NUMBER_DOUBLE, NUMBER_QUAD, NUMBER_COMPLEX or NUMBER_LANES first"
+#error "define NUMBER_DOUBLE, NUMBER_FLOAT, NUMBER_QUAD, NUMBER_COMPLEX or NUMBER_LANES first"
 #endif
 
 /* ---- lanes one by one, for what stands around the kernels ---- */

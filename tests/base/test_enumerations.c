@@ -349,6 +349,7 @@ START_TEST(names_of_what_is_outside_are_harmless) {
         double number = 7;
         ck_assert_str_eq(gough_cause_name((gough_cause)value), "unknown");
         ck_assert_str_eq(gough_cause_words((gough_cause)value), "the run ends");
+        ck_assert_str_eq(gough_completeness_name((gough_completeness)value), "unknown");
         ck_assert_str_eq(gough_interval_kind_name((gough_interval_kind)value), "unknown");
         ck_assert_str_eq(gough_tuning_binding_name((gough_tuning_binding)value), "unknown");
         ck_assert_str_eq(gough_tuning_exception_name((gough_tuning_exception_kind)value),

@@ -1,0 +1,8 @@
+/* Paths to all poses, 8 side by side. */
+#define NUMBER_LANES 8
+#include "pose/track.h"
+
+void path_track_8(const path_system *from, const path_system *to, const path_point *start,
+                  int count, path_end *end) {
+    path_track(from, to, start, count, end);
+}
