@@ -155,6 +155,16 @@ int batch_locate(const batch_job *job, size_t which, batch_step *step) {
     return 1;
 }
 
+void batch_unknown(const batch_job *job, size_t which, double t) {
+    gough_outcome *out = &job->outcomes[which];
+    gough_end end;
+
+    limits_no_leg(&end, GOUGH_END_NOT_FINITE, t);
+    out->cause = end.cause;
+    out->leg = end.leg;
+    out->time = end.time;
+}
+
 void batch_last_row(const batch_job *job, size_t which, const double state[STATE_SIZE]) {
     gough_outcome *out = &job->outcomes[which];
     const coordinates x = coordinates_load(state), rate = coordinates_load(state + COORDINATES);

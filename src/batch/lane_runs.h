@@ -365,9 +365,26 @@ typedef struct {
     signals end; /* of the last part of a step */
 } group_loop;
 
+/* ends the lanes whose sample at t has asked for program forces that are no numbers */
+LANES_APART void group_end_unknown(group *g, const batch_job *job, double t) {
+    for (int i = 0; i < NUMBER_WIDTH; i++) {
+        looks own = g->looks;
+        number heard = number_of(0);
+        if (!g->going[i] || isfinite(number_lane(g->loop.fed, i))) continue;
+        number_put(&heard, i, 1);
+        batch_unknown(job, group_run(g, i), t);
+        looks_finish(&own, heard);
+        group_write(g, job, &own, i);
+        group_end_lane(g, i);
+    }
+}
+
 /* what sampled controllers do at the end of a step, whose signals m are, after which other forces may act */
-static inline void group_sample(group *g, signals *m, double t) {
+static inline void group_sample(group *g, const batch_job *job, signals *m, double t) {
     loop_reach(&g->r, &g->loop, t, &m->g);
+    double fed = 0;
+    for (int i = 0; i < NUMBER_WIDTH; i++) fed += number_lane(g->loop.fed, i);
+    if (!isfinite(fed)) group_end_unknown(g, job, t);
     system_signals_again(&g->r, t, g->at[g->now].y, m);
     signals_rates(&g->r, m, g->at[g->now].rate);
     looks_jump(&g->looks, g->going_mask);
@@ -408,8 +425,9 @@ static inline int group_move(void *context, long long k, int part) {
     if (group_going(g) == 0) return 1;
     group_look(g, system_wanted(&g->r, t), m, t);
     if (group_row_ends(g, job, k)) group_row_due(g, m);
-    if (g->r.traits & SAMPLED && !(t < sample_clock_next(&g->loop.clock))) group_sample(g, m, t);
-    return 0;
+    if (g->r.traits & SAMPLED && !(t < sample_clock_next(&g->loop.clock)))
+        group_sample(g, job, m, t);
+    return group_going(g) == 0;
 }
 
 static inline int group_advance(void *memory, const batch_job *job, long long from, long long to) {

@@ -53,6 +53,9 @@ typedef struct {
 /* finds the end of a run within a step, fills the outcome's end and looks at it; 0 if the run goes on */
 int batch_locate(const batch_job *job, size_t run, batch_step *step);
 
+/* the end of a run whose program has no number for the sample at t, into its outcome */
+void batch_unknown(const batch_job *job, size_t run, double t);
+
 /* pose and velocities of the last row, from its state */
 void batch_last_row(const batch_job *job, size_t run, const double state[STATE_SIZE]);
 

@@ -26,8 +26,6 @@ typedef struct stage_tape {
     tape_record *record;
     int room, count, cursor;
     int machine_shared, disturbance_shared;
-    const char *fault; /* a formula that is not finite, or NULL, and when */
-    double fault_time;
     void *recorder; /* fills records: a scalar run */
     void (*write)(struct stage_tape *tape, double t, tape_record *record);
     tape_record spare;       /* for times beyond the room */

@@ -239,4 +239,15 @@ static inline gough_status limits_fault(const struct system *r, gough_end *end) 
     return GOUGH_ERROR_INPUT;
 }
 
+/* the same at a sample at t, which may ask for the program of a later time: then nothing is wrong with the run up to t */
+static inline gough_status limits_fault_ahead(const struct system *r, real t, gough_end *end) {
+    if (!(r->fault.time > t)) return limits_fault(r, end);
+    limits_no_leg(end, GOUGH_END_NOT_FINITE, (double)t);
+    end_say(end,
+            "%s (value or derivatives) is not finite at t = %.9g, whose program force the preview "
+            "of the sample at t = %.9g asks for",
+            r->fault.what, (double)r->fault.time, end->time);
+    return GOUGH_ERROR_INPUT;
+}
+
 #endif

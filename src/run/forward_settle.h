@@ -299,7 +299,7 @@ static inline gough_status forward_begin(forward *d) {
     d->drift = 0;
     forward_note_drift(d, d->y);
     system_signals(&d->r, 0, d->y, &d->now);
-    if (d->r.fault.what) return limits_fault(&d->r, d->end);
+    if (d->r.fault.what) return limits_fault_ahead(&d->r, 0, d->end);
     d->side = limits_begin(&d->r, system_wanted(&d->r, 0), &d->now);
     e = limits_pose(&d->r, &d->now);
     forward_remember(d, &e);
@@ -388,7 +388,7 @@ static inline gough_status forward_sample(forward *d) {
     d->renewed = d->r.traits & SAMPLED && !(d->t < sample_clock_next(&d->loop.clock));
     if (!d->renewed) return GOUGH_OK;
     loop_reach(&d->r, &d->loop, d->t, &d->now.g);
-    if (d->r.fault.what) return limits_fault(&d->r, d->end);
+    if (d->r.fault.what) return limits_fault_ahead(&d->r, d->t, d->end);
     system_signals_again(&d->r, d->t, d->y, &d->now);
     signals_rates(&d->r, &d->now, d->rate);
     if (d->r.options->summary == NULL) return GOUGH_OK;

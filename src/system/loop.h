@@ -13,7 +13,8 @@ typedef struct {
     sample_clock clock;
     sampler rule;
     sampler_memory memory;
-    int fresh;         /* there has been no sample yet */
+    int fresh;  /* there has been no sample yet */
+    number fed; /* sum of the program forces of the last sample: not finite if one of them is not */
     number home[LEGS]; /* lengths at home, where counts have their origin */
     number queue[LOOP_QUEUE][LEGS];
 } loop;
@@ -74,9 +75,13 @@ static inline void loop_look(struct system *r, loop *l, real t, const legs *g) {
                                  r->traits & COUPLED ? &r->coupling : NULL};
     const real preview = r->lane[0].control->sampling.preview;
     number fed[LEGS], error[LEGS], rate[LEGS], speed[LEGS], asked[LEGS], *u;
-    const wanted *s = system_wanted(r, t + preview);
+    const wanted *s = system_wanted(r, r->feeds ? t + preview : t);
 
-    for (int v = 0; v < LEGS; v++) fed[v] = s->force[v];
+    l->fed = number_of(0);
+    for (int v = 0; v < LEGS; v++) {
+        fed[v] = s->force[v];
+        l->fed = l->fed + fed[v];
+    }
     s = system_wanted(r, t);
     loop_measure(r, l, s, g, error, rate, speed);
     if (l->fresh) sampler_begin(&l->rule, error, rate, &l->memory);

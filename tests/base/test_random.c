@@ -85,7 +85,27 @@ START_TEST(uniform_numbers_are_the_published_words) {
 }
 END_TEST
 
+/* moments of a hundred thousand draws, and the normal distribution's own function of each */
+START_TEST(normal_numbers_are_normal) {
+    double mean = 0, square = 0, fourth = 0;
+    const int n = 100000;
+
+    for (int i = 0; i < n; i++) {
+        const double z = gough_random_normal(5, (uint64_t)i, 3),
+                     u = gough_random_uniform(5, (uint64_t)i, 3);
+        ck_assert(fabs(0.5 * erfc(-z * sqrt(0.5)) - u) <= 1e-14);
+        mean += z / n;
+        square += z * z / n;
+        fourth += z * z * z * z / n;
+    }
+    ck_assert(fabs(mean) <= 0.01);
+    ck_assert(fabs(square - 1) <= 0.02);
+    ck_assert(fabs(fourth - 3) <= 0.15);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("base/random", 60, uniform_numbers_are_the_published_words,
-                     the_reference_agrees_with_tables, normal_numbers_are_quantiles_to_all_digits);
+                     the_reference_agrees_with_tables, normal_numbers_are_quantiles_to_all_digits,
+                     normal_numbers_are_normal);
 }

@@ -1,10 +1,9 @@
-/* Batches: the bits of one run alone, whatever stands beside it; each run's own end; random numbers by counting.
+/* Batches: the bits of one run alone, whatever stands beside it; each run's own end.
  * Label: standard. */
 #include <stdio.h>
 
 #include "gough/batch.h"
 #include "gough/dynamics.h"
-#include "gough/random.h"
 #include "support/machines.h"
 #include "support/suite.h"
 
@@ -322,6 +321,28 @@ START_TEST(each_run_has_its_own_end) {
 }
 END_TEST
 
+/* The program forces of a sample are those of a later time, at which the program may have no number: there each lane's run ends as
+ * it does alone. */
+START_TEST(a_preview_beyond_the_program_ends_every_lane) {
+    fixture *f = new_fixture(LOADS | SAMPLED, 2);
+    const gough_simulation s = fixed(GOUGH_RK4, 0.01, 2);
+
+    set_formula(&f->model.motion.formula[GOUGH_HEAVE], "0.02*(1 - t)^2.5");
+    for (int i = 0; i < RUNS; i++) f->control[i].sampling.preview = 0.2;
+    run_batch(f, &s, 1, 1, f->outcome);
+    check_alone(f, &s);
+    for (int i = 0; i < RUNS; i++) {
+        ck_assert_int_eq(f->outcome[i].cause, GOUGH_END_NOT_FINITE);
+        ck_assert_double_eq_tol(f->outcome[i].time, 0.8, 0.021); /* a period before 1 at most */
+    }
+    for (int lanes = 2; lanes <= gough_batch_lanes(); lanes *= 2) {
+        run_batch(f, &s, lanes, 2, f->other);
+        ck_assert(memcmp(f->outcome, f->other, sizeof f->outcome) == 0);
+    }
+    free(f);
+}
+END_TEST
+
 /* peaks and work of the motion, between rows too, are those that gough_simulate() sums up */
 static void check_sums(fixture *f, const gough_simulation *simulation, bool some_end) {
     int ended = 0;
@@ -554,46 +575,15 @@ START_TEST(misfits_are_refused) {
 }
 END_TEST
 
-/* known answers of Philox 4×32-10, published with Random123: words 1 and 0 */
-START_TEST(random_numbers_are_philox) {
-    ck_assert(
-        !(fabs(gough_random_uniform(0, 0, 0) - (double)(0xe169c58d6627e8d5u >> 11) * 0x1p-53) > 0));
-    ck_assert(!(fabs(gough_random_uniform(UINT64_MAX, UINT64_MAX, UINT64_MAX) -
-                     (double)(0x41c83b0e408f276du >> 11) * 0x1p-53) > 0));
-    ck_assert(
-        !(fabs(gough_random_uniform(0x299f31d0a4093822u, 0x0370734413198a2eu, 0x85a308d3243f6a88u) -
-               (double)(0x94fdccebd16cfe09u >> 11) * 0x1p-53) > 0));
-}
-END_TEST
-
-/* moments of a hundred thousand draws, and the normal distribution's own function of each */
-START_TEST(normal_numbers_are_normal) {
-    double mean = 0, square = 0, fourth = 0;
-    const int n = 100000;
-
-    for (int i = 0; i < n; i++) {
-        const double z = gough_random_normal(5, (uint64_t)i, 3),
-                     u = gough_random_uniform(5, (uint64_t)i, 3);
-        ck_assert(fabs(0.5 * erfc(-z * sqrt(0.5)) - u) <= 1e-14);
-        mean += z / n;
-        square += z * z / n;
-        fourth += z * z * z * z / n;
-    }
-    ck_assert(fabs(mean) <= 0.01);
-    ck_assert(fabs(square - 1) <= 0.02);
-    ck_assert(fabs(fourth - 3) <= 0.15);
-}
-END_TEST
-
 int main(void) {
     return SUITE_RUN(
         "batch", 120, lanes_and_threads_change_no_bit,
         runs_may_differ_in_everything_but_the_program, legs_with_mass_and_friction_keep_the_bits,
         sampled_and_lagging_loops_keep_the_bits, what_chooses_equations_is_the_same_in_all_runs,
         adaptive_runs_go_one_by_one, runs_in_quadruple_precision_go_one_by_one,
-        each_run_has_its_own_end, outcomes_are_summaries, outcomes_of_sampled_loops_are_summaries,
+        each_run_has_its_own_end, a_preview_beyond_the_program_ends_every_lane,
+        outcomes_are_summaries, outcomes_of_sampled_loops_are_summaries,
         outcomes_of_ended_and_disturbed_runs_are_summaries,
         runs_that_divide_time_differently_keep_their_numbers, progress_may_stop_a_batch,
-        progress_may_stop_several_threads, misfits_are_refused, random_numbers_are_philox,
-        normal_numbers_are_normal);
+        progress_may_stop_several_threads, misfits_are_refused);
 }
