@@ -39,7 +39,7 @@ typedef struct gough_floquet {
     double start;  /**< time at which the chosen period begins */
     double period; /**< T */
     gough_state
-        state; /**< at its beginning: the program's, or without feed-forward that of the periodic motion found */
+        state; /**< at its beginning: the program's, or, where gough_keeps_program() is false, that of the periodic motion found */
     double monodromy[GOUGH_LINEAR][GOUGH_LINEAR]; /**< ξ after a period from ξ before */
     gough_multiplier multiplier[GOUGH_LINEAR];    /**< by falling magnitude */
     double growth;                                /**< largest |μ|: growth per period */
@@ -57,11 +57,12 @@ typedef struct gough_floquet {
  *  @param period     from gough_motion_period(); NULL: it is found here
  *  @param tolerance  of the steps; 0: 1e-13
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, at rest (use gough_stability_at_rest()), or a tolerance outside
- *  1e-15 … 1e-3; GOUGH_ERROR_NUMERICAL: the program passes a singular pose, more than 20000 steps a period, or without
- *  feed-forward no periodic motion was found near the program, (floquet-8); do not use @p floquet then.
- *  It takes about 20 ms for a period with a few oscillations of the platform, some tenths of a second without feed-forward.
- *  Allocates nothing. With the default tolerance multipliers are accurate to 1e-11 of the largest; two that are equal, as on the
- *  unit circle without damping, only to the root of that. */
+ *  1e-15 … 1e-3; GOUGH_ERROR_NUMERICAL: the program passes a singular pose, more than 20000 steps a period, or where the loop
+ *  does not keep its program, gough_keeps_program(), no periodic motion was found near it, (floquet-8); do not use @p floquet
+ *  then. Dry friction and losses of screws are left out of the motion as of its deviations.
+ *  It takes about 20 ms for a period with a few oscillations of the platform, and some tenths of a second or more where the
+ *  motion must be found. Allocates nothing. With the default tolerance multipliers are accurate to 1e-11 of the largest; two that
+ *  are equal, as on the unit circle without damping, only to the root of that. */
 GOUGH_API gough_status gough_floquet_multipliers(const gough_model *model,
                                                  const gough_period *period, double tolerance,
                                                  gough_floquet *floquet, gough_error *error);

@@ -81,7 +81,7 @@ typedef struct gough_threshold {
 /** The loop at rest. */
 typedef struct gough_rest {
     gough_state
-        state; /**< of equilibrium: where the loop rests; without feed-forward this is not the requested pose */
+        state; /**< of equilibrium: where the loop rests; this is the requested pose only if gough_keeps_program() */
     double force[GOUGH_LEGS]; /**< leg forces there */
     double matrix
         [GOUGH_LINEAR]

@@ -176,7 +176,8 @@ GOUGH_API gough_status gough_tune_size(const gough_model *model,
  *  must confirm it; if it does not, the search is repeated with such steps. The resulting G meets the accuracy; a G smaller
  *  by 1e-4 of it does not, nor does any smaller G that was tried, 20 in each decade. Unstable values that meet it are
  *  skipped.
- *  @param feedforward  whether program forces are fed forward; the model's own choice is not used
+ *  @param feedforward  whether program forces are fed forward; the model's own choice is not used. What they ignore of the machine
+ *                      is the model's
  *  @param[out] point   GOUGH_TUNING_POINTS of them, the curve
  *  @param[out] tuning  `found` is false if no G meets the request, with the reason
  *  @param memory       gough_tune_size() bytes, aligned to 64; nothing else is allocated

@@ -1,4 +1,4 @@
-/* Floquet multipliers of the loop about its periodic motion: the program where its forces are fed forward, else the motion that the
+/* Floquet multipliers of the loop about its periodic motion: the program where the loop keeps it, else the motion that the
  * springs of the legs give. Theory: docs/theory/floquet.md. */
 #include <lapacke.h>
 #include <math.h>
@@ -100,7 +100,7 @@ static gough_status go_round(monodromy *m, gough_state *state, gough_error *erro
     gough_status status;
     double y[MOTION];
 
-    if (m->loop.control->feedforward) {
+    if (gough_keeps_program(m->loop.machine, m->loop.control, true)) {
         gough_program(m->loop.machine, m->loop.motion, m->start, state, &acceleration);
         return monodromy_of_program(m, error);
     }
@@ -120,7 +120,6 @@ gough_status gough_floquet_multipliers(const gough_model *model, const gough_per
 
     status = motion_check(&model->motion, error);
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
-    if (status == GOUGH_OK) status = control_keeps_program(&model->machine, &model->control, error);
     if (status == GOUGH_OK) status = linear_refuse(model, "the stability about a program", error);
     if (status != GOUGH_OK) return status;
     if (period == NULL) {

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "base/quantity.h"
 #include "gough/model.h"
 
 /* moments of a period, spread by the golden ratio */
@@ -42,13 +43,14 @@ gough_status loads_check(const gough_machine *machine, const gough_period *perio
             good = good && repeats(&e->force[c], period, constant) &&
                    repeats(&e->moment[c], period, constant);
         if (good) continue;
-        return gough_fail_key(error, GOUGH_ERROR_INPUT, "external",
-                              constant ? "external: load %zu varies in time; maps are computed for "
-                                         "constant loads. Compute the multipliers without a map"
-                                       : "external: load %zu does not repeat with the period %.9g "
-                                         "of the program, so there are no multipliers; simulate "
-                                         "instead",
-                              n + 1, period->period);
+        return gough_fail_key(
+            error, GOUGH_ERROR_INPUT, "external",
+            constant ? "external: load %zu varies in time; maps are computed for "
+                       "constant loads. Compute the multipliers without a map"
+                     : "external: load %zu does not repeat with the period %.9g" IN_TIME
+                       " of the program, so there are no multipliers; simulate "
+                       "instead",
+            n + 1, period->period);
     }
     return GOUGH_OK;
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "kernel/real.h"
+#include "plant/keeps_program.h"
 #include "plant/state.h"
 
 enum { N = GOUGH_LINEAR, MOST_STEPS = 15 };
@@ -147,11 +148,12 @@ gough_status orbit_find(monodromy *m, double y[MOTION], gough_error *error) {
     const gough_control *asked = m->loop.control;
     gough_acceleration acceleration;
     gough_error why = {.message = ""};
+    const program_lack lack = program_lack_of(m->loop.machine, asked, true);
     double stiffness = 0;
     gough_state state;
 
     for (int v = 0; v < GOUGH_LEGS; v++) stiffness += asked->stiffness[v];
-    if (!(stiffness > 0))
+    if (!(stiffness > 0) && !asked->feedforward && !asked->coupled)
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                           "without feed-forward and stiffness the legs have no force; give "
                           "control.stiffness, or set control.feedforward to program");
@@ -165,7 +167,8 @@ gough_status orbit_find(monodromy *m, double y[MOTION], gough_error *error) {
     if (ease(m, asked, y)) return GOUGH_OK;
     return gough_fail(
         error, GOUGH_ERROR_NUMERICAL,
-        "without feed-forward no periodic motion was found near the program: the legs are too weak "
+        "%s no periodic motion was found near the program: the legs are too weak "
         "to carry the load along it, or it excites the platform at a natural frequency; increase "
-        "control.stiffness, add control.damping, or set control.feedforward to program");
+        "control.stiffness, add control.damping, or set %s",
+        lack.how, lack.cure);
 }

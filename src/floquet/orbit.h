@@ -1,4 +1,4 @@
-/* The periodic motion of a loop whose program forces are not fed forward. Theory: docs/theory/floquet.md. */
+/* The periodic motion of a loop that does not keep its program. Theory: docs/theory/floquet.md. */
 #ifndef GOUGH_FLOQUET_ORBIT_H
 #define GOUGH_FLOQUET_ORBIT_H
 

@@ -9,6 +9,7 @@
 
 #include "base/limits.h"
 #include "linear/linear.h"
+#include "plant/keeps_program.h"
 
 /* Newton's steps, in base radii and radians. The first must not leave the branch it comes from; each next is at most half of
  * the one before, until rounding is reached. */
@@ -161,26 +162,9 @@ static gough_status check_pose(const gough_machine *machine, const gough_state *
                       what, pose, condition);
 }
 
-/* whether what is fed forward at rest is less than holds the load */
-static bool falls_short(const gough_machine *machine, const gough_control *control) {
-    return !control->feedforward || (control->ignores_legs && machine->platform.legs_have_mass) ||
-           (control->ignores_external && machine->externals > 0);
-}
-
 static gough_status sag(const linear_loop *loop, const char *pose, double determinant,
                         gough_state *state, gough_error *error) {
-    const gough_control *control = loop->control;
-    const bool legs = control->ignores_legs && loop->machine->platform.legs_have_mass;
-    const bool loads = control->ignores_external && loop->machine->externals > 0;
-    const char *how = !control->feedforward ? "without feed-forward"
-                      : !loads              ? "with feed-forward that ignores the legs' mass"
-                      : !legs
-                          ? "with feed-forward that ignores the external loads"
-                          : "with feed-forward that ignores the legs' mass and the external loads";
-    const char *cure = !control->feedforward ? "control.feedforward to program"
-                       : !loads              ? "control.model.legs to true"
-                       : !legs               ? "control.model.external to true"
-                               : "control.model.legs and control.model.external to true";
+    const program_lack lack = program_lack_of(loop->machine, loop->control, false);
     const double borne = take_up_load(loop, state);
     gough_error what;
     double there;
@@ -191,16 +175,16 @@ static gough_status sag(const linear_loop *loop, const char *pose, double determ
                           "%s no equilibrium was found near the requested pose "
                           "(%s): the stiffness of the legs carries only %.3g %% of the load; "
                           "increase control.stiffness, or set %s",
-                          how, pose, 100 * borne, cure);
+                          lack.how, pose, 100 * borne, lack.cure);
     }
-    gough_fail(&what, GOUGH_OK, "the equilibrium %s, starting from", how);
+    gough_fail(&what, GOUGH_OK, "the equilibrium %s, starting from", lack.how);
     status = check_pose(loop->machine, state, what.message, pose, &there, error);
     if (status != GOUGH_OK || there * determinant > 0) return status;
     return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                       "%s the load comes to rest only beyond a singular pose, "
                       "starting from the requested pose (%s); increase control.stiffness, or set "
                       "%s",
-                      how, pose, cure);
+                      lack.how, pose, lack.cure);
 }
 
 gough_status equilibrium_ask(const gough_model *model, const double *component, gough_motion *rest,
@@ -233,7 +217,8 @@ gough_status equilibrium_find(const gough_model *model, const double *component,
     asked_pose asked;
     gough_status status = equilibrium_ask(model, component, rest, &asked, error);
 
-    if (status != GOUGH_OK || !falls_short(&model->machine, &model->control)) return status;
+    if (status != GOUGH_OK || gough_keeps_program(&model->machine, &model->control, false))
+        return status;
     status = sag(&loop, asked.words.message, asked.determinant, &asked.state, error);
     if (status == GOUGH_OK) {
         stand(&model->machine, &asked.state, rest);

@@ -11,6 +11,7 @@
 #include "linear/symmetric.h"
 #include "linear/verdict.h"
 #include "plant/can_move.h"
+#include "plant/keeps_program.h"
 #include "program/program_valid.h"
 
 enum { WORK = 512 };
@@ -330,8 +331,7 @@ gough_status linear_at_rest(const gough_model *model, const double component[GOU
     if (status == GOUGH_OK) status = equilibrium_find(model, component, motion, error);
     if (status != GOUGH_OK) return status;
     *control = model->control;
-    control->feedforward = true;
-    control->ignores_legs = control->ignores_friction = control->ignores_external = false;
+    control_knows_all(control);
     gough_program(&model->machine, motion, 0, state, &none);
     return GOUGH_OK;
 }

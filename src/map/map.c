@@ -196,10 +196,8 @@ static gough_status run_threads(work *w, int threads, char *memory, gough_error 
 
 /* ---- before the work ---- */
 
-/* rows whose program runs and whose forces are fed forward: those that need tables */
-static bool has_tables(const map_worker *w) {
-    return !w->period.resting && w->model.control.feedforward;
-}
+/* rows whose program moves and is kept: those that need tables */
+static bool has_tables(const map_worker *w) { return !w->period.resting && map_row_kept(w); }
 
 /* (floquet-24): the steps of all rows are made finer until those of the first, the middle and the last row suffice */
 static gough_status choose_steps(map_job *job, map_worker *w, gough_error *error) {
@@ -244,7 +242,6 @@ static gough_status prepare(const gough_model *model, const gough_map_options *g
     map_worker probe;
 
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
-    if (status == GOUGH_OK) status = control_keeps_program(&model->machine, &model->control, error);
     if (status == GOUGH_OK) status = linear_refuse_matrices(model, "the map of stability", error);
     if (status != GOUGH_OK) return status;
     memset(job, 0, sizeof *job);

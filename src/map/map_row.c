@@ -57,6 +57,9 @@ static void set_motion(gough_motion *motion, double amplitude, double frequency)
 static linear_loop loop_of(const map_worker *w) {
     return (linear_loop){&w->model.machine, &w->model.motion, &w->model.control, false, 0};
 }
+bool map_row_kept(const map_worker *w) {
+    return gough_keeps_program(&w->model.machine, &w->model.control, !w->period.resting);
+}
 
 gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
     const gough_map_options *o = w->job->options;
@@ -92,7 +95,7 @@ gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
                                 "multipliers do not come in pairs; maps are computed for forces "
                                 "with the axes of the base",
                                 machine_loads_follow(&w->model.machine));
-    if (status != GOUGH_OK || !control->feedforward) return status;
+    if (status != GOUGH_OK || !map_row_kept(w)) return status;
 
     status = transition_divide(&loop, &w->period, top, &w->d, error);
     if (status != GOUGH_OK) return status;
@@ -434,7 +437,7 @@ static int points(map_worker *w, const transitions *t,
     return look_at_all(w, t, look, w->node, w->nodes, put_point, NULL);
 }
 
-/* each stiffness on its own: at rest, and without feed-forward */
+/* each stiffness on its own: at rest, and where the loop does not keep its program */
 static int find_one_by_one(map_worker *w, int (*look)(void *context, double stiffness, sample *s)) {
     if (points(w, NULL, look)) return 1;
     w->nodes = 0;
@@ -530,11 +533,11 @@ int map_row_find(map_worker *w, size_t index) {
     status = map_row_begin(w, index, &error);
     if (status == GOUGH_OK) {
         row->period = w->period;
-        if (w->period.resting && w->model.control.feedforward) {
+        if (w->period.resting && map_row_kept(w)) {
             stopped = find_at_rest(w);
         } else if (w->period.resting) {
             stopped = find_one_by_one(w, look_at_rest);
-        } else if (!w->model.control.feedforward) {
+        } else if (!map_row_kept(w)) {
             stopped = find_one_by_one(w, look_along_orbit);
         } else {
             stopped = find_by_tables(w, &error);

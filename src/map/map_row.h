@@ -43,6 +43,9 @@ size_t map_worker_size(const map_job *job);
 map_worker *map_worker_begin(const map_job *job, void *memory);
 
 /* The study as it is in a row, its period, and how the period is divided. */
+/* whether the row's loop keeps its program */
+bool map_row_kept(const map_worker *w);
+
 gough_status map_row_begin(map_worker *w, size_t index, gough_error *error);
 
 /* How far Φ of the row changes when its steps are halved, relative to its largest element. */

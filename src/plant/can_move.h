@@ -44,22 +44,4 @@ static inline int machine_loads_follow(const gough_machine *machine) {
     return 0;
 }
 
-/* Whether the program is a motion of the loop. One whose feed-forward ignores mass or friction of the legs, or external loads,
- * moves otherwise, and what is said about the program would not hold for it. */
-static inline gough_status control_keeps_program(const gough_machine *machine,
-                                                 const gough_control *control, gough_error *error) {
-    int rough = machine_has_dry_friction(machine);
-
-    for (int v = 0; v < GOUGH_LEGS; v++) rough |= machine->platform.friction.viscous[v] > 0;
-    if (!control->feedforward || !((control->ignores_legs && machine->platform.legs_have_mass) ||
-                                   (control->ignores_friction && rough) ||
-                                   (control->ignores_external && machine->externals > 0))) {
-        return GOUGH_OK;
-    }
-    return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.model",
-                          "the program forces ignore the mass or friction of the legs or external "
-                          "loads, so the loop does not move along its program, and stability about "
-                          "it is not computed; leave control.model out, or simulate");
-}
-
 #endif

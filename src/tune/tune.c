@@ -9,6 +9,7 @@
 #include "base/assert.h"
 #include "linear/linear.h"
 #include "plant/can_move.h"
+#include "plant/keeps_program.h"
 
 /* the curve goes on above the G named by this factor */
 static const double beyond = 5;
@@ -105,6 +106,15 @@ void tune_make_plain(gough_model *model) {
     memset(&model->machine.platform.actuators, 0, sizeof model->machine.platform.actuators);
 }
 
+void tune_feed_as_asked(const tune *t, gough_model *model) {
+    const gough_control *asked = &t->loop->control;
+
+    model->control.feedforward = asked->feedforward;
+    model->control.ignores_legs = asked->ignores_legs;
+    model->control.ignores_friction = asked->ignores_friction;
+    model->control.ignores_external = asked->ignores_external;
+}
+
 void tune_make_as_asked(const tune *t, gough_model *model) {
     model->control.sampling = t->model->control.sampling;
     memcpy(model->control.integral, t->model->control.integral, sizeof model->control.integral);
@@ -117,7 +127,7 @@ static gough_status look_at_home(tune *t, gough_error *error) {
     double large, fastest = 0, slowest = INFINITY;
     gough_status status;
 
-    t->steady->control.feedforward = true;
+    control_knows_all(&t->steady->control);
     tune_make_plain(t->steady);
     uncouple(&t->steady->control);
     set_stiffness(t->steady, 0);
@@ -280,7 +290,7 @@ static gough_status bytes_for_map(const gough_model *model, const gough_tuning_o
             tune_map_options(options, 0.5 * probe.map_top, probe.map_top, TUNE_ROUND + 2);
         steady.control = model->control;
         uncouple(&steady.control);
-        steady.control.feedforward = true;
+        control_knows_all(&steady.control);
         status = gough_map_size(&steady, &map, bytes, error);
     }
     *bytes *= 2;
@@ -295,7 +305,6 @@ gough_status gough_tune_size(const gough_model *model, const gough_tuning_option
 
     *bytes = 0;
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
-    if (status == GOUGH_OK) status = control_keeps_program(&model->machine, &model->control, error);
     if (status == GOUGH_OK && !(model->control.sampling.period > 0))
         status = linear_refuse_states(model, "the least stiffness for an accuracy", error);
     if (status == GOUGH_OK) status = bytes_for_map(model, options, &for_map, error);
@@ -327,7 +336,7 @@ static gough_status prepare(tune *t, const gough_simulation *simulation, bool fe
     if (status == GOUGH_OK) status = tune_find_window(t, error);
     if (status == GOUGH_OK) status = find_range(t, error);
     if (status == GOUGH_OK) status = find_period(t, error);
-    t->steady->control.feedforward = feedforward;
+    tune_feed_as_asked(t, t->steady);
     t->fine = status == GOUGH_OK && tune_is_stiff(t);
     return status;
 }

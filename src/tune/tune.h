@@ -72,6 +72,9 @@ gough_status tune_check_options(const gough_model *model, const gough_tuning_opt
 void tune_make_plain(gough_model *model);
 void tune_make_as_asked(const tune *t, gough_model *model);
 
+/* the feed-forward asked for, and what it ignores */
+void tune_feed_as_asked(const tune *t, gough_model *model);
+
 /* ---- tune_scale.c ---- */
 
 /* unit, settled, furthest; from model and simulation */

@@ -8,6 +8,7 @@
 #include "linear/equilibrium.h"
 #include "linear/linear.h"
 #include "plant/can_move.h"
+#include "plant/keeps_program.h"
 #include "program/program_valid.h"
 #include "tune/tune.h"
 
@@ -82,7 +83,7 @@ static gough_status parts(const gough_model *model, double unit, affine *A, goug
     const linear_loop loop = {&model->machine, &motion, &control, false, 0};
     gough_status status = equilibrium_find(model, NULL, &motion, error);
 
-    control.feedforward = true;
+    control_knows_all(&control);
     memset(control.cross_damping, 0, sizeof control.cross_damping);
     for (int with = 0; with < 2 && status == GOUGH_OK; with++) {
         double(*matrix)[N] = with ? A->damped : A->still;

@@ -6,6 +6,7 @@
 
 #include "base/quantity.h"
 #include "linear/sampled.h"
+#include "plant/keeps_program.h"
 #include "tune/tune.h"
 
 enum { WORK = 8 * SAMPLED_ROWS, MOST_STEPS = 100, GRID = 40 };
@@ -249,7 +250,7 @@ gough_status tune_find_window(tune *t, gough_error *error) {
     t->tuning->upper_frequency = NAN;
     t->tuning->sampled = t->sampled;
     if (!t->sampled) return GOUGH_OK;
-    t->steady->control.feedforward = true;
+    control_knows_all(&t->steady->control);
     if (t->ratio) status = window_by_ratio(t, error);
     /* and what could be, where no G holds */
     if (status == GOUGH_OK && !(t->tuning->upper > 0)) status = window_by_damping(t, error);

@@ -99,6 +99,10 @@ static bool is_well_damped(const tune *t, double stiffness, double damping) {
     return D * t->slow > 2 * well_damped * sqrt(stiffness);
 }
 
+static bool keeps_program(const tune *t) {
+    return gough_keeps_program(&t->loop->machine, &t->loop->control, !t->period.resting);
+}
+
 /* The map finds resonances however narrow; it is quick where the motion is the program's own, and its memory is limited. Sets the
  * gains. */
 static bool can_map(tune *t, double from, double to, size_t count, double damping) {
@@ -106,8 +110,7 @@ static bool can_map(tune *t, double from, double to, size_t count, double dampin
     size_t bytes;
 
     set_gains(t, from, damping);
-    if (t->sampled || !t->loop->control.feedforward || !(to > from) || to > t->map_top)
-        return false;
+    if (t->sampled || !keeps_program(t) || !(to > from) || to > t->map_top) return false;
     if (!t->period.resting && is_well_damped(t, to, damping)) return false;
     return gough_map_size(t->steady, &options, &bytes, NULL) == GOUGH_OK && bytes <= t->map_bytes;
 }
@@ -178,7 +181,7 @@ gough_status tune_growth_of(tune *t, double before, gough_tuning_point *point, s
 
     *count = 0;
     for (size_t i = 0; i < points; i++) ran |= point[i].cause == GOUGH_END_DONE;
-    if (!t->period.resting && (!t->loop->control.feedforward || t->quiet || !ran)) {
+    if (!t->period.resting && (!keeps_program(t) || t->quiet || !ran)) {
         pass_over(point, points);
         return status;
     }

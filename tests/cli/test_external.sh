@@ -32,7 +32,7 @@ near "$what" "$(column sag.csv ez | tail -1)" "$(awk -v c="$compliance" 'BEGIN {
 run simulate own.yaml --set "$small" -o known.csv
 near "$what, if known" "$(jq -n 1 >/dev/null; awk -F, 'NR > 1 { for (i = 1; i <= NF; i++) if (name[i] ~ /^e[xyz]$/) { x = $i < 0 ? -$i : $i; if (x > most) most = x } } NR == 1 { for (i = 1; i <= NF; i++) name[i] = $i } END { printf "%.3g", most }' known.csv)" 0 1e-9
 run stability own.yaml --set motion= --set 'external=[{force: [0, 0, -20]}]' --set control.model.external=false
-says "Without the external loads in the feed-forward the loop rests where springs and load balance"
+says "With feed-forward that ignores the external loads, the loop rests where springs and load balance"
 
 # numbers of loads vary in a sweep as they do by hand
 what="a sweep of a load"

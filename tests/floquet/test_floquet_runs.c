@@ -323,8 +323,120 @@ START_TEST(weak_legs_without_feedforward_are_told) {
 }
 END_TEST
 
+/* ---- where the feed-forward ignores part of the machine ---- */
+
+enum { NO_LEGS = 1, NO_FRICTION = 2, NO_LOADS = 4 };
+
+static gough_model *ignoring(int what, double G, double D, gough_external *wind) {
+    gough_model *model = model_of(true, all, G, D);
+    dice d = {43};
+
+    give_legs(&model->machine, LEGS_HEAVY | (what & NO_FRICTION ? LEGS_VISCOUS : 0), &d);
+    if (what & NO_LOADS) {
+        *wind = (gough_external){.at = {0.1, 0.2, 0.3}, .at_given = true};
+        set_formula(&wind->force[0], "0.05*cos(t)");
+        set_formula(&wind->force[2], "-0.1");
+        ck_assert(gough_machine_set_external(&model->machine, wind, 1, NULL) == GOUGH_OK);
+    }
+    model->control.ignores_legs = what & NO_LEGS;
+    model->control.ignores_friction = what & NO_FRICTION;
+    model->control.ignores_external = what & NO_LOADS;
+    return model;
+}
+
+/* The motion found is none of the program, comes back in a nonlinear run, and deviations from it go as predicted, growing ones too.
+ * Forces that depend on time alone and springs have a potential, so that without any damping pairs and determinant hold. */
+START_TEST(motion_of_a_controller_that_ignores_comes_back) {
+    static const struct {
+        int what;
+        double G, D, unstable;
+    } CASES[] = {{NO_LEGS, 30, 0, 0},
+                 {NO_LEGS, 4.458, 0, 1.01},
+                 {NO_LOADS, 3.096, 0, 5},
+                 {NO_FRICTION, 3, 0, 2},
+                 {NO_LEGS | NO_FRICTION | NO_LOADS, 10, 0.2, 0}};
+
+    for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
+        gough_external wind;
+        gough_model *model = ignoring(CASES[i].what, CASES[i].G, CASES[i].D, &wind);
+        const gough_floquet f = multipliers(model);
+        const gough_state after = run(model, &f.state, f.period);
+        gough_acceleration ignored;
+        gough_state program;
+        double apart[N];
+        difference(&model->machine, &f.state, &after, apart);
+        ck_assert_msg(size_of(apart) <= 1e-9, "case %zu: %g", i, size_of(apart));
+        gough_program(&model->machine, &model->motion, f.start, &program, &ignored);
+        difference(&model->machine, &program, &f.state, apart);
+        ck_assert_msg(size_of(apart) > 1e-3, "case %zu: %g", i, size_of(apart));
+        if (!(CASES[i].D > 0) && !(CASES[i].what & NO_FRICTION)) {
+            ck_assert_msg(f.determinant_defect <= 1e-9, "%g", f.determinant_defect);
+            ck_assert_msg(f.pair_defect <= 1e-8, "%g", f.pair_defect);
+        }
+        check_run(model, false, CASES[i].unstable);
+        free(model);
+    }
+}
+END_TEST
+
+/* how far a run with dry friction is from a state after some periods, well damped */
+static double lag(gough_model *model, const gough_floquet *f, double coulomb) {
+    gough_platform p = model->machine.platform;
+    const gough_load load = model->machine.load;
+    double gravity[3], apart[N];
+    gough_state after;
+
+    memcpy(gravity, model->machine.gravity, sizeof gravity);
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        p.friction.coulomb[v] = p.friction.breakaway[v] = coulomb;
+        p.friction.smoothing_speed[v] = 0.01;
+    }
+    ck_assert(gough_machine_init(&model->machine, &p, &load, gravity, NULL) == GOUGH_OK);
+    after = run(model, &f->state, 2 * f->period);
+    difference(&model->machine, &f->state, &after, apart);
+    return size_of(apart);
+}
+
+/* Dry friction is left out of the motion too: multipliers and state are, bit for bit, those without it. A run is off that motion by
+ * as much as the friction. */
+START_TEST(dry_friction_is_left_out_of_the_motion) {
+    for (int fed = 0; fed < 2; fed++) {
+        gough_model *model = ignoring(NO_LEGS | NO_FRICTION, 20, 1, NULL);
+        model->control.feedforward = fed;
+        const gough_floquet bare = multipliers(model);
+        const double one = lag(model, &bare, 1e-4);
+        const gough_floquet dry = multipliers(model);
+        const double two = lag(model, &bare, 2e-4);
+        ck_assert(memcmp(&bare.state, &dry.state, sizeof bare.state) == 0);
+        ck_assert(memcmp(bare.monodromy, dry.monodromy, sizeof bare.monodromy) == 0);
+        ck_assert_msg(one > 1e-5 && one < 1e-3, "%g", one);
+        ck_assert_msg(fabs(two / one - 2) <= 0.02, "%g", two / one);
+        free(model);
+    }
+}
+END_TEST
+
+START_TEST(what_keeps_the_loop_from_its_program_is_told) {
+    gough_external wind;
+    gough_model *model = ignoring(NO_LEGS | NO_FRICTION | NO_LOADS, 0.05, 0, &wind);
+    gough_error error = {0};
+    gough_floquet f;
+
+    ck_assert(gough_floquet_multipliers(model, NULL, 0, &f, &error) == GOUGH_ERROR_NUMERICAL);
+    ck_assert_msg(strstr(error.message, "with feed-forward that ignores the legs' mass, their "
+                                        "viscous friction and the external loads no periodic "
+                                        "motion was found near the program") &&
+                      strstr(error.message, "or set control.model.legs, control.model.friction "
+                                            "and control.model.external to true"),
+                  "%s", error.message);
+    free(model);
+}
+END_TEST
+
 int main(void) {
-    return SUITE_RUN("floquet_runs", 120, growth_is_that_of_a_run_in_heave,
+    return SUITE_RUN("floquet_runs", 120, motion_of_a_controller_that_ignores_comes_back,
+                     dry_friction_is_left_out_of_the_motion,
+                     what_keeps_the_loop_from_its_program_is_told, growth_is_that_of_a_run_in_heave,
                      growth_is_that_of_a_run_on_six_axes, growth_is_that_of_a_run_with_heavy_legs,
                      growth_is_that_of_a_run_with_damping, motion_without_feedforward_comes_back,
                      weak_legs_without_feedforward_are_told);

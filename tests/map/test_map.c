@@ -129,6 +129,31 @@ START_TEST(without_feedforward_points_are_those_of_the_motion_found) {
 }
 END_TEST
 
+/* the motion of a controller that ignores the legs depends on the stiffness too; so does its pose at rest */
+START_TEST(points_are_those_of_a_controller_that_ignores_the_legs) {
+    for (int resting = 0; resting < 2; resting++) {
+        gough_model *model = map_heaving(resting ? "0" : "0.05*sin(t)");
+        const gough_map_options o = map_over(4, 8, 3);
+        dice d = {29};
+        atlas a;
+
+        give_legs(&model->machine, LEGS_HEAVY, &d);
+        model->control.ignores_legs = true;
+        map_find_all(&a, model, &o);
+        ck_assert_msg(a.map.row[0].error.status == GOUGH_OK, "%s", a.map.row[0].error.message);
+        if (!resting) same_as_alone(model, &a);
+        for (size_t i = 0; i < a.points && resting; i++) {
+            gough_rest rest;
+            set_gains(model, gough_map_value(&o.stiffness, i), 0);
+            ck_assert(gough_stability_at_rest(model, NULL, &rest, NULL) == GOUGH_OK);
+            ck_assert(fabs(a.map.point[i].rate - rest.growth) <= 1e-12);
+        }
+        map_drop(&a);
+        free(model);
+    }
+}
+END_TEST
+
 /* ---- what it rests on ---- */
 
 /* (floquet-22): Φᵀ Ω Φ = Ω over a period of all six axes, elements of Ω up to 1.3 */
@@ -278,6 +303,7 @@ int main(void) {
                      points_are_good_for_stiff_and_for_viscous_legs_too,
                      same_bits_in_all_lanes_and_threads, twice_the_frequency_is_the_faster_program,
                      without_feedforward_points_are_those_of_the_motion_found,
+                     points_are_those_of_a_controller_that_ignores_the_legs,
                      undamped_motion_keeps_its_symplectic_form, progress_stops_it,
                      rows_without_values_say_why, refuses_axes_without_values,
                      values_of_an_axis_meet_its_ends);

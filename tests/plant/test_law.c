@@ -157,9 +157,61 @@ START_TEST(runs_apply_the_law) {
 }
 END_TEST
 
+/* ---- whether a loop keeps its program ---- */
+
+static int watch(void *context, const gough_row *row) {
+    double *most = context;
+
+    for (int c = 0; c < 3; c++) {
+        const double e = fabs(row->value[GOUGH_EX + c]);
+        if (!(e <= *most)) *most = e;
+    }
+    return 0;
+}
+
+/* what the machine has and what the feed-forward ignores, as bits: mass of the legs, viscous friction, a load */
+static void check_keeping(int has, int ignores, bool feeds, bool moving) {
+    gough_model *model = calloc(1, sizeof *model);
+    gough_simulation s = gough_simulation_default();
+    gough_external wind = {.at_given = false};
+    double most = 0;
+    gough_end end;
+    dice d = {7};
+
+    ck_assert_ptr_nonnull(model);
+    skew_machine(&model->machine);
+    give_legs(&model->machine, (has & 1 ? LEGS_HEAVY : 0) | (has & 2 ? LEGS_VISCOUS : 0), &d);
+    set_formula(&wind.force[1], "0.05");
+    if (has & 4) ck_assert(gough_machine_set_external(&model->machine, &wind, 1, NULL) == GOUGH_OK);
+    if (moving) set_all_axes(model);
+    set_gains(model, 20, 1);
+    model->control.feedforward = feeds;
+    model->control.ignores_legs = ignores & 1;
+    model->control.ignores_friction = ignores & 2;
+    model->control.ignores_external = ignores & 4;
+    s.duration = 1;
+    ck_assert(gough_simulate(model, &s, watch, &most, &end, NULL) == GOUGH_OK);
+    const bool keeps = gough_keeps_program(&model->machine, &model->control, moving);
+    ck_assert_msg(keeps ? most <= 1e-8 : most > 1e-5,
+                  "has %d, ignores %d, feeds %d, moving %d: keeps %d, but is off by %g", has,
+                  ignores, feeds, moving, keeps, most);
+    free(model);
+}
+
+/* each combination against a run of it */
+START_TEST(a_loop_keeps_its_program_if_its_run_does) {
+    for (int has = 0; has < 8; has++) {
+        for (int ignores = 0; ignores < 8; ignores++) {
+            for (int way = 0; way < 4; way++) check_keeping(has, ignores, way & 1, way & 2);
+        }
+    }
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("plant/law", 60, the_law_is_that_of_each_leg_by_itself,
                      the_forces_may_take_the_place_of_any_input,
                      without_feed_forward_program_forces_are_not_read,
-                     what_is_not_a_number_stays_in_its_leg, runs_apply_the_law);
+                     what_is_not_a_number_stays_in_its_leg, runs_apply_the_law,
+                     a_loop_keeps_its_program_if_its_run_does);
 }

@@ -248,6 +248,34 @@ START_TEST(stiffness_without_feedforward_is_that_of_the_sag) {
 }
 END_TEST
 
+/* (tune-3) with a load that the controller does not know in the place of the weight: a force V downwards at the centre of mass
+ * sinks the top by V l²/(6 h² G), with what the weight takes off the stiffness of the legs. Along a program growth is that of the
+ * loop's own motion. */
+START_TEST(stiffness_for_unknown_loads_is_that_of_the_sag) {
+    const double l2 = 1.49, V = 0.05, asked = 1e-4;
+    gough_external down = {.at_given = false};
+    search s = begin(6);
+
+    set_formula(&down.force[2], "-0.05");
+    ck_assert(gough_machine_set_external(&s.model->machine, &down, 1, NULL) == GOUGH_OK);
+    s.model->control.ignores_external = true;
+    s.options.damping_ratio = 0.9;
+    s.options.deviation = asked;
+    tune_well(&s, true);
+    const double law = V * l2 / (6 * asked) + (1 + V) * 0.49 / 6;
+    ck_assert_msg(fabs(s.tuning.stiffness - law) <= 1e-3 * law, "%.9g, not %.9g",
+                  s.tuning.stiffness, law);
+    check_choice(&s, true);
+
+    set_formula(&s.model->motion.formula[GOUGH_HEAVE], "0.02*sin(t)*(1 - exp(-t/2))^2");
+    tune_well(&s, true);
+    check_choice(&s, true);
+    ck_assert(s.tuning.periodic && s.tuning.found);
+    ck_assert(fabs(s.tuning.slope + 1) <= 0.03);
+    end(&s);
+}
+END_TEST
+
 /* (tune-2): with it a slow disturbance ε of each leg leaves ε l/(h G). */
 START_TEST(stiffness_against_a_slow_disturbance_is_the_quasistatic_one) {
     const double l = sqrt(1.49), asked = 1e-5;
@@ -451,6 +479,7 @@ int main(void) {
     return SUITE_RUN(
         "tune", 280, damping_gives_the_ratio_asked_for, damping_of_heave_is_the_closed_form,
         a_free_run_decays_by_the_ratio, stiffness_without_feedforward_is_that_of_the_sag,
+        stiffness_for_unknown_loads_is_that_of_the_sag,
         stiffness_against_a_slow_disturbance_is_the_quasistatic_one,
         deviation_without_feedforward_falls_as_the_inverse_of_the_stiffness,
         few_runs_bracket_the_stiffness, stiffness_keeps_its_margin_from_the_threshold,

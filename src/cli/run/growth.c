@@ -67,13 +67,13 @@ static bool grows_at_rest(const loop *l, const double *component, const char *wh
     return told;
 }
 
-/* Over a period of the program. Without feed-forward that would take longer than many a run. */
+/* Over a period of the program. Where the loop does not keep its program that would take longer than many a run. */
 static bool grows_along(const loop *l, const gough_period *period) {
     const gough_model *model = l->study->model;
     const double periods = l->study->simulation.duration / period->period;
     gough_floquet *floquet = malloc(sizeof *floquet);
     bool told = false;
-    if (floquet && model->control.feedforward && periods >= 1 &&
+    if (floquet && gough_keeps_program(&model->machine, &model->control, true) && periods >= 1 &&
         gough_floquet_multipliers(model, period, 1e-9, floquet, NULL) == GOUGH_OK &&
         !floquet->stable && log(floquet->growth) * periods > log(least_growth)) {
         remark(l->verb,

@@ -252,28 +252,16 @@ static void print_pose(FILE *stream, const double pose[GOUGH_COMPONENTS], const 
     if (!*joint) fprintf(stream, "home");
 }
 
-/* Whether the springs carry some of the load: what is fed forward does not. */
-static bool sags(const stability_report *report) {
-    const gough_control *control = &report->study->model->control;
-    return !control->feedforward || (control->ignores_legs && legs_have_mass(report)) ||
-           (control->ignores_external && report->study->model->machine.externals > 0);
-}
-
 /* Where the springs carry the load. */
 static void print_sag(FILE *stream, const stability_report *report, const double position[3]) {
-    const gough_control *control = &report->study->model->control;
     double shown[3];
     for (int k = 0; k < 3; k++)
         shown[k] = fabs(position[k]) < 1e-12 * report->arm ? 0.0 : position[k];
-    fprintf(stream,
-            "  %s the loop rests where springs and load balance, with the top at\n"
-            "  %.6g, %.6g, %.6g%s\n",
-            !control->feedforward        ? "Without feed-forward"
-            : !control->ignores_external ? "Without the legs' weight in the feed-forward"
-            : !control->ignores_legs
-                ? "Without the external loads in the feed-forward"
-                : "Without legs' weight and external loads in the feed-forward",
-            shown[0], shown[1], shown[2], unit_word(&report->units, GOUGH_UNIT_LENGTH));
+    print_paragraph(stream, "  ", 2,
+                    "%s the loop rests where springs and load balance, with the top at "
+                    "%.6g, %.6g, %.6g%s",
+                    words_of_feed(report->study->model, false).text, shown[0], shown[1], shown[2],
+                    unit_word(&report->units, GOUGH_UNIT_LENGTH));
 }
 
 /* What is known of the stiffness beforehand; with matrices of gains it need not be symmetric. */
@@ -300,7 +288,8 @@ static void print_rest(FILE *stream, const stability_report *report, const gough
     fprintf(stream, "\nAt rest%s: ", where);
     print_pose(stream, pose, unit);
     fprintf(stream, "\n");
-    if (sags(report)) print_sag(stream, report, rest->state.position);
+    if (!gough_keeps_program(&report->study->model->machine, &report->study->model->control, false))
+        print_sag(stream, report, rest->state.position);
     if (report->sampled) {
         const bool last = rest == &report->last;
         stability_print_sampled(stream, report,
@@ -411,11 +400,14 @@ static void print_program(FILE *stream, const stability_report *report) {
         fprintf(stream, ", from t = %.4g%s on", report->floquet.start,
                 unit_word(unit, GOUGH_UNIT_TIME));
     fprintf(stream, "\n");
-    if (!report->study->model->control.feedforward)
+    const gough_model *model = report->study->model;
+    if (!gough_keeps_program(&model->machine, &model->control, true))
         print_paragraph(stream, "  ", 2,
-                        "Without feed-forward the loop has a periodic motion of its own, %.4g%s "
-                        "from the program when the period begins. The multipliers are those of "
-                        "this motion; a run that starts far from it may not reach it.",
+                        "%s the loop has a periodic motion of its own%s, %.4g%s from the program "
+                        "when the period begins. The multipliers are those of this motion; a run "
+                        "that starts far from it may not reach it.",
+                        words_of_feed(model, true).text,
+                        leaves_out_friction(model) ? " (computed without dry friction)" : "",
                         report->sag, unit_word(unit, GOUGH_UNIT_LENGTH));
     print_multipliers(stream, report);
     print_floquet_checks(stream, &report->floquet);
@@ -433,10 +425,12 @@ void stability_print(FILE *stream, const stability_report *report) {
     const gain_words damping =
         words_of_gain(control, control->damping, gough_unit_factor(u, GOUGH_UNIT_DAMPING),
                       unit_word(unit, GOUGH_UNIT_DAMPING));
-    print_paragraph(stream, "", 0,
-                    "Stability of the closed loop: %s, stiffness G = %s, damping D = %s",
-                    control->feedforward ? "the program's forces fed forward" : "no feed-forward",
-                    stiffness.text, damping.text);
+    const ignored_words ignored =
+        control->feedforward ? words_of_ignored(report->study->model, true) : (ignored_words){""};
+    print_paragraph(
+        stream, "", 0, "Stability of the closed loop: %s%s%s, stiffness G = %s, damping D = %s",
+        control->feedforward ? "the program's forces fed forward" : "no feed-forward",
+        *ignored.text ? " except for " : "", ignored.text, stiffness.text, damping.text);
     fprintf(stream, "%s\n", units_sentence(report->study, u).text);
     print_left_out_friction(stream, report->study->model);
     print_rest(stream, report, &report->rest, report->pose, "");

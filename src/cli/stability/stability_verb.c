@@ -241,8 +241,9 @@ gough_status stability_find(stability_report *report, gough_error *error) {
     report->damped = is_damped(report->study->model);
     report->sampled = report->study->model->control.sampling.period > 0;
     gough_status status = report->posed ? GOUGH_OK : find_about_program(report, error);
-    const bool fed = report->study->model->control.feedforward;
-    if (status == GOUGH_ERROR_INPUT || (status == GOUGH_ERROR_NUMERICAL && fed)) {
+    const gough_model *model = report->study->model;
+    const bool kept = gough_keeps_program(&model->machine, &model->control, true);
+    if (status == GOUGH_ERROR_INPUT || (status == GOUGH_ERROR_NUMERICAL && kept)) {
         gough_error cause = *error;
         gough_error_say(&cause, &report->study->units);
         gough_fail(error, status, "%s. For the stability at rest alone, use --pose surge=0",

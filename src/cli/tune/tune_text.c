@@ -110,9 +110,16 @@ static void print_curve(FILE *stream, const gough_tuning *tuning, const gough_un
     print_exceptions(stream, tuning, unit);
 }
 
+/* "Without feed-forward", "With feed-forward that ignores the legs' mass" */
+static void print_heading(FILE *stream, const gough_model *model, bool fed) {
+    const ignored_words ignored = words_of_ignored(model, true);
+    const bool some = fed && *ignored.text;
+    fprintf(stream, "\n%s feed-forward%s%s\n", fed ? "With" : "Without",
+            some ? " that ignores " : "", some ? ignored.text : "");
+}
+
 static void print_choice(FILE *stream, const tune_choice *choice, const gough_units *unit) {
     const gough_tuning *tuning = &choice->tuning;
-    fprintf(stream, "\n%s feed-forward\n", choice->feedforward ? "With" : "Without");
     if (tuning->found) {
         fprintf(stream, "  stiffness   G = %.10g%s in each leg\n", tuning->stiffness,
                 unit_word(unit, GOUGH_UNIT_STIFFNESS));
@@ -165,7 +172,10 @@ void tune_print(FILE *stream, const tune_report *report) {
                 "At rest at home, with feed-forward, the machine needs G above %.6g%s (%s)\n",
                 first->threshold, unit_word(unit, GOUGH_UNIT_STIFFNESS), first->least_mode.name);
     if (first->sampled && first->upper > 0) print_upper(stream, report);
-    for (int c = 0; c < report->choices; c++) print_choice(stream, &report->choice[c], unit);
+    for (int c = 0; c < report->choices; c++) {
+        print_heading(stream, report->study->model, report->choice[c].feedforward);
+        print_choice(stream, &report->choice[c], unit);
+    }
     print_linear_friction(stream, report->study->model);
 }
 
