@@ -41,6 +41,23 @@ static gough_simulation tight(double duration) {
     return s;
 }
 
+/* the same steps in quadruple precision end for the same reason at the same time, but for what rounding makes of the run */
+static void expect_quad_alike(const gough_model *model, const gough_simulation *steps,
+                              const gough_end *wanted) {
+    gough_simulation s = *steps;
+    gough_end end;
+
+    s.precision = GOUGH_QUAD;
+    ck_assert_int_eq(gough_simulate(model, &s, NULL, NULL, &end, NULL), GOUGH_ERROR_NUMERICAL);
+    ck_assert_int_eq(end.cause, wanted->cause);
+    ck_assert_int_eq(end.leg, wanted->leg);
+    ck_assert_int_eq(end.component, wanted->component);
+    ck_assert_int_eq(end.least, wanted->least);
+    ck_assert(end.limit == wanted->limit);
+    ck_assert_msg(fabs(end.time - wanted->time) <= 1e-12, "%.17g, not %.17g", end.time,
+                  wanted->time);
+}
+
 /* outcome of the same run in lanes with fixed steps, and alone with the same steps */
 static void expect_lanes_alike(const gough_model *model, double duration) {
     gough_simulation s = gough_simulation_default();
@@ -68,6 +85,7 @@ static void expect_lanes_alike(const gough_model *model, double duration) {
         ck_assert(outcome[i].time == end.time);
     }
     free(memory);
+    expect_quad_alike(model, &s, &end);
 }
 
 /* The program exceeds one limit from `enter` on, first up to `leave`, and so does the motion; the sentence says which. */
