@@ -47,7 +47,7 @@ static void expect_quad_alike(const gough_model *model, const gough_simulation *
     gough_simulation s = *steps;
     gough_end end;
 
-    s.precision = GOUGH_QUAD;
+    s.precision = GOUGH_QUADRUPLE;
     ck_assert_int_eq(gough_simulate(model, &s, NULL, NULL, &end, NULL), GOUGH_ERROR_NUMERICAL);
     ck_assert_int_eq(end.cause, wanted->cause);
     ck_assert_int_eq(end.leg, wanted->leg);
