@@ -11,24 +11,25 @@
 #include "pose/walk.h"
 
 /* sentences of gough_pose_from_lengths() */
-static inline gough_status follow_lost(gough_error *error, const soma_way *way, int most_steps) {
+static inline gough_status follow_lost(gough_error *error, const soma_way *way, int most_steps,
+                                       bool tube) {
+    const char *unknown = tube ? ", or the lengths between are not known well enough" : "";
     const double reached = 100 * (double)way->reached;
     const int steps = (int)way->steps;
 
     if (steps == 0)
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                          "no step from this pose is certain: it is singular or nearly so, or the "
-                          "lengths on the way are not known well enough");
+                          "no step from this pose is certain: it is singular or nearly so%s",
+                          unknown);
     if (steps == most_steps)
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                           "%d certified steps reach only %.6g %% of the way to these lengths: "
                           "allow more steps, or come in smaller changes",
                           steps, reached);
-    return gough_fail(
-        error, GOUGH_ERROR_NUMERICAL,
-        "the way to these lengths is certain for %.6g %% of it only: there it meets a "
-        "singular pose or passes too closely by one",
-        reached);
+    return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                      "the way to these lengths is certain for %.6g %% of it only: there it "
+                      "meets a singular pose or passes too closely by one%s",
+                      reached, unknown);
 }
 
 static inline gough_status follow_input(const double length[GOUGH_LEGS],
@@ -97,7 +98,7 @@ static inline gough_status follow(const gough_machine *machine, const double len
         c.position_error += rounding * pose_norm(f.base);
     }
     if (certificate) *certificate = c;
-    return c.reached < 1 ? follow_lost(error, &way, most_steps) : GOUGH_OK;
+    return c.reached < 1 ? follow_lost(error, &way, most_steps, tube != NULL) : GOUGH_OK;
 }
 
 #endif

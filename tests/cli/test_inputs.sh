@@ -116,6 +116,7 @@ each() { # each ARGUMENT… with STUDY for the study
     grep -q 'standard input:1:1: error: the study is empty' err || fail "$*, of nothing: $(cat err)"
 }
 each check STUDY
+each pose STUDY --lengths "$("$GOUGH" check own.yaml --json | tr -d ' \n' | sed 's/.*"home_length":\[\([^]]*\)\].*/\1/')"
 each forces STUDY -o piped.csv
 each simulate STUDY -o piped.csv
 each stability STUDY --pose surge=0

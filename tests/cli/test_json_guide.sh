@@ -52,6 +52,13 @@ json check-5.json check own-machine.yaml --pose yaw=5 --set 'external=[{force: [
 json check-6.json check own-machine.yaml --set 'control.sampling={period: 0.001}' --set control.damping=1000
 hold '## check' check-6.json check-1.json check-2.json check-3.json check-4.json check-5.json
 
+lengths=0.33,0.32,0.33,0.32,0.33,0.32
+json pose-1.json pose own-machine.yaml --lengths "$lengths"
+json pose-2.json pose own-machine.yaml --lengths "$lengths" --all
+printf 't,l1,l2,l3,l4,l5,l6\n0,%s\n1,%s\n' "$lengths" 0.4,0.2,0.4,0.2,0.4,0.2 >lengths.csv
+json pose-3.json pose own-machine.yaml --samples lengths.csv -o poses.csv
+hold '## pose' pose-1.json pose-2.json pose-3.json
+
 json run-1.json forces own-machine.yaml
 json run-2.json forces own-machine.yaml --set platform.legs.max_speed=0.05
 json run-3.json simulate own-machine.yaml --set platform.legs.max_speed=0.05

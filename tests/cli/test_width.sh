@@ -21,7 +21,7 @@ fits() { # fits ARGUMENT…: the verb's output has no line beyond 100 characters
 }
 
 refusal=0
-for verb in '' example check forces simulate sweep merge stability tune plot report; do
+for verb in '' example check pose forces simulate sweep merge stability tune plot report; do
     # shellcheck disable=SC2086
     fits $verb --help
 done

@@ -89,7 +89,7 @@ static bool print_leg_limit(const gough_limits *l, int k, double factor, const c
     if (!given) return false;
     printf("  %-20s ", even ? "greatest force" : leg_limits[k].label);
     for (int v = 0; v < (alike ? 1 : GOUGH_LEGS); v++) {
-        if (v) printf(", ");
+        if (v) printf(v == 3 && sides == 2 ? ",\n                       " : ", ");
         if (is_given(bound + sides * v, sides, k == 0))
             print_bound(bound + sides * v + even, even ? 1 : sides, factor);
         else

@@ -42,7 +42,7 @@ static void read_pose_option(const struct argp_state *state, const option *o, co
     gough_error error = {.message = ""};
     (void)o;
     view->asked = true;
-    if (!read_pose(text, view->pose, &error)) usage_error(state, "%s", error.message);
+    if (!read_pose("pose", text, view->pose, &error)) usage_error(state, "%s", error.message);
 }
 
 static const option pose_option[] = {

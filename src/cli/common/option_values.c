@@ -24,40 +24,42 @@ static int component_of(const char *name, size_t length) {
     return c;
 }
 
-static bool refuse_component(const char *name, size_t length, gough_error *error) {
+static bool refuse_component(const char *option, const char *name, size_t length,
+                             gough_error *error) {
     const char *known[GOUGH_COMPONENTS];
     char word[40];
     snprintf(word, sizeof word, "%.*s", (int)(length < 39 ? length : 39), name);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) known[c] = gough_component_name(c);
     const char *near = nearest_word(word, known, GOUGH_COMPONENTS);
     gough_fail(error, GOUGH_ERROR_INPUT,
-               "--pose has no component '%s'%s%s%s; the components are surge, sway, heave "
+               "--%s has no component '%s'%s%s%s; the components are surge, sway, heave "
                "(lengths), roll, pitch and yaw (angles), in the study's units",
-               word, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+               option, word, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
     return false;
 }
 
-bool read_pose(const char *text, double pose[GOUGH_COMPONENTS], gough_error *error) {
+bool read_pose(const char *name, const char *text, double pose[GOUGH_COMPONENTS],
+               gough_error *error) {
     bool given[GOUGH_COMPONENTS] = {false};
     for (const char *at = text;; at++) {
         const char *end = at + strcspn(at, ","), *equal = memchr(at, '=', (size_t)(end - at));
         double value;
         if (!equal) {
             gough_fail(error, GOUGH_ERROR_INPUT,
-                       "--pose takes displacements from home, as in --pose heave=0.1,yaw=10 "
+                       "--%s takes displacements from home, as in --%s heave=0.1,yaw=10 "
                        "(in the study's units); got '%s'",
-                       text);
+                       name, name, text);
             return false;
         }
         const int c = component_of(at, (size_t)(equal - at));
-        if (c == GOUGH_COMPONENTS) return refuse_component(at, (size_t)(equal - at), error);
+        if (c == GOUGH_COMPONENTS) return refuse_component(name, at, (size_t)(equal - at), error);
         if (!read_decimal(equal + 1, end, &value)) {
-            gough_fail(error, GOUGH_ERROR_INPUT, "--pose: %s must be a number; got '%.*s'",
+            gough_fail(error, GOUGH_ERROR_INPUT, "--%s: %s must be a number; got '%.*s'", name,
                        gough_component_name(c), (int)(end - equal - 1), equal + 1);
             return false;
         }
         if (given[c]) {
-            gough_fail(error, GOUGH_ERROR_INPUT, "--pose: %s is given twice; give it once",
+            gough_fail(error, GOUGH_ERROR_INPUT, "--%s: %s is given twice; give it once", name,
                        gough_component_name(c));
             return false;
         }

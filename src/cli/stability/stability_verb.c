@@ -19,7 +19,7 @@ static void read_pose_option(const struct argp_state *state, const option *o, co
     gough_error error = {0};
     (void)o;
     loop->posed = true;
-    if (!read_pose(text, loop->pose, &error)) usage_error(state, "%s", error.message);
+    if (!read_pose("pose", text, loop->pose, &error)) usage_error(state, "%s", error.message);
 }
 
 static void begin_loop(void *group) {

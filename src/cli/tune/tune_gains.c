@@ -59,7 +59,7 @@ static void read_gains_pose(const struct argp_state *state, const option *o, con
     gough_error error = {0};
     (void)o;
     asked->posed = true;
-    if (!read_pose(text, asked->pose, &error)) usage_error(state, "%s", error.message);
+    if (!read_pose("pose", text, asked->pose, &error)) usage_error(state, "%s", error.message);
 }
 
 static void begin_gains(void *group) {
