@@ -12,7 +12,8 @@ file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
     src/base/*.c src/kernel/*.c src/program/*.c src/plant/*.c src/model/*.c src/pose/*.c src/integrate/*.c src/run/*.c src/batch/*.c)
 file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/linear/*.c src/floquet/*.c src/map/*.c src/tune/*.c)
 # The core does not show its inner functions: what the others need of them is compiled into them again.
-list(APPEND GOUGH_ANALYSE_SOURCES ${PROJECT_SOURCE_DIR}/src/program/appointments.c ${PROJECT_SOURCE_DIR}/src/base/crew.c)
+list(APPEND GOUGH_ANALYSE_SOURCES ${PROJECT_SOURCE_DIR}/src/program/appointments.c ${PROJECT_SOURCE_DIR}/src/base/crew.c
+    ${PROJECT_SOURCE_DIR}/src/plant/keeps_program.c)
 file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS
     src/study/*.c src/table/*.c src/sweep/*.c src/figure/*.c src/page/*.c)
 list(APPEND GOUGH_FILES_SOURCES ${PROJECT_SOURCE_DIR}/src/base/crew.c)
