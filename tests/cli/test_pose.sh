@@ -13,7 +13,7 @@ pose=surge=2,sway=-3,heave=4,roll=0.1,pitch=0.12,yaw=0.05
 # near NAME A B TOLERANCE
 near() { awk -v a="$2" -v b="$3" -v t="$4" 'BEGIN { d = a - b; exit !(d <= t && d >= -t) }' || fail "$1: $2 is not $3 within $4"; }
 
-# the lengths of the pose are those of the instrument's own computation, to half of its last digit
+# the lengths of the pose are those of another computation, to half of its last digit
 run check camera.yaml --pose "$pose" --json
 for v in 0 1 2 3 4 5; do
     near "length $((v + 1))" "$(jq ".pose.length[$v]" out)" "$(cut -d, -f$((v + 1)) <<<$lengths)" 6e-7

@@ -202,16 +202,29 @@ START_TEST(lengths_without_a_pose_are_said_to_have_none) {
 }
 END_TEST
 
-/* a machine in which each pose is singular: hexagons that are similar */
+/* machines in which each pose is singular: similar hexagons; corners and middles of the sides of two equilateral triangles, corners
+ * joined to middles (M. Griffis and J. Duffy) */
 START_TEST(machines_that_are_always_singular_are_no_machines) {
-    const gough_platform platform =
-        gough_platform_symmetric(1, 20 * pi / 180, 0.6, 40 * pi / 180, 1.2);
+    gough_platform platform[2];
     const gough_load load = {.mass = 1, .inertia = {{0.08, 0, 0}, {0, 0.08, 0}, {0, 0, 0.15}}};
-    gough_machine machine;
-    gough_error error = {0};
-    ck_assert(gough_machine_init(&machine, &platform, &load, (double[3]){0, 0, -1}, &error) ==
-              GOUGH_ERROR_INPUT);
-    ck_assert(strstr(error.message, "singular in every pose") != NULL);
+    platform[0] = gough_platform_symmetric(1, 20 * pi / 180, 0.6, 40 * pi / 180, 1.2);
+    platform[1] = gough_platform_default();
+    platform[1].height = 1.2;
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        for (int ring = 0; ring < 2; ring++) {
+            const int n = v + ring; /* corners are even, and twice as far out as the middles */
+            const double r = (n % 2 ? 0.5 : 1.0) * (ring ? 0.6 : 1), angle = n * pi / 3;
+            double *joint = ring ? platform[1].top[v] : platform[1].base[v];
+            joint[0] = r * cos(angle), joint[1] = r * sin(angle);
+        }
+    }
+    for (int n = 0; n < 2; n++) {
+        gough_machine machine;
+        gough_error error = {0};
+        ck_assert(gough_machine_init(&machine, &platform[n], &load, (double[3]){0, 0, -1},
+                                     &error) == GOUGH_ERROR_INPUT);
+        ck_assert(strstr(error.message, "singular in every pose") != NULL);
+    }
 }
 END_TEST
 
