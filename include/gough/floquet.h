@@ -67,30 +67,38 @@ GOUGH_API gough_status gough_floquet_multipliers(const gough_model *model,
                                                  const gough_period *period, double tolerance,
                                                  gough_floquet *floquet, gough_error *error);
 
-/** A loop with a sampled controller about its periodic motion, over the samples of one period. */
+/** A loop with a sampled controller about its periodic motion, over the samples after which that motion repeats itself. */
 typedef struct gough_sampled_floquet {
     double start;      /**< time of the sample at which the chosen period begins */
     double period;     /**< of the program */
-    size_t samples;    /**< how many samples it has */
+    size_t periods;    /**< of the program in which the motion repeats itself, 1 … 16 */
+    size_t samples;    /**< number of samples in these */
+    double sampling;   /**< period of the controller that was used: periods · period / samples */
+    bool adjusted;     /**< it is another than the model's, which does not fit the program */
     gough_state state; /**< of the periodic motion just before the first of them */
     size_t size;       /**< how many multipliers there are */
     size_t listed;     /**< how many of them are in the list */
-    gough_multiplier multiplier[GOUGH_SAMPLED]; /**< by falling magnitude */
-    double growth;                              /**< largest |μ|: growth per period */
+    gough_multiplier multiplier[GOUGH_SAMPLED]; /**< over all samples, by falling magnitude */
+    double growth;                              /**< largest |μ|: growth in `periods` periods */
     bool stable;                                /**< no |μ| over 1 + 1e-7 */
-    size_t steps;                               /**< number of integration steps in the period */
+    size_t steps;                               /**< number of integration steps in the samples */
 } gough_sampled_floquet;
 
-/** Computes the multipliers of a loop with a sampled controller over one period of its program, about the periodic motion of the
- *  sampled loop, which differs from the program as held forces do from those that the program needs, (loop-10).
+/** Computes the multipliers of a loop with a sampled controller about the periodic motion of the sampled loop, which differs from
+ *  the program as held forces do from those that the program needs, (loop-10).
+ *
+ *  A motion that repeats itself needs a whole number of samples in q periods of the program, (loop-11). The least q up to 16 is
+ *  taken that gives one within 1e-9 of itself. If there is none, the controller's period is replaced by the nearest of which a
+ *  whole number fills one period of the program, and its delay and preview change in proportion; see `adjusted` and `sampling`.
+ *
  *  @param period  from gough_motion_period(); NULL: it is found here
- *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, at rest (use gough_sampled_at_rest()), a continuous controller, a period that
- *  is not a whole number of samples within 1e-9 or has more than 20000 of them, or a delay of more than 12 periods of the
- *  controller; GOUGH_ERROR_NUMERICAL: the program passes a singular pose, or no periodic motion was found near it; do not use
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, at rest (use gough_sampled_at_rest()), a continuous controller, a period of
+ *  the controller over two periods of the program, more than 20000 samples in those periods, or a delay of more than 12 periods of
+ *  the controller; GOUGH_ERROR_NUMERICAL: the program passes a singular pose, or no periodic motion was found near it; do not use
  *  @p floquet then.
  *
  *  Counts are taken for lengths; noise, jitter and dry friction are left out. A drive that is at a limit at a sample has no
- *  feedback from it. Takes some tenths of a second for a hundred samples. Allocates nothing; needs 1 MB of stack. Multipliers are
+ *  feedback from it. Takes about a tenth of a second for a hundred samples. Allocates nothing; needs 1 MB of stack. Multipliers are
  *  accurate to 1e-9 of the largest; several that are equal to the root of that according to their number. */
 GOUGH_API gough_status gough_floquet_sampled(const gough_model *model, const gough_period *period,
                                              gough_sampled_floquet *floquet, gough_error *error);

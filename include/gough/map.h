@@ -1,7 +1,9 @@
 /** @file map.h
- *  The stability map: which mode grows, and how fast, over stiffness and, as a second axis, amplitude, frequency or damping. The
- *  intervals of stiffness in which a mode grows (resonance tongues, and intervals below a threshold) are found independently of
- *  the grid. Theory: docs/theory/floquet.md. The bits are the same for any number of lanes and threads. In libgough-analyse.
+ *  The stability map: which mode grows, and how fast, over stiffness and, as a second axis, amplitude, frequency, damping, or
+ *  period or delay of a sampled controller. The intervals of stiffness in which a mode grows (resonance tongues, intervals below a
+ *  threshold or beyond what the delay bears) are found independently of the grid; those of a sampled controller between its
+ *  points. Theory: docs/theory/floquet.md, docs/theory/loop.md. The bits are the same for any number of lanes and threads. In
+ *  libgough-analyse.
  *
  *  A row of the map is one value of the second axis; without a second axis there is one row. If the program of a row is at rest,
  *  the row has growth rates at rest only. Numbers are in the units of the model. An error argument may be NULL.
@@ -25,8 +27,19 @@ typedef enum gough_map_axis {
     GOUGH_MAP_NONE,      /**< no second axis: one row */
     GOUGH_MAP_AMPLITUDE, /**< factor on the motion, in addition to the model's own amplitude */
     GOUGH_MAP_FREQUENCY, /**< factor on the motion's frequency, in addition to the model's own, > 0 */
-    GOUGH_MAP_DAMPING    /**< D of all legs, in place of the model's */
+    GOUGH_MAP_DAMPING,   /**< D of all legs, in place of the model's */
+    GOUGH_MAP_PERIOD, /**< T of the controller in place of the model's, > 0; delay and preview change in proportion. A
+                              continuous controller becomes a sampled one without delay */
+    GOUGH_MAP_DELAY /**< τ of a sampled controller, in place of the model's */
 } gough_map_axis;
+
+/** What a mode moves in, for gough_map_options.modes. */
+enum {
+    GOUGH_MAP_SWAY = 1,  /**< surge and sway */
+    GOUGH_MAP_HEAVE = 2, /**< heave */
+    GOUGH_MAP_TILT = 4,  /**< roll and pitch */
+    GOUGH_MAP_YAW = 8    /**< yaw */
+};
 
 /** Values of an axis. */
 typedef struct gough_map_range {
@@ -45,6 +58,9 @@ typedef struct gough_map_options {
     gough_map_range stiffness; /**< G, the same in all legs, ≥ 0 */
     gough_map_axis axis;       /**< which second axis */
     gough_map_range second;    /**< its values; ignored for GOUGH_MAP_NONE */
+    /** 0: all modes; else a sum of GOUGH_MAP_SWAY … GOUGH_MAP_YAW: only modes that move in nothing else count, as if the others
+     *  were held */
+    unsigned modes;
     double
         accuracy; /**< of multipliers, relative to the largest; 0: 1e-9. Rough programs, such as recorded
                             ones, may reach only 1e-6 */
@@ -72,7 +88,7 @@ static inline gough_map_options gough_map_options_default(void) {
 }
 
 /** One point of the grid. A point without a result (its row has an error, or no periodic motion was found where the loop does not
- *  keep its program) has NaN, an empty mode, and is not stable. */
+ *  keep its program or its controller is sampled) has NaN, an empty mode, and is not stable. */
 typedef struct gough_map_point {
     double growth; /**< largest |μ|: growth per period; NaN if the program is at rest */
     double rate;   /**< ln(growth)/T; at rest the largest Re λ */
@@ -86,10 +102,12 @@ typedef enum gough_interval_kind {
     GOUGH_INTERVAL_STATIC, /**< below its threshold: it grows from G = 0 on, without oscillating */
     GOUGH_INTERVAL_PLUS, /**< resonance at μ = +1: the mode makes a whole number of oscillations in each period */
     GOUGH_INTERVAL_MINUS, /**< resonance at μ = −1: a whole number and a half of oscillations */
-    GOUGH_INTERVAL_COMBINATION /**< combination resonance of two modes, μ not real */
+    GOUGH_INTERVAL_COMBINATION, /**< combination resonance of two modes, μ not real */
+    GOUGH_INTERVAL_OSCILLATION /**< of a sampled controller, μ not real where the interval begins: the delay of the forces drives
+                                    the mode, or two modes resonate. At rest, whenever the mode oscillates */
 } gough_interval_kind;
 
-/** "static", "resonance +1", "resonance -1", "combination". */
+/** "static", "resonance +1", "resonance -1", "combination", "oscillation". */
 GOUGH_API const char *gough_interval_kind_name(gough_interval_kind kind);
 
 /** An interval of stiffness in which a mode grows. Those of different modes may overlap. */
@@ -118,6 +136,10 @@ typedef struct gough_map_row {
         meetings; /**< places where multipliers meet that could leave the unit circle but do not, or within less than the
                           resolution; counted only without damping and with feed-forward */
     size_t steps; /**< number of integration steps in a period */
+    double
+        sampling; /**< period of the controller that was used, as in gough_sampled_floquet; 0: continuous */
+    size_t
+        periods; /**< of the program that its samples fill, likewise; 0 at rest, and with a continuous controller */
 } gough_map_row;
 
 /** The map, in the caller's memory. */
@@ -136,6 +158,12 @@ GOUGH_API gough_status gough_map_size(const gough_model *model, const gough_map_
                                       size_t *bytes, gough_error *error);
 
 /** Computes the map. The study's disturbances are ignored.
+ *
+ *  With a sampled controller each point is on its own, as from gough_floquet_sampled(), or gough_sampled_at_rest() where the
+ *  program rests; the period of the controller that is used is that of these functions. The kind of an interval is then that at
+ *  its beginning, and one that extends below the range begins with the range. Between two neighbouring points of the grid an
+ *  interval, or a gap between intervals, is found only if growth rises, or falls, towards it from both sides. Edges are accurate
+ *  to 1e-7 of the greatest stiffness, or 1e-4 where the periodic motion itself ends.
  *  @param memory  of gough_map_size(), aligned to 64; nothing else is allocated
  *  @param[out] map  its three arrays must have room for the number of elements given there
  *  @return GOUGH_OK, even if rows have no results, for example because the program is not periodic or passes a singular pose at

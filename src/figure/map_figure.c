@@ -242,15 +242,15 @@ static gough_status write_picture(const void *content, sheet_format format, cons
 /* values of enumerations that the drawing relies on */
 static gough_status check_map(const gough_map_options *options, const gough_map *found,
                               gough_error *error) {
-    if ((int)options->axis < GOUGH_MAP_NONE || options->axis > GOUGH_MAP_DAMPING)
+    if ((int)options->axis < GOUGH_MAP_NONE || options->axis > GOUGH_MAP_DELAY)
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "the second axis of the map: %d is neither amplitude nor frequency nor "
-                          "damping",
+                          "damping nor period nor delay",
                           (int)options->axis);
     for (size_t row = 0; row < gough_map_rows(options); row++)
         for (size_t i = 0; i < found->row[row].intervals; i++) {
             const gough_interval *one = &found->interval[row * options->intervals + i];
-            if ((int)one->kind >= GOUGH_INTERVAL_STATIC && one->kind <= GOUGH_INTERVAL_COMBINATION)
+            if ((int)one->kind >= GOUGH_INTERVAL_STATIC && one->kind <= GOUGH_INTERVAL_OSCILLATION)
                 continue;
             return gough_fail(error, GOUGH_ERROR_INPUT,
                               "row %zu of the map: %d is not a kind of interval", row + 1,

@@ -43,13 +43,25 @@ int stability_lanes(const field *f) {
 
 /* ---- the panel --------------------------------------------------------------------------------------------------- */
 
+/* Whether a point of the grid between two stiffnesses has no values. */
+static bool is_gap(const field *f, double from, double to) {
+    const gough_map_range *range = &f->options->stiffness;
+    for (size_t i = 0; i < range->count; i++) {
+        const double x = gough_map_value(range, i);
+        if (x > from && x < to && field_gap(f, 0, i)) return true;
+    }
+    return false;
+}
+
 /* Points of the line, on the scale of colours of maps over two axes, where weak growth has room. */
 static bool write_growth(const stability_pen *pen) {
     const field *f = pen->field;
     FILE *file = stability_open(pen, "growth");
     if (file == NULL) return false;
-    for (size_t i = 0; i < f->count[0]; i++)
+    for (size_t i = 0; i < f->count[0]; i++) {
+        if (i > 0 && is_gap(f, f->node[i - 1].x, f->node[i].x)) fprintf(file, "\n");
         fprintf(file, "%.9g %.9g\n", f->node[i].x, field_shade(f, f->node[i].level));
+    }
     if (f->count[0] == 0) fprintf(file, "NaN NaN\n");
     const bool good = ferror(file) == 0;
     return fclose(file) == 0 && good;
@@ -108,7 +120,8 @@ static void write_bars(const stability_pen *pen, const char *const *mode, int mo
         const double y = top + LANE * lane + 0.5 * (LANE - BAR);
         const double from = stability_place_x(pen, fmax(one->from, pen->view.low_x));
         const double to = stability_place_x(pen, fmin(one->to, pen->view.high_x));
-        const bool still = f->resting || one->kind == GOUGH_INTERVAL_STATIC;
+        const bool still = one->kind == GOUGH_INTERVAL_STATIC ||
+                           (f->resting && one->kind != GOUGH_INTERVAL_OSCILLATION);
         /* a bar as thin as a line is drawn by its border */
         fprintf(
             pen->file,
@@ -145,9 +158,11 @@ bool stability_write_line(stability_pen *pen) {
     pen->panel_height = PANEL_HEIGHT;
     pen->height =
         pen->top + PANEL_HEIGHT + LANES_GAP + LANE * stability_lanes(pen->field) + STABILITY_BELOW;
+    const bool sampled = pen->field->map->row[0].sampling > 0;
     stability_write_frame(
-        pen, pen->field->resting
-                 ? "at rest · bars: a mode grows"
+        pen, pen->field->resting ? "at rest · bars: a mode grows"
+             : sampled
+                 ? "bars: a mode grows, below its threshold (pale) or by resonance or delay (full)"
                  : "bars: a mode grows, below its threshold (pale) or by resonance (full)");
     const bool good = write_growth(pen);
     plot_growth(pen);

@@ -314,8 +314,12 @@ static void write_ordinate(const stability_pen *pen) {
     if (o->axis == GOUGH_MAP_AMPLITUDE) title = "amplitude of the motion, factor on the study’s";
     if (o->axis == GOUGH_MAP_FREQUENCY) title = "frequency of the motion, factor on the study’s";
     if (o->axis == GOUGH_MAP_DAMPING) title = "damping of the feedback D";
-    const stability_words damping = stability_unit(pen, GOUGH_UNIT_DAMPING, " (M√(g/R_b))");
-    const char *unit = o->axis == GOUGH_MAP_DAMPING ? damping.text : "";
+    if (o->axis == GOUGH_MAP_PERIOD) title = "period of the controller";
+    if (o->axis == GOUGH_MAP_DELAY) title = "delay of the controller";
+    const bool timed = o->axis == GOUGH_MAP_PERIOD || o->axis == GOUGH_MAP_DELAY;
+    const stability_words words = timed ? stability_unit(pen, GOUGH_UNIT_TIME, " (√(R_b/g))")
+                                        : stability_unit(pen, GOUGH_UNIT_DAMPING, " (M√(g/R_b))");
+    const char *unit = timed || o->axis == GOUGH_MAP_DAMPING ? words.text : "";
     axis_write(pen->file, &(axis){.name = "y",
                                   .logarithmic = o->second.logarithmic,
                                   .low = pen->view.low_y,
@@ -354,8 +358,11 @@ bool stability_write_plane(stability_pen *pen) {
     bool good = write_bytes(pen, "image", pixel, length) &&
                 write_scale_raster(pen, pen->view.height) && write_edges(pen);
 
-    stability_write_frame(pen, f->resting ? "pale: nothing grows · colours: growth rate"
-                                          : "pale: nothing grows · colours: growth in each period");
+    char explanation[120];
+    snprintf(explanation, sizeof explanation, "pale: nothing grows · colours: growth %s%s",
+             f->resting ? "rate" : "in each period",
+             field_has_gaps(f) ? " · grey: no periodic motion" : "");
+    stability_write_frame(pen, explanation);
     stability_write_margins(pen, pen->top, pen->panel_height);
     plot_raster(pen, "image", pen->view.width, pen->view.height);
     fprintf(pen->file, "unset label 1\nunset label 2\n");

@@ -46,6 +46,17 @@ static int by_place(const void *left, const void *right) {
     return (a->x > b->x) - (a->x < b->x);
 }
 
+bool field_gap(const field *f, size_t row, size_t column) {
+    return isnan(f->map->point[row * f->options->stiffness.count + column].rate);
+}
+
+bool field_has_gaps(const field *f) {
+    for (size_t r = 0; r < f->rows; r++)
+        for (size_t i = 0; i < f->options->stiffness.count && !row_of(f, r)->error.status; i++)
+            if (field_gap(f, r, i)) return true;
+    return false;
+}
+
 /* A narrow tongue is half an ellipse in first order: nodes along it where the grid has hardly any. */
 static size_t add_ellipse(const gough_interval *one, double level, field_node *node) {
     for (int i = 1; i < ELLIPSE; i++) {
@@ -88,6 +99,7 @@ static void fill_row(field *f, size_t row, double period) {
     size_t count = 0;
     for (size_t i = 0; i < range->count; i++) {
         const gough_map_point *p = &f->map->point[row * range->count + i];
+        if (field_gap(f, row, i)) continue;
         const double level = p->stable ? 0 : level_of(f, p->growth, p->rate, period);
         node[count++] = (field_node){gough_map_value(range, i), level};
     }
@@ -306,14 +318,24 @@ static void paint_pair(const field *f, const field_view *view, const field_pair 
     }
 }
 
-/* A map of one row, or of rows of which this is no more than a line. */
+/* A line at a part of the way from a row to the next. It is grey near points without values, and all of it is if either row has
+ * none. */
 static void paint_line(const field *f, const field_view *view, const line_of_pixels *line,
-                       bool without_values, unsigned char *pixel) {
+                       size_t row, double part, unsigned char *pixel) {
+    const gough_map_range *range = &f->options->stiffness;
+    const bool empty = row_of(f, row)->error.status || row_of(f, row + 1)->error.status;
+    const size_t nearest = part < 0.5 ? row : row + 1;
+    size_t column = 0; /* the point nearest to the pixel */
     for (int x = 0; x < view->width; x++, pixel += 3) {
+        const double at = x + 0.5;
+        while (column + 1 < range->count &&
+               fabs(place_of(view, range->logarithmic, gough_map_value(range, column + 1)) - at) <
+                   fabs(place_of(view, range->logarithmic, gough_map_value(range, column)) - at))
+            column++;
+        const bool grey = empty || field_gap(f, nearest, column);
         unsigned char rgb[3];
-        const double plain[3] = {without_values ? 0xc9 : BACKGROUND_RED,
-                                 without_values ? 0xc9 : BACKGROUND_GREEN,
-                                 without_values ? 0xc9 : BACKGROUND_BLUE};
+        const double plain[3] = {grey ? 0xc9 : BACKGROUND_RED, grey ? 0xc9 : BACKGROUND_GREEN,
+                                 grey ? 0xc9 : BACKGROUND_BLUE};
         field_colour(field_shade(f, line->level[x]), rgb);
         for (int k = 0; k < 3; k++)
             pixel[k] = (unsigned char)lround(mix(plain[k], rgb[k], line->cover[x]));
@@ -338,8 +360,7 @@ void field_paint(const field *f, const field_view *view, unsigned char *pixel) {
         memset(line.level, 0, width * sizeof *line.level);
         for (size_t p = f->first[row]; p < f->first[row + 1]; p++)
             paint_pair(f, view, &f->pair[p], part, &line);
-        const bool without = row_of(f, row)->error.status || row_of(f, row + 1)->error.status;
-        paint_line(f, view, &line, without, pixel + 3 * (size_t)y * width);
+        paint_line(f, view, &line, row, part, pixel + 3 * (size_t)y * width);
     }
     free(line.cover);
     free(line.level);

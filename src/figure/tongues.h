@@ -40,6 +40,10 @@ const gough_interval *field_interval(const field *f, size_t row, int number);
 /* The level in a row, linear between nodes. */
 double field_level(const field *f, size_t row, double x);
 
+/* Whether a point of the grid has no values; whether rows that have some lack them at a point. */
+bool field_gap(const field *f, size_t row, size_t column);
+bool field_has_gaps(const field *f);
+
 /* Whether another interval of the row holds x in its inside. */
 bool field_covered(const field *f, size_t row, int number, double x);
 

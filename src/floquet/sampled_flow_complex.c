@@ -14,6 +14,13 @@ enum { MOST_PARTS = 4096 };
 
 static const gough_disturbance undisturbed;
 
+/* what the program wants at a time */
+typedef struct {
+    bool known;
+    real time;
+    wanted value;
+} recalled;
+
 /* the loop as the texts of a run know it */
 typedef struct {
     gough_simulation options;
@@ -21,7 +28,27 @@ typedef struct {
     struct system r;
     loop l;
     dop853 work;
+    bool
+        holds; /* commands are held, and nothing else depends on time: the program is not asked for */
+    recalled
+        look[2]; /* of the two times that the controller looks at, which all directions share */
+    int next;
 } passage;
+
+/* the system's `provide` */
+static void recall(struct system *r, real t) {
+    passage *p = r->provider;
+
+    if (p->holds) return;
+    for (int i = 0; i < 2; i++) {
+        if (!p->look[i].known || p->look[i].time < t || p->look[i].time > t) continue;
+        r->now = p->look[i].value;
+        return;
+    }
+    wanted_evaluate(r, t, &r->now);
+    p->look[p->next] = (recalled){true, t, r->now};
+    p->next = 1 - p->next;
+}
 
 static void begin(passage *p, const linear_loop *linear) {
     const system_lane lane = {
@@ -33,6 +60,11 @@ static void begin(passage *p, const linear_loop *linear) {
     p->control.sampling.noise = p->control.sampling.resolution = 0;
     system_begin(&p->r, linear->motion, &p->options, &lane);
     system_take_dry_friction_off(&p->r);
+    p->holds = false;
+    p->look[0].known = p->look[1].known = false;
+    p->next = 0;
+    p->r.provide = recall;
+    p->r.provider = p;
     memset(&p->l, 0, sizeof p->l);
     sampler_put(&p->l.rule, 0, &p->control);
 }
@@ -76,6 +108,8 @@ static void act(passage *p, const number command[LEGS], double t, double time, d
 
     for (int i = 0; i < n; i++) size[i] = i < COORDINATES ? length : 1;
     for (int v = 0; v < LEGS; v++) p->r.held[v] = command[v];
+    p->holds = !(p->r.traits & EXTERNAL);
+    p->r.valid = 0;
     for (;; *parts *= 2) {
         real error = 0;
         memcpy(now, y, (size_t)n * sizeof *now);
@@ -91,11 +125,25 @@ static void act(passage *p, const number command[LEGS], double t, double time, d
         if (!(tolerance > 0) || error <= 1 || *parts >= MOST_PARTS) break;
     }
     memcpy(y, now, (size_t)n * sizeof *now);
+    p->holds = false;
+    p->r.valid = 0;
 }
 
-/* a sample and the period after it; steps: of the two parts of the period */
+/* Whether a direction moves the platform or its drives before the next sample: not so the memory, where the command that depends on
+ * it acts later, and commands that wait longer. */
+static bool acts(const sampled_layout *layout, int direction) {
+    const int memory = direction - GOUGH_LINEAR - layout->drive,
+              waiting = direction - (layout->n - LEGS * layout->waiting);
+
+    if (memory < 0) return true;
+    if (waiting < 0) return layout->whole == 0;
+    return waiting / LEGS == layout->whole || waiting / LEGS == layout->whole - 1;
+}
+
+/* A sample and the period after it; steps: of the two parts of the period. With an end of the period that is known only the
+ * controller's own numbers change. */
 static void pass(passage *p, const sampled_layout *layout, double t, double tolerance, int steps[2],
-                 complex_state *s) {
+                 const complex_state *end, complex_state *s) {
     number(*command)[LEGS] = p->l.queue;
     legs g;
 
@@ -105,10 +153,12 @@ static void pass(passage *p, const sampled_layout *layout, double t, double tole
     p->l.clock.sample = 0;
     loop_look(&p->r, &p->l, t, &g);
     s->memory = p->l.memory;
-    if (layout->rest > 0)
+    if (end != NULL) memcpy(s->y, end->y, sizeof s->y);
+    if (end == NULL && layout->rest > 0)
         act(p, s->waiting[layout->whole], t, layout->rest, tolerance, &steps[0], s->y);
-    act(p, layout->whole > 0 ? s->waiting[layout->whole - 1] : command[0], t + layout->rest,
-        layout->period - layout->rest, tolerance, &steps[1], s->y);
+    if (end == NULL)
+        act(p, layout->whole > 0 ? s->waiting[layout->whole - 1] : command[0], t + layout->rest,
+            layout->period - layout->rest, tolerance, &steps[1], s->y);
     for (int k = layout->waiting - 1; k > 0; k--)
         memcpy(s->waiting[k], s->waiting[k - 1], sizeof s->waiting[k]);
     if (layout->waiting > 0) memcpy(s->waiting[0], command[0], sizeof s->waiting[0]);
@@ -173,10 +223,12 @@ void sampled_begin(const linear_loop *linear, const sampled_layout *layout, doub
                    sampled_state *state) {
     passage p;
 
+    const real preview = linear->control->sampling.preview;
+
     begin(&p, linear);
     memset(state, 0, sizeof *state);
     for (int k = 1; k <= layout->waiting; k++) {
-        const wanted *s = system_wanted(&p.r, t - k * layout->period);
+        const wanted *s = system_wanted(&p.r, t - k * layout->period + preview);
         for (int v = 0; v < LEGS; v++) state->waiting[k - 1][v] = creal(s->force[v]);
     }
     const wanted *s = system_wanted(&p.r, t);
@@ -195,12 +247,12 @@ const char *sampled_flow(const linear_loop *linear, const sampled_layout *layout
 
     begin(&p, linear);
     load(&p, layout, state, &after);
-    pass(&p, layout, t, tolerance, parts, &after);
+    pass(&p, layout, t, tolerance, parts, NULL, &after);
     *steps += (size_t)parts[1] + (layout->rest > 0 ? (size_t)parts[0] : 0);
     for (int column = 0; deviation != NULL && column < layout->n; column++) {
         load(&p, layout, state, &there);
         deviate(layout, column, &there);
-        pass(&p, layout, t, 0, parts, &there);
+        pass(&p, layout, t, 0, parts, acts(layout, column) ? NULL : &after, &there);
         read_out(layout, &there, column, deviation);
     }
 

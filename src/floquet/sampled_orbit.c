@@ -7,16 +7,15 @@
 #include "base/quantity.h"
 #include "floquet/loads.h"
 #include "floquet/orbit.h"
-#include "floquet/sampled_flow.h"
+#include "floquet/sampled_orbit.h"
 #include "plant/can_move.h"
 #include "program/program_valid.h"
 
-enum { MOST_SAMPLES = 20000, MOST_STEPS = 30, SEARCHING = 16 };
+enum { MOST_SAMPLES = 20000, MOST_PERIODS = 16, MOST_STEPS = 30, SEARCHING = 16, MOST_CHORDS = 12 };
 
-/* of the steps */
-static const double tolerance = 1e-13;
+const double sampled_tolerance = 1e-13;
 
-/* relative: a period counts as whole samples, a delay as whole periods */
+/* relative: a number of samples counts as whole, a delay as whole periods */
 static const double slack = 1e-9;
 
 /* Newton's step, in the units of the deviation, below which the motion is found; below which it may stay where rounding stops the
@@ -24,60 +23,75 @@ static const double slack = 1e-9;
  * first ones: near a resonance these have to search */
 static const double closed = 1e-11, nearly_closed = 1e-8, farthest = 0.5, shrinks = 0.8;
 
-typedef double whole_matrix[SAMPLED_ROWS * SAMPLED_ROWS];
-
-typedef struct {
-    linear_loop loop;
-    sampled_layout layout;
-    double start;
-    size_t samples, steps;
-    double unit[SAMPLED_ROWS]; /* of a deviation's numbers */
-    sampled_map map;           /* of the whole period */
-} orbit;
+/* steps by the matrix of another stiffness are worth taking only while each is shorter than the last by this factor */
+static const double chord_shrinks = 0.4;
 
 /* ---- what is to be found ------------------------------------------------------------------------------------------- */
 
-static gough_status check(const gough_model *model, const gough_period *period,
-                          gough_error *error) {
-    const double T = model->control.sampling.period, samples = period->period / T;
+bool sampled_fit(gough_sampling *sampling, double period, size_t *samples, size_t *periods) {
+    const double own = sampling->period, ratio = period / own;
+    double whole = fmax(1, round(ratio)), over = 1;
 
+    for (int q = 1; q <= MOST_PERIODS; q++) {
+        const double near = round(q * ratio);
+        if (!(near >= 1 && fabs(q * ratio - near) <= slack * near)) continue;
+        whole = near, over = q;
+        break;
+    }
+    sampling->period = over * period / whole;
+    *samples = (size_t)fmin(whole, MOST_SAMPLES + 1);
+    *periods = (size_t)over;
+    if (fabs(over * ratio - whole) <= slack * whole) return false;
+    sampling->delay *= sampling->period / own;
+    sampling->preview *= sampling->period / own;
+    return true;
+}
+
+static gough_status check(const sampled_orbit *o, const gough_sampling *own,
+                          const gough_period *period, gough_error *error) {
+    if (!(2 * period->period >= own->period) && o->adjusted)
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.sampling.period",
+                              "the controller's period of %.9g" IN_TIME
+                              " is longer than two periods of the program, of %.9g" IN_TIME
+                              ", and no whole number of it fills up to %d of these; use a shorter "
+                              "period of sampling",
+                              own->period, period->period, (int)MOST_PERIODS);
+    if (o->samples > MOST_SAMPLES)
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.sampling.period",
+                              "%zu period%s of the program, of %.9g" IN_TIME
+                              ", %s more than %d samples of %.9g" IN_TIME
+                              ": stability about the program is computed for no more; use a longer "
+                              "period of sampling",
+                              o->periods, o->periods == 1 ? "" : "s", period->period,
+                              o->periods == 1 ? "has" : "have", (int)MOST_SAMPLES, own->period);
+    return GOUGH_OK;
+}
+
+static gough_status check_period(const gough_period *period, gough_error *error) {
     if (period->resting)
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "the program is at rest from t = %.9g" IN_TIME
                           ", so it has no period and no multipliers; compute "
                           "the stability at rest in that pose (gough_sampled_at_rest())",
                           period->start);
-    if (!(samples < MOST_SAMPLES + 0.5))
-        return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.sampling.period",
-                              "the program's period of %.9g" IN_TIME
-                              " has more than %d samples of %.9g" IN_TIME
-                              ": stability about the program is computed for no more; use a longer "
-                              "period of sampling",
-                              period->period, (int)MOST_SAMPLES, T);
-    const double whole = fmax(1, round(samples));
-    if (!(fabs(samples - whole) <= slack * whole))
-        return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.sampling.period",
-                              "the program's period of %.9g" IN_TIME
-                              " is not a whole number of samples of %.9g" IN_TIME
-                              ", so the sampled loop has no periodic motion; the nearest period of "
-                              "sampling is %.17g" IN_TIME,
-                              period->period, T, period->period / whole);
+    if (!(period->period > 0 && isfinite(period->period) && isfinite(period->start)))
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "a period must be positive and finite, not %g" IN_TIME, period->period);
     return GOUGH_OK;
 }
 
-static void lay_out(orbit *o, const gough_model *model, const gough_period *period) {
-    const gough_control *c = &model->control;
+static void lay_out(sampled_orbit *o, const gough_model *model, const gough_period *period) {
+    const gough_control *c = &o->control;
     const double T = c->sampling.period, periods = c->sampling.delay / T,
                  whole = floor(periods + slack);
     const bool differences = c->sampling.velocity == GOUGH_VELOCITY_DIFFERENCE;
     const gough_actuators *a = &model->machine.platform.actuators;
     sampled_layout *l = &o->layout;
 
-    memset(o, 0, sizeof *o);
+    memset(l, 0, sizeof *l);
     o->loop = (linear_loop){&model->machine, &model->motion, c, false, 0};
-    o->samples = (size_t)fmax(1, round(period->period / T));
     o->start = ceil(period->start / T - slack) * T;
-    l->period = period->period / (double)o->samples;
+    l->period = T;
     l->whole = (int)whole;
     l->rest = periods - whole > slack ? c->sampling.delay - whole * T : 0;
     l->waiting = l->whole + (l->rest > 0);
@@ -92,7 +106,7 @@ static void lay_out(orbit *o, const gough_model *model, const gough_period *peri
 }
 
 /* R_b, √(g R_b), M g and the like for each number */
-static void measure(orbit *o, const gough_period *period) {
+static void measure(sampled_orbit *o, const gough_period *period) {
     const gough_machine *machine = o->loop.machine;
     const double length = machine->base_radius, gravity = machine->gravity_magnitude;
     const double time = gravity > 0 ? sqrt(length / gravity) : period->period;
@@ -123,23 +137,25 @@ static void multiply(int n, const double *a, double *product) {
     }
 }
 
-/* from `state` over all samples, to where it is after them; the matrix of the period in the map */
-static gough_status go_round(orbit *o, sampled_state *state, gough_error *error) {
+/* From `state` over all samples, to where it is after them; with their matrix, if that is wanted, in the map */
+static gough_status go_round(sampled_orbit *o, bool wanted, sampled_state *state,
+                             gough_error *error) {
     const int n = o->layout.n;
-    whole_matrix one;
+    sampled_matrix one;
 
     o->map.n = n;
     o->steps = 0;
-    for (int i = 0; i < n * n; i++) o->map.matrix[i] = i % (n + 1) == 0;
+    for (int i = 0; i < n * n && wanted; i++) o->map.matrix[i] = i % (n + 1) == 0;
     for (size_t k = 0; k < o->samples; k++) {
         const double t = o->start + (double)k * o->layout.period;
-        const char *wrong = sampled_flow(&o->loop, &o->layout, t, tolerance, state, one, &o->steps);
+        const char *wrong = sampled_flow(&o->loop, &o->layout, t, sampled_tolerance, state,
+                                         wanted ? one : NULL, &o->steps);
         if (wrong != NULL)
             return gough_fail(error, GOUGH_ERROR_INPUT, "%s is not finite near t = %.9g" IN_TIME,
                               wrong, t);
-        multiply(n, one, o->map.matrix);
+        if (wanted) multiply(n, one, o->map.matrix);
     }
-    for (int i = 0; i < n * n; i++) {
+    for (int i = 0; i < n * n && wanted; i++) {
         if (!isfinite(o->map.matrix[i]))
             return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                               "the deviations grow beyond the range of numbers within one period, "
@@ -148,9 +164,8 @@ static gough_status go_round(orbit *o, sampled_state *state, gough_error *error)
     return GOUGH_OK;
 }
 
-/* numbers of a deviation from one state to another, or a state changed by them */
-static void compare(const sampled_layout *l, const sampled_state *from, const sampled_state *to,
-                    double *deviation) {
+void sampled_compare(const sampled_layout *l, const sampled_state *from, const sampled_state *to,
+                     double *deviation) {
     int row = GOUGH_LINEAR;
 
     orbit_difference(from->y, to->y, deviation);
@@ -162,7 +177,7 @@ static void compare(const sampled_layout *l, const sampled_state *from, const sa
                            from->waiting[i / GOUGH_LEGS][i % GOUGH_LEGS];
 }
 
-static void change(const sampled_layout *l, const double *deviation, sampled_state *state) {
+void sampled_change(const sampled_layout *l, const double *deviation, sampled_state *state) {
     int row = GOUGH_LINEAR;
 
     orbit_change(state->y, deviation, state->y);
@@ -173,20 +188,30 @@ static void change(const sampled_layout *l, const double *deviation, sampled_sta
         state->waiting[i / GOUGH_LEGS][i % GOUGH_LEGS] += deviation[row++];
 }
 
-/* (floquet-7): solves (1 − Φ) step = missing, in the units of the deviation. Returns the size of the step, or INFINITY if the
- * equations have no solution. */
-static double newton_step(const orbit *o, double *step) {
+bool sampled_factor(sampled_orbit *o) {
     const int n = o->layout.n;
-    whole_matrix a;
     lapack_int pivot[SAMPLED_ROWS];
+
+    for (int i = 0; i < n; i++) {
+        for (int j = 0; j < n; j++)
+            o->factors[i + n * j] = (i == j) - o->map.matrix[n * i + j] * o->unit[j] / o->unit[i];
+    }
+    if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, n, n, o->factors, n, pivot) != 0) return false;
+    for (int i = 0; i < n; i++) o->pivot[i] = (int)pivot[i];
+    return true;
+}
+
+double sampled_newton_step(const sampled_orbit *o, double *step) {
+    const int n = o->layout.n;
+    lapack_int pivot[SAMPLED_ROWS] = {0};
     double largest = 0;
 
     for (int i = 0; i < n; i++) {
         step[i] /= o->unit[i];
-        for (int j = 0; j < n; j++)
-            a[i + n * j] = (i == j) - o->map.matrix[n * i + j] * o->unit[j] / o->unit[i];
+        pivot[i] = (lapack_int)o->pivot[i];
     }
-    if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, a, n, pivot, step, n) != 0) return INFINITY;
+    if (LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', n, 1, o->factors, n, pivot, step, n) != 0)
+        return INFINITY;
     for (int i = 0; i < n; i++) {
         if (!(fabs(step[i]) <= largest)) largest = fabs(step[i]);
         step[i] *= o->unit[i];
@@ -194,20 +219,51 @@ static double newton_step(const orbit *o, double *step) {
     return isfinite(largest) ? largest : INFINITY;
 }
 
-/* Newton's method from the program; on return the matrix is that of the motion found */
-static gough_status close_motion(orbit *o, sampled_state *state, gough_error *error) {
-    double step[SAMPLED_ROWS], before = farthest / shrinks;
+/* a Newton step from a state; size: how large it is */
+static gough_status improve(sampled_orbit *o, sampled_state *state, double *size,
+                            gough_error *error) {
+    double step[SAMPLED_ROWS];
+    sampled_state after = *state;
+    const gough_status status = go_round(o, true, &after, error);
+
+    if (status != GOUGH_OK) return status;
+    sampled_compare(&o->layout, state, &after, step);
+    *size = sampled_factor(o) ? sampled_newton_step(o, step) : INFINITY;
+    if (*size > closed && *size <= farthest) sampled_change(&o->layout, step, state);
+    return GOUGH_OK;
+}
+
+/* Steps by the matrix that was found last, each of which costs a small part of one with its own matrix. Returns whether they led
+ * to the motion. */
+static bool draw_near(sampled_orbit *o, double before, sampled_state *state) {
+    double step[SAMPLED_ROWS];
+
+    for (int k = 0; k < MOST_CHORDS; k++) {
+        sampled_state after = *state;
+        if (go_round(o, false, &after, NULL) != GOUGH_OK) return false;
+        sampled_compare(&o->layout, state, &after, step);
+        const double size = sampled_newton_step(o, step);
+        if (size <= closed) return true;
+        if (!(size <= chord_shrinks * before)) return size <= nearly_closed;
+        sampled_change(&o->layout, step, state);
+        before = size;
+    }
+    return false;
+}
+
+/* Newton's method from a state; on return the matrix is that of the motion found, and the state its state */
+static gough_status close_motion(sampled_orbit *o, sampled_state *state, gough_error *error) {
+    double before = farthest / shrinks, size = INFINITY;
 
     for (int k = 0; k < MOST_STEPS; k++) {
-        sampled_state after = *state;
-        const gough_status status = go_round(o, &after, error);
+        sampled_state start = *state;
+        const gough_status status = improve(o, state, &size, error);
         if (status != GOUGH_OK) return status;
-        compare(&o->layout, state, &after, step);
-        const double size = newton_step(o, step);
-        if (size <= closed) return GOUGH_OK;
-        if (size <= nearly_closed && !(size <= shrinks * before)) return GOUGH_OK;
+        if (size <= nearly_closed && !(size > closed && size <= shrinks * before)) {
+            *state = start; /* of which the matrix is */
+            return GOUGH_OK;
+        }
         if (!(size <= farthest) || (k >= SEARCHING && !(size <= shrinks * before))) break;
-        change(&o->layout, step, state);
         before = size;
     }
     return gough_fail(error, GOUGH_ERROR_NUMERICAL,
@@ -217,38 +273,69 @@ static gough_status close_motion(orbit *o, sampled_state *state, gough_error *er
                       "control.sampling.period");
 }
 
+/* With a table of all samples about the program their states are found together. Else, and where that fails, the first step is
+ * Newton's from the program, and its matrix does for all but the last; where it does not, each step gets its own. */
+gough_status sampled_orbit_find(sampled_orbit *o, gough_error *error) {
+    sampled_state first;
+    double size;
+    gough_status status;
+
+    if (o->table != NULL && sampled_shoot(o, &o->state) &&
+        close_motion(o, &o->state, NULL) == GOUGH_OK)
+        return GOUGH_OK;
+    sampled_begin(&o->loop, &o->layout, o->start, &first);
+    o->state = first;
+    status = improve(o, &o->state, &size, error);
+    if (status != GOUGH_OK) return status;
+    if (size > closed && size <= farthest && draw_near(o, size, &o->state) &&
+        close_motion(o, &o->state, NULL) == GOUGH_OK)
+        return GOUGH_OK;
+    o->state = first;
+    return close_motion(o, &o->state, error);
+}
+
+gough_status sampled_orbit_begin(sampled_orbit *o, const gough_model *model,
+                                 const gough_period *period, gough_error *error) {
+    gough_status status = check_period(period, error);
+
+    if (status != GOUGH_OK) return status;
+    o->table = NULL;
+    o->control = model->control;
+    o->adjusted = sampled_fit(&o->control.sampling, period->period, &o->samples, &o->periods);
+    status = check(o, &model->control.sampling, period, error);
+    if (status == GOUGH_OK) status = sampled_check(&o->control.sampling, error);
+    if (status == GOUGH_OK) status = loads_check(&model->machine, period, false, error);
+    if (status != GOUGH_OK) return status;
+    lay_out(o, model, period);
+    measure(o, period);
+    return GOUGH_OK;
+}
+
 /* ---- the multipliers ---------------------------------------------------------------------------------------------------- */
 
 static gough_status prepare(const gough_model *model, const gough_period **period,
                             gough_period *found, gough_error *error) {
-    const gough_sampling *s = &model->control.sampling;
     gough_status status = motion_check(&model->motion, error);
 
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
     if (status == GOUGH_OK) status = gough_control_check(&model->control, error);
-    if (status == GOUGH_OK) status = sampled_check(s, error);
+    if (status == GOUGH_OK) status = sampled_check(&model->control.sampling, error);
     if (status == GOUGH_OK && *period == NULL) {
         status = gough_motion_period(&model->motion, found, error);
         *period = found;
     }
-    if (status == GOUGH_OK) status = check(model, *period, error);
-    if (status == GOUGH_OK) status = loads_check(&model->machine, *period, false, error);
     return status;
 }
 
 gough_status gough_floquet_sampled(const gough_model *model, const gough_period *period,
                                    gough_sampled_floquet *floquet, gough_error *error) {
     gough_period found;
-    sampled_state state;
-    orbit o;
+    sampled_orbit o;
     gough_status status = prepare(model, &period, &found, error);
 
     memset(floquet, 0, sizeof *floquet);
-    if (status != GOUGH_OK) return status;
-    lay_out(&o, model, period);
-    measure(&o, period);
-    sampled_begin(&o.loop, &o.layout, o.start, &state);
-    status = close_motion(&o, &state, error);
+    if (status == GOUGH_OK) status = sampled_orbit_begin(&o, model, period, error);
+    if (status == GOUGH_OK) status = sampled_orbit_find(&o, error);
     if (status != GOUGH_OK) return status;
     floquet->listed =
         (size_t)sampled_multipliers(&model->machine, &o.map, GOUGH_SAMPLED, floquet->multiplier);
@@ -258,10 +345,13 @@ gough_status gough_floquet_sampled(const gough_model *model, const gough_period 
                           "there are no multipliers");
     floquet->start = o.start;
     floquet->period = period->period;
+    floquet->periods = o.periods;
     floquet->samples = o.samples;
+    floquet->sampling = o.layout.period;
+    floquet->adjusted = o.adjusted;
     floquet->steps = o.steps;
     floquet->size = (size_t)o.layout.n;
-    monodromy_fold(&model->machine, state.y, &floquet->state);
+    monodromy_fold(&model->machine, o.state.y, &floquet->state);
     floquet->growth = hypot(floquet->multiplier[0].value[0], floquet->multiplier[0].value[1]);
     floquet->stable = floquet->growth <= 1 + GOUGH_GROWTH_LIMIT;
     return GOUGH_OK;

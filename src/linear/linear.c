@@ -142,9 +142,7 @@ gough_status linear_refuse(const gough_model *model, const char *what, gough_err
 
 gough_status linear_refuse_matrices(const gough_model *model, const char *what,
                                     gough_error *error) {
-    const gough_status status = linear_refuse(model, what, error);
-
-    if (status != GOUGH_OK || !model->control.coupled) return status;
+    if (!model->control.coupled) return GOUGH_OK;
     return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.stiffness",
                           "%s varies one stiffness of all legs, which a matrix of gains does not "
                           "have; give a number or six",

@@ -71,7 +71,7 @@ gough_status linear_refuse(const gough_model *model, const char *what, gough_err
 /* Likewise where they are those of drives or of a continuous controller. */
 gough_status linear_refuse_states(const gough_model *model, const char *what, gough_error *error);
 
-/* Likewise for what varies the stiffness, with matrices of gains too. */
+/* Fails for matrices of gains, of which `what` would vary the stiffness. */
 gough_status linear_refuse_matrices(const gough_model *model, const char *what, gough_error *error);
 
 /* Where a loop rests: a program that stands at its equilibrium, the control that feeds forward what holds it there, its state. */

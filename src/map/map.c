@@ -28,7 +28,8 @@ gough_status gough_map_options_init(gough_map_options *options, size_t size) {
 }
 
 const char *gough_interval_kind_name(gough_interval_kind kind) {
-    static const char *const name[] = {"static", "resonance +1", "resonance -1", "combination"};
+    static const char *const name[] = {"static", "resonance +1", "resonance -1", "combination",
+                                       "oscillation"};
 
     return (int)kind >= 0 && (size_t)kind < sizeof name / sizeof *name ? name[kind] : "unknown";
 }
@@ -101,18 +102,25 @@ static int threads_of(const gough_map_options *options) {
 /* the options with their defaults filled in */
 static gough_status check(const gough_map_options *given, gough_map_options *o,
                           gough_error *error) {
-    static const char *const second[] = {"", "amplitude", "frequency", "damping"};
+    static const char *const second[] = {"",        "amplitude", "frequency",
+                                         "damping", "period",    "delay"};
+    static const char *const mark[] = {"", "", "", IN_DAMPING, IN_TIME, IN_TIME};
     const int widest = gough_batch_lanes();
     gough_status status =
         gough_size_check(given->size, sizeof(gough_map_options), "gough_map_options", error);
 
     if (status != GOUGH_OK) return status;
     *o = *given;
-    if ((int)o->axis < GOUGH_MAP_NONE || (int)o->axis > GOUGH_MAP_DAMPING) {
+    if ((int)o->axis < GOUGH_MAP_NONE || (int)o->axis > GOUGH_MAP_DELAY) {
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "the second axis of the map: %d is neither amplitude nor frequency nor "
-                          "damping",
+                          "damping nor period nor delay",
                           (int)o->axis);
+    }
+    if (o->modes > (GOUGH_MAP_SWAY | GOUGH_MAP_HEAVE | GOUGH_MAP_TILT | GOUGH_MAP_YAW)) {
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the modes of the map: %u is no sum of sway 1, heave 2, tilt 4 and yaw 8",
+                          o->modes);
     }
     if (o->accuracy <= 0) o->accuracy = 1e-9;
     if (o->resolution <= 0) o->resolution = 1e-6;
@@ -125,9 +133,8 @@ static gough_status check(const gough_map_options *given, gough_map_options *o,
     }
     status = check_range(&o->stiffness, "stiffness", IN_STIFFNESS, false, error);
     if (status == GOUGH_OK && o->axis != GOUGH_MAP_NONE)
-        status =
-            check_range(&o->second, second[o->axis], o->axis == GOUGH_MAP_DAMPING ? IN_DAMPING : "",
-                        o->axis == GOUGH_MAP_FREQUENCY, error);
+        status = check_range(&o->second, second[o->axis], mark[o->axis],
+                             o->axis == GOUGH_MAP_FREQUENCY || o->axis == GOUGH_MAP_PERIOD, error);
     if (status != GOUGH_OK) return status;
     if (!(o->stiffness.to > 0))
         return gough_fail(error, GOUGH_ERROR_INPUT,
@@ -204,6 +211,7 @@ static gough_status choose_steps(map_job *job, map_worker *w, gough_error *error
     const size_t rows = gough_map_rows(job->options);
 
     job->finer = 1;
+    if (job->sampled) return GOUGH_OK;
     for (int look = 0; look < 3; look++) {
         const size_t row = (rows - 1) * (size_t)look / 2;
         const double wanted = job->options->accuracy;
@@ -236,20 +244,39 @@ static size_t most_parts(map_worker *probe, size_t rows) {
     return parts;
 }
 
+/* what cannot be mapped */
+static gough_status refuse(const gough_model *model, const gough_map_options *o,
+                           gough_error *error) {
+    const bool sampled = model->control.sampling.period > 0 || o->axis == GOUGH_MAP_PERIOD;
+    gough_status status = machine_can_move(&model->machine, error);
+
+    if (status == GOUGH_OK && model->control.sampling.period > 0)
+        status = gough_control_check(&model->control, error);
+    if (status == GOUGH_OK && !sampled && o->axis == GOUGH_MAP_DELAY)
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.sampling",
+                              "a map over the delay needs a sampled controller; give "
+                              "control.sampling.period");
+    if (status == GOUGH_OK && !sampled)
+        status = linear_refuse(model, "the map of stability", error);
+    return status != GOUGH_OK ? status
+                              : linear_refuse_matrices(model, "the map of stability", error);
+}
+
 static gough_status prepare(const gough_model *model, const gough_map_options *given,
                             gough_map_options *o, map_job *job, gough_error *error) {
     gough_status status = check(given, o, error);
     map_worker probe;
 
-    if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
-    if (status == GOUGH_OK) status = linear_refuse_matrices(model, "the map of stability", error);
+    if (status == GOUGH_OK) status = refuse(model, o, error);
     if (status != GOUGH_OK) return status;
     memset(job, 0, sizeof *job);
     job->model = model;
     job->options = o;
     job->width = width_of(o->lanes);
     probe.job = job;
-    job->parts = most_parts(&probe, gough_map_rows(o));
+    job->sampled = model->control.sampling.period > 0 || o->axis == GOUGH_MAP_PERIOD;
+    job->table = job->sampled ? map_sampled_table(job) : 0;
+    job->parts = job->sampled ? 1 : most_parts(&probe, gough_map_rows(o));
     return GOUGH_OK;
 }
 

@@ -13,14 +13,19 @@
 /* phase of the fastest mode from one sample to the next */
 static const double sample_phase = 0.15;
 
-/* edges, relative to the greatest stiffness; and where each look takes long */
-static const double edge_width = 1e-10, edge_width_slow = 1e-7;
+/* edges, relative to the greatest stiffness */
+static const double edge_width = 1e-10;
+const double map_edge_width_slow = 1e-7;
+
+/* sweeps of golden section for the greatest growth */
+enum { GOLDEN = 18 };
 
 static size_t rounded(size_t bytes) { return (bytes + 63) / 64 * 64; }
 
 size_t map_worker_size(const map_job *job) {
     return rounded(sizeof(map_worker)) + transition_scratch(job->width) +
            job->parts * (2 * sizeof(double[NODES][MATRIX]) + sizeof(double[MATRIX])) +
+           (job->sampled ? rounded(sizeof(sampled_orbit)) + job->table : 0) +
            rounded((MAP_MOST_NODES + MAP_MOST_PLACES + job->options->stiffness.count + 2) *
                    sizeof(double));
 }
@@ -38,6 +43,10 @@ map_worker *map_worker_begin(const map_job *job, void *memory) {
     next += job->parts * sizeof(double[NODES][MATRIX]);
     w->factor = (double(*)[MATRIX])(void *)next;
     next += job->parts * sizeof(double[MATRIX]);
+    w->orbit = job->sampled ? (sampled_orbit *)(void *)next : NULL;
+    next += job->sampled ? rounded(sizeof(sampled_orbit)) : 0;
+    w->table = next;
+    next += job->sampled ? job->table : 0;
     w->node = (double *)(void *)next;
     w->room = MAP_MOST_NODES + MAP_MOST_PLACES + job->options->stiffness.count + 2;
     assert_true((char *)(w->node + w->room) <= (char *)memory + map_worker_size(job));
@@ -78,7 +87,8 @@ gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
     for (int v = 0; v < GOUGH_LEGS && o->axis == GOUGH_MAP_DAMPING; v++)
         control->damping[v] = value;
     loop = loop_of(w);
-    w->damped = linear_is_damped(&loop);
+    w->sampled = w->job->sampled;
+    w->damped = w->sampled || linear_is_damped(&loop);
 
     status = gough_motion_period(&w->model.motion, &w->period, error);
     if (status != GOUGH_OK) return status;
@@ -86,8 +96,9 @@ gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
         double component[GOUGH_COMPONENTS][3];
         gough_motion_evaluate(&w->model.motion, w->period.start, component);
         for (int c = 0; c < GOUGH_COMPONENTS; c++) w->component[c] = component[c][0];
-        return GOUGH_OK;
+        return w->sampled ? map_sampled_begin(w, error) : GOUGH_OK;
     }
+    if (w->sampled) return map_sampled_begin(w, error);
     status = loads_check(&w->model.machine, &w->period, true, error);
     if (status == GOUGH_OK && machine_loads_follow(&w->model.machine))
         status = gough_fail_key(error, GOUGH_ERROR_INPUT, "external",
@@ -149,7 +160,7 @@ gough_status map_row_accuracy(map_worker *w, double finer, double *change, gough
 
 /* ---- looks at one stiffness ---- */
 
-static int report(map_worker *w, double part) {
+int map_report(map_worker *w, double part) {
     const double more = part - w->reported;
 
     w->reported = part;
@@ -160,27 +171,21 @@ static void set_stiffness(map_worker *w, double stiffness) {
     for (int v = 0; v < GOUGH_LEGS; v++) w->model.control.stiffness[v] = stiffness;
 }
 
-static void no_values(sample *s, double stiffness) {
-    sample_begin(s, stiffness);
-    s->size = NAN;
-    s->stable = false;
-}
-
 static int look_at_rest(void *context, double stiffness, sample *s) {
     map_worker *w = context;
     gough_rest rest;
 
     set_stiffness(w, stiffness);
-    sample_begin(s, stiffness);
+    sample_begin(s, stiffness, w->job->options->modes);
     if (gough_stability_at_rest(&w->model, w->component, &rest, NULL) != GOUGH_OK) {
-        no_values(s, stiffness);
+        sample_no_values(s, stiffness);
         return 0;
     }
     for (int i = 0; i < GOUGH_LINEAR; i++) {
         const gough_eigenvalue *e = &rest.eigenvalue[i];
         sample_add(s, e->value, e->value[0], i < rest.growing ? -INFINITY : INFINITY, &e->mode);
     }
-    s->stable = rest.stable;
+    if (w->job->options->modes == 0) s->stable = rest.stable;
     return 0;
 }
 
@@ -189,16 +194,16 @@ static int look_along_orbit(void *context, double stiffness, sample *s) {
     gough_floquet floquet;
 
     set_stiffness(w, stiffness);
-    sample_begin(s, stiffness);
+    sample_begin(s, stiffness, w->job->options->modes);
     if (gough_floquet_multipliers(&w->model, &w->period, 0, &floquet, NULL) != GOUGH_OK) {
-        no_values(s, stiffness);
-        return report(w, w->reported);
+        sample_no_values(s, stiffness);
+        return map_report(w, w->reported);
     }
     for (int i = 0; i < GOUGH_LINEAR; i++) {
         const gough_multiplier *m = &floquet.multiplier[i];
         sample_add(s, m->value, log(hypot(m->value[0], m->value[1])), GOUGH_GROWTH_LIMIT, &m->mode);
     }
-    return report(w, w->reported);
+    return map_report(w, w->reported);
 }
 
 /* from Φ found already, or from its parts where it is too large */
@@ -207,14 +212,15 @@ static void take_sample(map_worker *w, const transitions *t, double stiffness, d
     const symplectic *form = t == &w->bare ? &w->form : NULL;
     transitions one = {.top = t->top, .parts = 1};
 
-    if (sample_monodromy(&w->model.machine, form, stiffness, phi, s)) return;
+    if (sample_monodromy(&w->model.machine, form, stiffness, w->job->options->modes, phi, s))
+        return;
     memcpy(one.cosine, t->cosine, sizeof one.cosine);
     for (size_t p = 0; p < t->parts; p++) {
         one.phi = t->phi + p;
         analyse_width_1.compose(&one, &stiffness, w->factor + p);
     }
-    sample_factors(&w->model.machine, form, stiffness, (const double(*)[MATRIX])w->factor, t->parts,
-                   s);
+    sample_factors(&w->model.machine, form, stiffness, w->job->options->modes,
+                   (const double(*)[MATRIX])w->factor, t->parts, s);
 }
 
 static int look_at(map_worker *w, const transitions *t, double stiffness, sample *s) {
@@ -265,7 +271,7 @@ static int look_at_all(map_worker *w, const transitions *t,
     return 0;
 }
 
-static int put_point(map_worker *w, void *context, size_t i, const sample *s) {
+int map_put_point(map_worker *w, void *context, size_t i, const sample *s) {
     const size_t count = w->job->options->stiffness.count;
     gough_map_point *p = &w->job->map->point[w->index * count + i];
     const double part = 0.1 + 0.4 * ((double)i + 1) / (double)count;
@@ -276,7 +282,7 @@ static int put_point(map_worker *w, void *context, size_t i, const sample *s) {
     p->stable = s->stable;
     p->mode[0] = '\0';
     if (!isnan(s->size) && (!s->stable || w->damped)) memcpy(p->mode, s->mode.name, sizeof p->mode);
-    return i % 64 == 63 ? report(w, part) : 0;
+    return i % 64 == 63 ? map_report(w, part) : 0;
 }
 
 /* the samples of a scan, one after the other */
@@ -300,7 +306,7 @@ static int put_sample(map_worker *w, void *context, size_t i, const sample *s) {
     p->begun = true;
     if (i % 64 == 63)
         p->scan.stopped |=
-            report(w, p->from + (p->to - p->from) * ((double)i + 1) / (double)w->nodes);
+            map_report(w, p->from + (p->to - p->from) * ((double)i + 1) / (double)w->nodes);
     return p->scan.stopped;
 }
 
@@ -369,7 +375,7 @@ static bool leave_narrowest(gough_map_row *row, gough_interval *list, const goug
     return true;
 }
 
-static void put_interval(void *context, const gough_interval *found) {
+void map_put_interval(void *context, const gough_interval *found) {
     map_worker *w = context;
     const gough_map_options *o = w->job->options;
     gough_map_row *row = &w->job->map->row[w->index];
@@ -414,15 +420,17 @@ static int scan_nodes(map_worker *w, const transitions *t,
     const double width = range->to > range->from ? range->to - range->from : range->to;
     sampling p = {.from = from, .to = to};
 
-    p.scan = (scan){.look = look,
-                    .found = final ? put_interval : put_interval_place,
-                    .met = t == &w->bare ? put_meeting : NULL,
-                    .context = w,
-                    .low = range->from,
-                    .high = range->to,
-                    .resolution = w->job->options->resolution * width,
-                    .edge = (look == look_along_orbit ? edge_width_slow : edge_width) * range->to,
-                    .period = w->period.resting ? 0 : w->period.period};
+    p.scan =
+        (scan){.look = look,
+               .found = final ? map_put_interval : put_interval_place,
+               .met = t == &w->bare ? put_meeting : NULL,
+               .context = w,
+               .low = range->from,
+               .high = range->to,
+               .resolution = w->job->options->resolution * width,
+               .edge = (look == look_along_orbit ? map_edge_width_slow : edge_width) * range->to,
+               .period = w->period.resting ? 0 : w->period.period,
+               .sweeps = GOLDEN};
     if (look_at_all(w, t, look, w->node, w->nodes, put_sample, &p)) return 1;
     if (p.begun) scan_end(&p.scan, &p.before);
     return p.scan.stopped;
@@ -434,7 +442,7 @@ static int points(map_worker *w, const transitions *t,
                   int (*look)(void *context, double stiffness, sample *s)) {
     w->nodes = 0;
     put_grid(w);
-    return look_at_all(w, t, look, w->node, w->nodes, put_point, NULL);
+    return look_at_all(w, t, look, w->node, w->nodes, map_put_point, NULL);
 }
 
 /* each stiffness on its own: at rest, and where the loop does not keep its program */
@@ -473,14 +481,15 @@ static int find_at_rest(map_worker *w) {
     for (int i = 0; i < 6; i++) {
         const gough_threshold *t = &rest.threshold[i];
         if (!(t->stiffness > range->from)) continue;
-        put_interval(w, &(gough_interval){.from = 0,
-                                          .to = fmin(t->stiffness, range->to),
-                                          .cut = t->stiffness > range->to,
-                                          .stiffness = range->from,
-                                          .growth = NAN,
-                                          .rate = take_rate(&rest, t->mode.name, taken),
-                                          .kind = GOUGH_INTERVAL_STATIC,
-                                          .mode = t->mode});
+        if (!sample_counts(&t->mode, w->job->options->modes)) continue;
+        map_put_interval(w, &(gough_interval){.from = 0,
+                                              .to = fmin(t->stiffness, range->to),
+                                              .cut = t->stiffness > range->to,
+                                              .stiffness = range->from,
+                                              .growth = NAN,
+                                              .rate = take_rate(&rest, t->mode.name, taken),
+                                              .kind = GOUGH_INTERVAL_STATIC,
+                                              .mode = t->mode});
     }
     return 0;
 }
@@ -493,7 +502,7 @@ static int find_by_tables(map_worker *w, gough_error *error) {
     if (status == GOUGH_OK && w->damped) status = find(w, true, finer, &w->complete, error);
     if (status != GOUGH_OK) return 0;
     w->job->map->row[w->index].steps = map_row_steps(w, finer);
-    if (report(w, 0.1) || points(w, t, NULL)) return 1;
+    if (map_report(w, 0.1) || points(w, t, NULL)) return 1;
 
     w->nodes = 0;
     put_roots(w, w->d.phase);
@@ -533,7 +542,9 @@ int map_row_find(map_worker *w, size_t index) {
     status = map_row_begin(w, index, &error);
     if (status == GOUGH_OK) {
         row->period = w->period;
-        if (w->period.resting && map_row_kept(w)) {
+        if (w->sampled) {
+            stopped = map_sampled_find(w);
+        } else if (w->period.resting && map_row_kept(w)) {
             stopped = find_at_rest(w);
         } else if (w->period.resting) {
             stopped = find_one_by_one(w, look_at_rest);
@@ -545,5 +556,5 @@ int map_row_find(map_worker *w, size_t index) {
     }
     row->meetings = w->meetings;
     if (!stopped) row->error = error;
-    return stopped | report(w, 1);
+    return stopped | map_report(w, 1);
 }

@@ -25,6 +25,9 @@ static const double moderate = 1e5;
 /* through the factors of a larger Φ: parts magnitudes that differ by a factor of 10 */
 enum { SWEEPS = 12 };
 
+/* of what does not count, in a mode that does */
+static const double other_share = 1e-3;
+
 /* Multipliers with their vectors. */
 typedef struct {
     double re[N], im[N];
@@ -86,8 +89,19 @@ double complex symplectic_product(const symplectic *f, const double complex xi[N
 
 /* ---- what grows ---- */
 
-void sample_begin(sample *s, double stiffness) {
+bool sample_counts(const gough_mode *mode, unsigned modes) {
+    double others = 0, all = 0;
+
+    for (int k = 0; k < 4; k++) {
+        all += mode->share[k];
+        if (!(modes & 1U << k)) others += mode->share[k];
+    }
+    return modes == 0 || (all > 0 && others <= other_share);
+}
+
+void sample_begin(sample *s, double stiffness, unsigned modes) {
     memset(s, 0, sizeof *s);
+    s->modes = modes;
     s->stiffness = stiffness;
     s->size = -INFINITY;
     s->stable = true;
@@ -97,6 +111,7 @@ void sample_add(sample *s, const double value[2], double size, double limit,
                 const gough_mode *mode) {
     int place;
 
+    if (!sample_counts(mode, s->modes)) return;
     if (size > s->size) {
         s->size = size;
         s->mode = *mode;
@@ -241,23 +256,24 @@ static void fill(const gough_machine *machine, const symplectic *form, multiplie
     if (form) put_phases(s, form, m);
 }
 
-static void no_values(sample *s) {
+void sample_no_values(sample *s, double stiffness) {
+    sample_begin(s, stiffness, s->modes);
     s->size = NAN;
     s->stable = false;
 }
 
 bool sample_monodromy(const gough_machine *machine, const symplectic *form, double stiffness,
-                      double *phi, sample *s) {
+                      unsigned modes, double *phi, sample *s) {
     double vectors[N * N], work[WORK];
     multipliers m;
 
     for (int i = 0; i < N * N; i++) {
         if (!(fabs(phi[i]) <= moderate)) return false;
     }
-    sample_begin(s, stiffness);
+    sample_begin(s, stiffness, modes);
     if (LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'V', N, phi, N, m.re, m.im, NULL, N, vectors, N,
                            work, WORK) != 0) {
-        no_values(s);
+        sample_no_values(s, stiffness);
         return true;
     }
     /* LAPACK packs real and imaginary part of the vectors of a conjugate pair one after the other */
@@ -274,13 +290,13 @@ bool sample_monodromy(const gough_machine *machine, const symplectic *form, doub
 }
 
 void sample_factors(const gough_machine *machine, const symplectic *form, double stiffness,
-                    const double (*factor)[N * N], size_t count, sample *s) {
+                    unsigned modes, const double (*factor)[N * N], size_t count, sample *s) {
     spectrum found;
     multipliers m;
 
-    sample_begin(s, stiffness);
+    sample_begin(s, stiffness, modes);
     if (spectrum_of_factors(factor, count, SWEEPS, &found, NULL) != GOUGH_OK) {
-        no_values(s);
+        sample_no_values(s, stiffness);
         return;
     }
     for (int i = 0; i < N; i++) {

@@ -21,7 +21,8 @@ typedef struct {
     double size;     /* largest ln|μ|, largest Re λ; NaN where there are no values */
     gough_mode mode; /* of the largest */
     bool stable;
-    int growers; /* by falling size */
+    unsigned modes; /* those that count, as in gough_map_options */
+    int growers;    /* by falling size */
     grower grows[GOUGH_LINEAR];
 
     bool phased; /* the rest is there: undamped, and multipliers not too far apart in size */
@@ -45,16 +46,22 @@ double complex symplectic_product(const symplectic *form, const double complex x
 /* From Φ over a period, by columns, overwritten; form NULL: damped. Returns false, and fills nothing, where Φ is so large that
  * the small multipliers have lost their digits in it: then its factors are needed. */
 bool sample_monodromy(const gough_machine *machine, const symplectic *form, double stiffness,
-                      double *phi, sample *s);
+                      unsigned modes, double *phi, sample *s);
 
 /* From `count` factors of Φ, whatever its size; no values where they are not all finite. */
 void sample_factors(const gough_machine *machine, const symplectic *form, double stiffness,
-                    const double (*factor)[GOUGH_LINEAR * GOUGH_LINEAR], size_t count, sample *s);
+                    unsigned modes, const double (*factor)[GOUGH_LINEAR * GOUGH_LINEAR],
+                    size_t count, sample *s);
 
 /* From values with their modes: ln|μ|, or Re λ, over `limit` grows. */
-void sample_begin(sample *s, double stiffness);
+void sample_begin(sample *s, double stiffness, unsigned modes);
 void sample_add(sample *s, const double value[2], double size, double limit,
                 const gough_mode *mode);
+
+void sample_no_values(sample *s, double stiffness);
+
+/* whether a mode is one of those that count */
+bool sample_counts(const gough_mode *mode, unsigned modes);
 
 /* 0, 1, 2: real and positive, real and negative, complex */
 int grower_kind(const grower *g);

@@ -10,7 +10,7 @@ static const double pi = 3.14159265358979323846;
 /* a phase that turned further than this between two samples may have hidden something */
 static const double far_turned = 0.8;
 
-enum { DEEPEST = 90, GOLDEN = 18 };
+enum { DEEPEST = 90 };
 
 /* ---- what happened between two samples ---- */
 
@@ -71,9 +71,19 @@ static void passings(const sample *a, const sample *b, change *c) {
     }
 }
 
-static change between(const sample *a, const sample *b) {
+/* of a sampled loop: where the largest multiplier leaves the circle, if its magnitude goes straight from one to the other */
+static void count_growers(const sample *a, const sample *b, change *c) {
+    c->changed = a->growers != b->growers;
+    if (a->growers == 0 || b->growers == 0) c->place = a->size / (a->size - b->size);
+}
+
+static change between(const scan *s, const sample *a, const sample *b) {
     change c = {false, false, NAN};
 
+    if (s->sampled) {
+        count_growers(a, b, &c);
+        return c;
+    }
     for (int kind = 0; kind < 3; kind++) c.changed |= growers_of(a, kind) != growers_of(b, kind);
     if (a->phased && b->phased) passings(a, b, &c);
     return c;
@@ -82,10 +92,11 @@ static change between(const sample *a, const sample *b) {
 /* where to look next: in the middle, or beyond the expected place so that it is enclosed from both sides */
 static double division(const scan *s, const sample *a, const sample *b, const change *c,
                        int depth) {
-    const double width = b->stiffness - a->stiffness, least = 0.45 * s->resolution / width;
+    const double width = b->stiffness - a->stiffness,
+                 least = 0.45 * (s->sampled ? s->edge : s->resolution) / width;
     double part = c->place;
 
-    if (c->changed || !(part > 0 && part < 1) || depth % 4 == 3) return 0.5;
+    if ((c->changed && !s->sampled) || !(part > 0 && part < 1) || depth % 4 == 3) return 0.5;
     if (part < 0.1) part = fmax(2 * part, least);
     if (part > 0.9) part = 1 - fmax(2 * (1 - part), least);
     return fmin(fmax(part, 0.02), 0.98);
@@ -94,11 +105,11 @@ static double division(const scan *s, const sample *a, const sample *b, const ch
 /* ---- intervals ---- */
 
 /* how unlike a grower is to what it was */
-static double unlike(const grower *a, const grower *b) {
+static double unlike(const scan *s, const grower *a, const grower *b) {
     double sum = fabs(a->size - b->size) / (0.1 + fabs(a->size) + fabs(b->size));
 
     for (int k = 0; k < 4; k++) sum += fabs(a->mode.share[k] - b->mode.share[k]);
-    return sum + (grower_kind(a) != grower_kind(b) ? 10 : 0);
+    return sum + (!s->sampled && grower_kind(a) != grower_kind(b) ? 10 : 0);
 }
 
 static bool within(const scan *s, double stiffness) {
@@ -125,7 +136,7 @@ static grower same_mode(scan *s, const grower *like, double stiffness) {
 
     s->stopped |= s->look(s->context, stiffness, &at);
     for (int i = 0; i < at.growers; i++) {
-        const double far = unlike(like, &at.grows[i]);
+        const double far = unlike(s, like, &at.grows[i]);
         if (far < nearest) nearest = far, best = at.grows[i];
     }
     return best;
@@ -140,7 +151,7 @@ static void refine(scan *s, track *t) {
 
     if (!(b > a)) return;
     for (int i = 0; i < 2; i++) g[i] = same_mode(s, &t->most, x[i]);
-    for (int sweep = 0; sweep < GOLDEN && !s->stopped; sweep++) {
+    for (int sweep = 0; sweep < s->sweeps && !s->stopped; sweep++) {
         const int keep = g[1].size > g[0].size;
         if (g[keep].size > t->most.size) t->most = g[keep], t->best = x[keep];
         if (keep) {
@@ -153,6 +164,25 @@ static void refine(scan *s, track *t) {
             g[0] = same_mode(s, &t->most, x[0]);
         }
     }
+}
+
+static gough_interval_kind kind_of_track(const scan *s, const track *t) {
+    switch (grower_kind(&t->most)) {
+    case 0:
+        return t->from_zero ? GOUGH_INTERVAL_STATIC : GOUGH_INTERVAL_PLUS;
+    case 1:
+        return s->period > 0 ? GOUGH_INTERVAL_MINUS : GOUGH_INTERVAL_STATIC;
+    default:
+        return GOUGH_INTERVAL_COMBINATION;
+    }
+}
+
+static gough_interval_kind kind_of_sampled(const scan *s, const track *t) {
+    const bool below = t->from_zero && t->from < s->threshold;
+
+    if (t->opened == 0 && (below || !(s->period > 0))) return GOUGH_INTERVAL_STATIC;
+    if (t->opened == 2 || !(s->period > 0)) return GOUGH_INTERVAL_OSCILLATION;
+    return t->opened == 0 ? GOUGH_INTERVAL_PLUS : GOUGH_INTERVAL_MINUS;
 }
 
 static void close_track(scan *s, track *t, double to, bool cut) {
@@ -168,16 +198,7 @@ static void close_track(scan *s, track *t, double to, bool cut) {
     interval.growth = s->period > 0 ? exp(t->most.size) : NAN;
     interval.rate = s->period > 0 ? t->most.size / s->period : t->most.size;
     interval.mode = t->most.mode;
-    switch (grower_kind(&t->most)) {
-    case 0:
-        interval.kind = t->from_zero ? GOUGH_INTERVAL_STATIC : GOUGH_INTERVAL_PLUS;
-        break;
-    case 1:
-        interval.kind = s->period > 0 ? GOUGH_INTERVAL_MINUS : GOUGH_INTERVAL_STATIC;
-        break;
-    default:
-        interval.kind = GOUGH_INTERVAL_COMBINATION;
-    }
+    interval.kind = s->sampled ? kind_of_sampled(s, t) : kind_of_track(s, t);
     if (s->found) s->found(s->context, &interval);
 }
 
@@ -189,6 +210,7 @@ static void open_track(scan *s, const grower *g, double from, double stiffness, 
     memset(t, 0, sizeof *t);
     t->from = from;
     t->from_zero = from_zero;
+    t->opened = grower_kind(g);
     notice(s, t, g, stiffness);
 }
 
@@ -203,7 +225,7 @@ static void advance(scan *s, const sample *a, const sample *b) {
         int from = -1, to = -1;
         for (int i = 0; i < s->actives; i++) {
             for (int j = 0; j < b->growers && !kept[i]; j++) {
-                const double far = taken[j] ? 5 : unlike(&s->active[i].last, &b->grows[j]);
+                const double far = taken[j] ? 5 : unlike(s, &s->active[i].last, &b->grows[j]);
                 if (far < nearest) nearest = far, from = i, to = j;
             }
         }
@@ -224,7 +246,7 @@ static void advance(scan *s, const sample *a, const sample *b) {
 /* ---- the way from sample to sample ---- */
 
 static void walk(scan *s, const sample *a, const sample *b, int depth) {
-    const change c = between(a, b);
+    const change c = between(s, a, b);
     const double width = b->stiffness - a->stiffness;
     sample middle;
 
@@ -233,7 +255,8 @@ static void walk(scan *s, const sample *a, const sample *b, int depth) {
         advance(s, a, b);
         return;
     }
-    if (width <= (c.changed ? s->edge : s->resolution) || depth == DEEPEST) {
+    const bool ends = isnan(a->size) || isnan(b->size);
+    if (width <= (ends ? s->coarse : c.changed ? s->edge : s->resolution) || depth == DEEPEST) {
         if (!c.changed && s->met) s->met(s->context, a->stiffness + 0.5 * width);
         advance(s, a, b);
         return;

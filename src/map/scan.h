@@ -16,6 +16,7 @@ typedef struct {
     grower most;
     bool seen, waiting; /* in the range at all; `after` is still to come */
     bool from_zero;     /* open at the first sample */
+    int opened;         /* kind of the multiplier there, or just above its lower edge */
 } track;
 
 typedef struct scan {
@@ -30,7 +31,14 @@ typedef struct scan {
     double low, high;  /* range in which growth is of interest */
     double resolution; /* two multipliers that meet and part within it, met only */
     double edge;       /* to which edges are found */
-    double period;     /* T, 0 at rest */
+    double
+        coarse; /* to which they are where the motion itself ends, and there are no values beyond */
+    double period; /* T, 0 at rest */
+    int sweeps;    /* of the search for the greatest growth */
+    bool
+        sampled; /* multipliers turn as fast as the loop shakes: an interval is told by how it begins, not divided where its
+                   * multiplier turns through the real axis */
+    double threshold; /* then: below it nothing holds */
 
     track active[GOUGH_LINEAR];
     int actives;

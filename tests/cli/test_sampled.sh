@@ -83,6 +83,43 @@ jq -e '.samples == 20 and .period == 1 and .stable and (.multipliers | length) =
     ((.multipliers[0] | (.[0] * .[0] + .[1] * .[1] | sqrt)) - .growth_per_period | fabs) < 1e-14' "$scratch/out" >/dev/null ||
     fail "along the program: $(jq -c '[.samples, .period, .stable]' "$scratch/out")"
 
+# a period that fits three periods of the program, and one that fits none
+set_key stability "${turning[@]}" --set control.sampling.period=0.12 --set control.sampling.delay=0.06
+says 'Along the program, of period 1, 3 of which have 25 samples'
+says 'is multiplied by mu in every 3 periods'
+lacks 'No whole number of samples'
+set_key stability --json "${turning[@]}" --set control.sampling.period=0.12 --set control.sampling.delay=0.06
+jq -e '.samples == 25 and .periods == 3 and .sampling_period == 0.12 and .sampling_adjusted == false and
+    ((.multipliers[0] | (.[0] * .[0] + .[1] * .[1] | sqrt)) - .growth_per_period * .growth_per_period * .growth_per_period | fabs) < 1e-13' "$scratch/out" >/dev/null ||
+    fail "three periods: $(jq -c '[.samples, .periods, .sampling_period, .sampling_adjusted]' "$scratch/out")"
+set_key stability "${turning[@]}" --set control.sampling.period=0.0513
+says 'Along the program, of period 1 or 19 samples'
+says 'No whole number of samples of 0.0513 fills up to 16 periods of the program'
+says 'the nearest period of the controller that fits, 0.0526315789, with a delay in proportion.'
+set_key stability --json "${turning[@]}" --set control.sampling.period=0.0513
+jq -e '.samples == 19 and .periods == 1 and (.sampling_period * 19 - 1 | fabs) < 1e-12 and .sampling_adjusted' "$scratch/out" >/dev/null ||
+    fail "nearest: $(jq -c '[.samples, .periods, .sampling_period, .sampling_adjusted]' "$scratch/out")"
+set_key stability --json
+jq -e '.periods == null and .sampling_period == 0.05 and .sampling_adjusted == false' "$scratch/out" >/dev/null || fail "at rest: $(jq -c '[.periods, .sampling_period]' "$scratch/out")"
+
+# ---- maps ----
+set_key stability --sweep-stiffness 0.5:6:12 --sweep-period 0.02:0.08:3 -o "$scratch/map.csv"
+says 'over the period of the controller: 3 values from 0.02 to 0.08'
+says 'At period 0.05, where the program is at rest, sampled every 0.05: ranges of G in which a mode grows'
+says 'sway–tilt ×2 0.5 0.894107'
+[[ $(head -1 "$scratch/map.csv") == stiffness,period,growth_per_period,growth_rate,stable,mode,sampling && $(wc -l <"$scratch/map.csv") == 37 ]] ||
+    fail "the table: $(head -1 "$scratch/map.csv")"
+awk -F, '$1 == 0.05 && $4 == "oscillation" && (!least || $5 < least) { least = $5 } END { exit !(least > 3.75107 && least < 3.75111) }' "$scratch/map-tongues.csv" ||
+    fail "the upper edge: $(cat "$scratch/map-tongues.csv")"
+set_key stability "${turning[@]}" --sweep-stiffness 1:3:3 --sweep-delay 0:0.05:2 --modes heave --set control.sampling.period=0.0513 --json
+jq -e '.map.axis == "delay" and .map.modes == "heave" and (.map.rows | all((.sampling_period * 19 - 1 | fabs) < 1e-9 and .periods == 1 and .period == 1)) and
+    (.map.mode | flatten | all(. == "heave"))' "$scratch/out" >/dev/null || fail "a map over the delay: $(jq -c .map "$scratch/out")"
+set_key stability "${turning[@]}" --sweep-stiffness 1:3:3 --set control.sampling.period=0.0513
+says 'The period of the controller is not the study'"'"'s, but the nearest'
+set_key stability "${turning[@]}" --sweep-stiffness 1:3:3 --sweep-period 0.04:0.0513:3
+says '2 of 3 rows are for another period of the controller than asked, by up to'
+lacks 'no values'
+
 # ---- units: the same machine in millimetres and milliseconds ----
 si='{radius: 1.5, half_angle: 10}'
 cat >"$scratch/si.yaml" <<END
@@ -119,10 +156,12 @@ refused() {
     grep -qF -- "$sentence" "$scratch/err" || fail "$*: no '$sentence': $(cat "$scratch/err")"
 }
 moving=(--set 'motion={heave: 0.1*sin(t)}')
-refused 'is not a whole number of samples of 0.05' stability "$scratch/machine.yaml" "${moving[@]}"
-refused 'the nearest period of sampling is 0.0498' stability "$scratch/machine.yaml" "${moving[@]}"
-refused 'use --pose surge=0' stability "$scratch/machine.yaml" "${moving[@]}"
-refused 'the map of stability is not computed for a sampled controller' stability "$scratch/machine.yaml" --sweep-stiffness 1:2:3 "${moving[@]}"
+refused 'longer than two periods of the program' stability "$scratch/machine.yaml" "${moving[@]}" --set control.sampling.period=15
+refused 'use --pose surge=0' stability "$scratch/machine.yaml" "${moving[@]}" --set control.sampling.period=15
+refused 'a map over the delay needs a sampled controller' stability "$scratch/machine.yaml" --sweep-stiffness 1:2:3 --sweep-delay 0:1:2 --set control.sampling=
+refused 'the map of stability varies one stiffness of all legs' stability "$scratch/machine.yaml" --sweep-stiffness 1:2:3 --set 'control.stiffness=[[1,0,0,0,0,0],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]]'
+refused "--modes takes sway, heave, tilt or yaw" stability "$scratch/machine.yaml" --sweep-stiffness 1:2:3 --modes heave+
+refused "greater than 0" stability "$scratch/machine.yaml" --sweep-stiffness 1:2:3 --sweep-period 0:1:3
 refused '--matrix prints the twelve rows' stability "$scratch/machine.yaml" --matrix
 refused 'is not computed for drives that lag' stability "$scratch/machine.yaml" "${moving[@]}" --set control.sampling= --set 'actuators={kind: lag, time_constant: 0.05}'
 refused 'more than 12 periods' stability "$scratch/machine.yaml" --set control.sampling.delay=0.7

@@ -163,6 +163,56 @@ START_TEST(heave_between_tongues_and_delay) {
 }
 END_TEST
 
+/* (loop-11): the motion repeats itself after three periods of the program with 61 samples, and not before; its growth over them is
+ * that of the loop at rest where the program hardly moves */
+START_TEST(periods_that_samples_fill) {
+    const double T = 3 * 2 * pi / 61;
+    gough_model *model = new_model("0.2*sin(t)", T, 0);
+    gough_sampled_rest rest;
+    double begin[2], end[2];
+    set_gains(model, 1.4, 0.3);
+    gough_sampled_floquet floquet = along(model);
+
+    ck_assert(floquet.periods == 3 && floquet.samples == 61 && !floquet.adjusted);
+    ck_assert(fabs(floquet.sampling - T) <= 1e-15);
+    begin[0] = floquet.state.position[2] - model->machine.platform.height;
+    begin[1] = floquet.state.velocity[2];
+    run(model, 2 * pi, begin, end);
+    ck_assert(fabs(end[0] - begin[0]) > 1e-5);
+    run(model, 3 * 2 * pi, begin, end);
+    for (int i = 0; i < 2; i++) ck_assert(fabs(end[i] - begin[i]) <= 1e-9);
+
+    set_formula(&model->motion.formula[GOUGH_HEAVE], "1e-7*sin(t)");
+    floquet = along(model);
+    ck_assert_int_eq(gough_sampled_at_rest(model, NULL, &rest, NULL), GOUGH_OK);
+    ck_assert(fabs(floquet.growth - pow(rest.radius, 61)) <= 1e-5 * floquet.growth);
+    free(model);
+}
+END_TEST
+
+/* A period of the controller that fits nowhere: what is told is that of the nearest one that does, delay and preview in
+ * proportion, as if the model had it. */
+START_TEST(nearest_period_that_fits) {
+    const double delay = 0.7, preview = 0.4;
+    gough_model *model = new_model("0.2*sin(t)", 0.1, delay * 0.1);
+
+    set_gains(model, 1.4, 0.3);
+    model->control.sampling.preview = preview * 0.1;
+    const gough_sampled_floquet asked = along(model);
+    ck_assert(asked.adjusted && asked.periods == 1 && asked.samples == 63);
+    ck_assert(fabs(asked.sampling - 2 * pi / 63) <= 1e-14);
+    model->control.sampling.period = asked.sampling;
+    model->control.sampling.delay = delay * asked.sampling;
+    model->control.sampling.preview = preview * asked.sampling;
+    const gough_sampled_floquet fits = along(model);
+    ck_assert(!fits.adjusted && fits.samples == 63);
+    ck_assert(fabs(fits.growth - asked.growth) <= 1e-12 * fits.growth);
+    model->control.sampling.delay = 0.07; /* not in proportion: another loop */
+    ck_assert(fabs(along(model).growth - asked.growth) > 1e-6 * fits.growth);
+    free(model);
+}
+END_TEST
+
 static void refuses(const gough_model *model, const char *words) {
     gough_sampled_floquet floquet;
     gough_error error = {0};
@@ -175,7 +225,8 @@ START_TEST(refuses_what_has_no_period) {
     gough_model *model = new_model("0.2*sin(t)", 0.1, 0);
 
     set_gains(model, 2, 0.2);
-    refuses(model, "is not a whole number of samples");
+    model->control.sampling.period = 20;
+    refuses(model, "longer than two periods of the program");
     model->control.sampling.period = 2 * pi / 30000;
     refuses(model, "more than 20000 samples");
     model->control.sampling.period = 0;
@@ -189,5 +240,6 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("floquet/sampled", 120, hardly_moving_is_rest, runs_return_and_deviate,
-                     heave_between_tongues_and_delay, refuses_what_has_no_period);
+                     heave_between_tongues_and_delay, periods_that_samples_fill,
+                     nearest_period_that_fits, refuses_what_has_no_period);
 }

@@ -93,7 +93,7 @@ static int split(const char *text, const char *piece[5], const char *end[5]) {
 bool read_axis(const char *name, const char *text, axis_values *axis, gough_error *error) {
     const char *piece[5], *end[5];
     const int pieces = split(text, piece, end);
-    const bool positive = strcmp(name, "sweep-frequency") == 0;
+    const bool positive = strcmp(name, "sweep-frequency") == 0 || strcmp(name, "sweep-period") == 0;
     double count;
     if (pieces < 3 || pieces > 4 || (pieces == 4 && strcmp(piece[3], "log") != 0))
         return refuse_axis(name, text, ", as in 0:2:201", error);

@@ -4,6 +4,7 @@
 
 #include "cli/common/json.h"
 #include "cli/common/left_out.h"
+#include "cli/common/scale.h"
 #include "cli/stability/stability_report.h"
 
 static json_t *complex_pair(const double value[2]) { return json_numbers(value, 2); }
@@ -105,11 +106,20 @@ static void set_program(json_t *object, const stability_report *report) {
     json_object_set_new(object, "samples",
                         report->sampled ? json_integer(along ? (json_int_t)a->samples : 1)
                                         : json_null());
+    json_object_set_new(object, "periods",
+                        along ? json_integer((json_int_t)a->periods) : json_null());
+    json_object_set_new(object, "sampling_period",
+                        json_number(along ? a->sampling
+                                    : report->sampled
+                                        ? in_units(&report->units, GOUGH_UNIT_TIME, r->period)
+                                        : NAN));
+    json_object_set_new(object, "sampling_adjusted",
+                        report->sampled ? json_boolean(along && a->adjusted) : json_null());
     json_object_set_new(object, "multipliers", multipliers);
     json_object_set_new(object, "multiplier_modes", modes);
     json_object_set_new(object, "growth_per_period",
                         json_number(is      ? f->growth
-                                    : along ? a->growth
+                                    : along ? pow(a->growth, 1 / (double)a->periods)
                                             : NAN));
     json_object_set_new(object, "determinant", json_number(is ? f->determinant : NAN));
     json_object_set_new(object, "determinant_defect",

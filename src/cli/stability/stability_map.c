@@ -50,7 +50,9 @@ static const struct {
     gough_map_axis axis;
 } second_axes[] = {{"sweep-amplitude", GOUGH_MAP_AMPLITUDE},
                    {"sweep-frequency", GOUGH_MAP_FREQUENCY},
-                   {"sweep-damping", GOUGH_MAP_DAMPING}};
+                   {"sweep-damping", GOUGH_MAP_DAMPING},
+                   {"sweep-period", GOUGH_MAP_PERIOD},
+                   {"sweep-delay", GOUGH_MAP_DELAY}};
 
 static void read_map_axis(const struct argp_state *state, const option *o, const char *text,
                           void *group) {
@@ -59,9 +61,32 @@ static void read_map_axis(const struct argp_state *state, const option *o, const
     gough_error error = {0};
     if (axis->option && strcmp(axis->option, o->name) != 0)
         usage_error(state, "a map has at most two axes: --sweep-stiffness and one of "
-                           "--sweep-amplitude, --sweep-frequency and --sweep-damping");
+                           "--sweep-amplitude, --sweep-frequency, --sweep-damping, --sweep-period "
+                           "and --sweep-delay");
     if (!read_axis(o->name, text, axis, &error)) usage_error(state, "%s", error.message);
     axis->option = o->name;
+}
+
+/* "heave", or several of sway, heave, tilt and yaw with + between them */
+static void read_map_modes(const struct argp_state *state, const option *o, const char *text,
+                           void *group) {
+    static const char *const name[4] = {"sway", "heave", "tilt", "yaw"};
+    struct map_options *map = group;
+    (void)o;
+    map->modes = 0;
+    for (const char *word = text;; word++) {
+        const size_t length = strcspn(word, "+");
+        int k = 0;
+        while (k < 4 && (strlen(name[k]) != length || strncmp(word, name[k], length) != 0)) k++;
+        if (k == 4)
+            usage_error(state,
+                        "--modes takes sway, heave, tilt or yaw, or several of them with + between "
+                        "them, such as sway+tilt; got '%s'",
+                        text);
+        map->modes |= 1U << k;
+        word += length;
+        if (*word == '\0') return;
+    }
 }
 
 static const option map_option[] = {
@@ -82,6 +107,19 @@ static const option map_option[] = {
      .value = "A:B:N[:log]",
      .read = read_map_axis,
      .text = "second axis: the damping D, the same in all legs"},
+    {.name = "sweep-period",
+     .value = "A:B:N[:log]",
+     .read = read_map_axis,
+     .text = "second axis: the period of the sampled controller, its delay and preview in "
+             "proportion"},
+    {.name = "sweep-delay",
+     .value = "A:B:N[:log]",
+     .read = read_map_axis,
+     .text = "second axis: the delay of the sampled controller"},
+    {.name = "modes",
+     .value = "MODE[+MODE...]",
+     .read = read_map_modes,
+     .text = "map only modes that move in nothing but these: sway, heave, tilt, yaw"},
     {0}};
 
 const option_group map_group = {map_option, NULL, NULL};
@@ -105,10 +143,24 @@ static int look(void *context, double done) {
     return 0;
 }
 
-/* The row nearest to the study as it stands: factor 1, or its own damping. */
+/* What the study as it stands has on the second axis: factor 1, or its own value. */
+static double own_value(const map_report *report) {
+    const gough_control *c = &report->study->model->control;
+    switch (report->options.axis) {
+    case GOUGH_MAP_DAMPING:
+        return c->damping[0];
+    case GOUGH_MAP_PERIOD:
+        return c->sampling.period;
+    case GOUGH_MAP_DELAY:
+        return c->sampling.delay;
+    default:
+        return 1.0;
+    }
+}
+
+/* The row nearest to it. */
 static size_t find_own_row(const map_report *report) {
-    const double own =
-        report->options.axis == GOUGH_MAP_DAMPING ? report->study->model->control.damping[0] : 1.0;
+    const double own = own_value(report);
     size_t nearest = 0;
     for (size_t r = 1; r < report->rows; r++)
         if (fabs(report->map.row[r].value - own) < fabs(report->map.row[nearest].value - own))
@@ -126,9 +178,12 @@ static void scale_range(gough_map_range *range, const gough_units *u, gough_unit
 static const scaled_member point_members[] = {SCALED(gough_map_point, rate, RATE)};
 
 static const scaled_member row_members[] = {SCALED(gough_map_row, period.period, TIME),
-                                            SCALED(gough_map_row, period.start, TIME)};
+                                            SCALED(gough_map_row, period.start, TIME),
+                                            SCALED(gough_map_row, sampling, TIME)};
 
 static const scaled_member damped_members[] = {SCALED(gough_map_row, value, DAMPING)};
+
+static const scaled_member timed_members[] = {SCALED(gough_map_row, value, TIME)};
 
 static const scaled_member interval_members[] = {
     SCALED(gough_interval, from, STIFFNESS), SCALED(gough_interval, to, STIFFNESS),
@@ -138,14 +193,15 @@ static const scaled_member threshold_members[] = {SCALED(gough_threshold, stiffn
 
 static void scale_map(map_report *report) {
     const gough_units *u = &report->units;
-    const bool damped = report->options.axis == GOUGH_MAP_DAMPING;
+    const gough_unit second = map_axis_unit(report->options.axis);
     scale_range(&report->options.stiffness, u, GOUGH_UNIT_STIFFNESS);
-    if (damped) scale_range(&report->options.second, u, GOUGH_UNIT_DAMPING);
+    if (second != GOUGH_UNIT_NONE) scale_range(&report->options.second, u, second);
     for (size_t p = 0; p < report->rows * report->options.stiffness.count; p++)
         SCALE(&report->map.point[p], point_members, u);
     for (size_t r = 0; r < report->rows; r++) {
         gough_map_row *row = &report->map.row[r];
-        if (damped) SCALE(row, damped_members, u);
+        if (second == GOUGH_UNIT_DAMPING) SCALE(row, damped_members, u);
+        if (second == GOUGH_UNIT_TIME) SCALE(row, timed_members, u);
         SCALE(row, row_members, u);
         for (size_t i = 0; i < row->intervals; i++)
             SCALE(&report->map.interval[r * report->options.intervals + i], interval_members, u);
@@ -226,8 +282,8 @@ gough_status stability_map(const stability_line *asked, const gough_study *study
     report.options.stiffness = range_of(&asked->map.stiffness, &study->units, GOUGH_UNIT_STIFFNESS);
     report.options.axis = axis_of(asked->map.second.option);
     report.options.second =
-        range_of(&asked->map.second, &study->units,
-                 report.options.axis == GOUGH_MAP_DAMPING ? GOUGH_UNIT_DAMPING : GOUGH_UNIT_NONE);
+        range_of(&asked->map.second, &study->units, map_axis_unit(report.options.axis));
+    report.options.modes = asked->map.modes;
     report.options.lanes = asked->lanes;
     report.options.threads = asked->threads;
     report.rows = gough_map_rows(&report.options);

@@ -15,8 +15,21 @@ typedef struct map_report {
     gough_rest *rest;     /* at home; NULL: there is none */
 } map_report;
 
-/* Name of the second axis: "amplitude", "frequency", "damping"; NULL without one. */
+/* Name of the second axis: "amplitude", "frequency", "damping", "period", "delay"; NULL without one. */
 const char *map_axis_name(const map_report *report);
+
+/* Its unit, and whether its values are factors on what the study has. */
+gough_unit map_axis_unit(gough_map_axis axis);
+bool map_axis_is_factor(gough_map_axis axis);
+
+/* "heave", "sway+tilt": the modes that count; empty if all do. */
+typedef struct map_modes {
+    char text[32];
+} map_modes;
+map_modes map_modes_of(const map_report *report);
+
+/* Whether the loops of the map are sampled. */
+bool map_is_sampled(const map_report *report);
 
 /* Whether all intervals are told, or those of the row nearest to the study only. */
 void map_print(FILE *stream, const map_report *report, bool all);

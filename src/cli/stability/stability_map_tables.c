@@ -24,16 +24,43 @@ typedef struct sheet_of_cells {
 
 enum { MOST_COLUMNS = 10 };
 
+/* What moves in a mode, by bits from 1 on. */
+static const char *const moves[4] = {"sway", "heave", "tilt", "yaw"};
+
 const char *map_axis_name(const map_report *report) {
-    static const char *const name[] = {NULL, "amplitude", "frequency", "damping"};
+    static const char *const name[] = {NULL,      "amplitude", "frequency",
+                                       "damping", "period",    "delay"};
     return name[report->options.axis];
 }
 
+gough_unit map_axis_unit(gough_map_axis axis) {
+    if (axis == GOUGH_MAP_DAMPING) return GOUGH_UNIT_DAMPING;
+    return axis == GOUGH_MAP_PERIOD || axis == GOUGH_MAP_DELAY ? GOUGH_UNIT_TIME : GOUGH_UNIT_NONE;
+}
+
+bool map_axis_is_factor(gough_map_axis axis) {
+    return axis == GOUGH_MAP_AMPLITUDE || axis == GOUGH_MAP_FREQUENCY;
+}
+
+map_modes map_modes_of(const map_report *report) {
+    map_modes words = {""};
+    for (int k = 0; k < 4; k++) {
+        if (!(report->options.modes & 1U << k)) continue;
+        if (*words.text) strcat(words.text, "+");
+        strcat(words.text, moves[k]);
+    }
+    return words;
+}
+
+bool map_is_sampled(const map_report *report) {
+    return report->options.axis == GOUGH_MAP_PERIOD ||
+           report->study->model->control.sampling.period > 0;
+}
+
 static double mode_number(const char *name) {
-    static const char *const kind[4] = {"sway", "heave", "tilt", "yaw"};
     double sum = 0;
     for (int k = 0; k < 4; k++)
-        if (strstr(name, kind[k])) sum += 1 << k;
+        if (strstr(name, moves[k])) sum += 1 << k;
     return sum;
 }
 
@@ -48,6 +75,7 @@ static void fill_point(const map_report *report, size_t row, cell *cells) {
     *cells++ = (cell){p->rate, NULL};
     *cells++ = (cell){p->stable, NULL};
     *cells++ = (cell){mode_number(p->mode), p->mode};
+    *cells++ = (cell){report->map.row[row / columns].sampling, NULL};
 }
 
 /* ---- the intervals ----------------------------------------------------------------------------------------------- */
@@ -146,19 +174,19 @@ char *map_tongues_path(const char *path) {
 
 gough_status map_write(const map_report *report, const char *path, gough_error *error) {
     const gough_units *units = &report->units;
-    const gough_unit damping =
-        report->options.axis == GOUGH_MAP_DAMPING ? GOUGH_UNIT_DAMPING : GOUGH_UNIT_NONE;
     const char *axis = map_axis_name(report),
                *stiffness = gough_unit_label(units, GOUGH_UNIT_STIFFNESS),
                *rate = gough_unit_label(units, GOUGH_UNIT_RATE),
-               *second = gough_unit_label(units, damping);
+               *second = gough_unit_label(units, map_axis_unit(report->options.axis)),
+               *time = gough_unit_label(units, GOUGH_UNIT_TIME);
     const char *const grid_name[] = {"stiffness",
                                      axis ? axis : "growth_per_period",
                                      "growth_per_period",
                                      "growth_rate",
                                      "stable",
-                                     "mode"};
-    const char *const grid_unit[] = {stiffness, second, "1", rate, "1", "1"};
+                                     "mode",
+                                     "sampling"};
+    const char *const grid_unit[] = {stiffness, second, "1", rate, "1", "1", time};
     const char *const list_name[] = {axis,         "mode",      "modes",
                                      "kind",       "from",      "to",
                                      "cut",        "stiffness", "growth_per_period",
@@ -167,11 +195,12 @@ gough_status map_write(const map_report *report, const char *path, gough_error *
                                      stiffness, "1", stiffness, "1", rate};
     /* without a second axis its column is left out */
     const char *const line_name[] = {"stiffness", "growth_per_period", "growth_rate", "stable",
-                                     "mode"};
-    const char *const line_unit[] = {stiffness, "1", rate, "1", "1"};
+                                     "mode",      "sampling"};
+    const char *const line_unit[] = {stiffness, "1", rate, "1", "1", time};
+    const size_t sampled = map_is_sampled(report); /* has the last column */
     const sheet_of_cells grid = {axis ? grid_name : line_name, axis ? grid_unit : line_unit,
-                                 axis ? 6 : 5, report->rows * report->options.stiffness.count,
-                                 fill_point};
+                                 (axis ? 6 : 5) + sampled,
+                                 report->rows * report->options.stiffness.count, fill_point};
     const sheet_of_cells list = {list_name + !axis, list_unit + !axis, axis ? 10 : 9,
                                  count_intervals(report), fill_interval};
     gough_status status = write_sheet(report, &grid, path, error);

@@ -4,6 +4,7 @@
 
 #include "cli/common/json.h"
 #include "cli/common/left_out.h"
+#include "cli/common/paragraph.h"
 #include "cli/common/scale.h"
 #include "cli/common/talk.h"
 #include "cli/run/run_report.h"
@@ -17,8 +18,7 @@ static void print_range(FILE *stream, const gough_map_range *range, const char *
 }
 
 static const char *second_unit(const map_report *report) {
-    return report->options.axis == GOUGH_MAP_DAMPING ? unit_word(&report->units, GOUGH_UNIT_DAMPING)
-                                                     : "";
+    return unit_word(&report->units, map_axis_unit(report->options.axis));
 }
 
 static void print_axes(FILE *stream, const map_report *report) {
@@ -27,10 +27,14 @@ static void print_axes(FILE *stream, const map_report *report) {
     print_range(stream, &report->options.stiffness,
                 unit_word(&report->units, GOUGH_UNIT_STIFFNESS));
     if (axis) {
-        fprintf(stream, ";\nover the %s%s: ", axis,
-                report->options.axis == GOUGH_MAP_DAMPING ? "" : ", a factor on the study's");
+        fprintf(stream, ";\nover the %s%s%s: ", axis,
+                map_axis_unit(report->options.axis) == GOUGH_UNIT_TIME ? " of the controller" : "",
+                map_axis_is_factor(report->options.axis) ? ", a factor on the study's" : "");
         print_range(stream, &report->options.second, second_unit(report));
     }
+    if (*map_modes_of(report).text)
+        fprintf(stream, "\nOnly modes that move in nothing but %s count.",
+                map_modes_of(report).text);
     fprintf(stream, "\n%s\n", units_sentence(report->study, &report->units).text);
     print_left_out_friction(stream, report->study->model);
 }
@@ -61,6 +65,8 @@ static const char *kind_words(gough_interval_kind kind) {
         return "resonance at -1";
     case GOUGH_INTERVAL_COMBINATION:
         return "two modes";
+    case GOUGH_INTERVAL_OSCILLATION:
+        return "oscillation";
     }
     return "";
 }
@@ -84,7 +90,9 @@ static void print_interval(FILE *stream, const gough_interval *i, bool resting) 
     print_cell(stream, i->growth);
     print_cell(stream, i->rate);
     print_cell(stream, i->stiffness);
-    fprintf(stream, "   %s\n", kind_words(resting ? GOUGH_INTERVAL_STATIC : i->kind));
+    fprintf(stream, "   %s\n",
+            kind_words(resting && i->kind != GOUGH_INTERVAL_OSCILLATION ? GOUGH_INTERVAL_STATIC
+                                                                        : i->kind));
 }
 
 /* "At amplitude 0.5" */
@@ -98,10 +106,14 @@ static void print_row_heading(FILE *stream, const map_report *report, const goug
         fprintf(stream, "%s values: %s\n", lower ? "there are no" : "There are no",
                 row->error.message);
     else if (row->period.resting)
-        fprintf(stream, "%s the program is at rest: ", lower ? "where" : "Where");
+        fprintf(stream, "%s the program is at rest", lower ? "where" : "Where");
     else
-        fprintf(stream, "%s the program, of period %.9g%s: ", lower ? "along" : "Along",
+        fprintf(stream, "%s the program, of period %.9g%s", lower ? "along" : "Along",
                 row->period.period, unit_word(unit, GOUGH_UNIT_TIME));
+    if (row->error.status) return;
+    if (row->sampling > 0)
+        fprintf(stream, ", sampled every %.9g%s", row->sampling, unit_word(unit, GOUGH_UNIT_TIME));
+    fprintf(stream, ": ");
 }
 
 static void print_row(FILE *stream, const map_report *report, size_t r) {
@@ -140,12 +152,49 @@ static void print_failures(FILE *stream, const map_report *report) {
                 report->map.row[first].error.message);
 }
 
+/* The period of the controller that a row is for. */
+static double asked_period(const map_report *report, const gough_map_row *row) {
+    if (report->options.axis == GOUGH_MAP_PERIOD) return row->value;
+    return in_units(&report->units, GOUGH_UNIT_TIME, report->study->model->control.sampling.period);
+}
+
+static void print_adjusted(FILE *stream, const map_report *report) {
+    size_t adjusted = 0;
+    double most = 0;
+    for (size_t r = 0; r < report->rows; r++) {
+        const gough_map_row *row = &report->map.row[r];
+        const double asked = asked_period(report, row), part = fabs(row->sampling / asked - 1);
+        if (row->error.status || !(row->sampling > 0) || !(part > 2e-9)) continue;
+        adjusted++;
+        most = fmax(most, part);
+    }
+    if (!adjusted) return;
+    fprintf(stream, "\n");
+    if (report->rows > 1)
+        print_paragraph(
+            stream, "", 0,
+            "%zu of %zu rows are for another period of the controller than asked, by up "
+            "to %.2g %%: the nearest of which a whole number fills the program's period.",
+            adjusted, report->rows, 100 * most);
+    else
+        print_paragraph(
+            stream, "", 0,
+            "The period of the controller is not the study's, but the nearest of which a "
+            "whole number fills the program's period.");
+}
+
 static void print_share(FILE *stream, const map_report *report) {
-    size_t stable = 0;
-    const size_t points = report->rows * report->options.stiffness.count;
-    for (size_t p = 0; p < points; p++) stable += report->map.point[p].stable;
+    size_t stable = 0, gaps = 0;
+    const size_t columns = report->options.stiffness.count, points = report->rows * columns;
+    for (size_t p = 0; p < points; p++) {
+        stable += report->map.point[p].stable;
+        gaps += isnan(report->map.point[p].rate) && !report->map.row[p / columns].error.status;
+    }
     fprintf(stream, "\n%zu of the %zu points of the map are stable (%.3g %%).\n", stable, points,
             100.0 * (double)stable / (double)points);
+    if (gaps)
+        fprintf(stream, "%zu point%s no values: no motion that repeats itself was found there.\n",
+                gaps, gaps == 1 ? " has" : "s have");
 }
 
 void map_print(FILE *stream, const map_report *report, bool all) {
@@ -154,6 +203,7 @@ void map_print(FILE *stream, const map_report *report, bool all) {
     print_thresholds(stream, report);
     for (size_t r = 0; r < report->rows; r++)
         if (all || r == report->own_row) print_row(stream, report, r);
+    print_adjusted(stream, report);
     print_share(stream, report);
     print_failures(stream, report);
 }
@@ -192,6 +242,10 @@ static json_t *row_object(const gough_map_row *row) {
                         row->error.status ? json_words(row->error.message) : json_null());
     json_object_set_new(object, "period",
                         json_number(row->period.period > 0 ? row->period.period : NAN));
+    json_object_set_new(object, "sampling_period",
+                        json_number(row->sampling > 0 ? row->sampling : NAN));
+    json_object_set_new(object, "periods",
+                        row->periods > 0 ? json_integer((json_int_t)row->periods) : json_null());
     json_object_set_new(object, "tongues", json_integer((json_int_t)row->intervals));
     json_object_set_new(object, "tongues_missed", json_integer((json_int_t)row->intervals_missed));
     return object;
@@ -237,6 +291,9 @@ int map_print_json(const map_report *report) {
     }
     json_object_set_new(map, "stiffness", range_values(&report->options.stiffness));
     json_object_set_new(map, "axis", axis ? json_string(axis) : json_null());
+    json_object_set_new(map, "modes",
+                        *map_modes_of(report).text ? json_string(map_modes_of(report).text)
+                                                   : json_null());
     json_object_set_new(map, "rows", rows);
     json_object_set_new(map, "growth_per_period", grid_of(report, take_growth));
     json_object_set_new(map, "growth_rate", grid_of(report, take_rate));

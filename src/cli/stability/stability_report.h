@@ -67,6 +67,7 @@ typedef struct stability_line {
     } loop;
     struct map_options {
         axis_values stiffness, second;
+        unsigned modes; /* as in gough_map_options */
     } map;
     int threads, lanes;
     const char *title;

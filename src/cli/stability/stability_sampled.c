@@ -97,23 +97,47 @@ void stability_print_sampled(FILE *stream, const stability_report *report,
                   in_units(unit, GOUGH_UNIT_RATE, r->growth));
 }
 
+/* The samples that repeat themselves, and with which period of the controller. */
+static void print_samples(FILE *stream, const stability_report *report) {
+    const gough_sampled_floquet *a = &report->along;
+    const gough_sampling *own = &report->study->model->control.sampling;
+    const char *time = unit_word(&report->units, GOUGH_UNIT_TIME);
+    fprintf(stream, "\nAlong the program, of period %.9g%s", a->period, time);
+    if (a->periods == 1)
+        fprintf(stream, " or %zu sample%s", a->samples, a->samples == 1 ? "" : "s");
+    else
+        fprintf(stream, ", %zu of which have %zu samples", a->periods, a->samples);
+    if (a->start > 0) fprintf(stream, ", from t = %.4g%s on", a->start, time);
+    fprintf(stream, "\n");
+    if (!a->adjusted) return;
+    print_paragraph(
+        stream, "  ", 2,
+        "No whole number of samples of %.9g%s fills up to 16 periods of the program, so "
+        "the sampled loop has no periodic motion. What follows is for the nearest "
+        "period of the controller that fits, %.9g%s%s.",
+        in_units(&report->units, GOUGH_UNIT_TIME, own->period), time, a->sampling, time,
+        own->delay > 0 ? ", with a delay in proportion" : "");
+}
+
 /* Its times are in the units of the output. */
 void stability_print_sampled_along(FILE *stream, const stability_report *report) {
     const gough_sampled_floquet *a = &report->along;
     const gough_units *unit = &report->units;
-    const char *time = unit_word(unit, GOUGH_UNIT_TIME);
-    const double period = gough_unit_read(unit, GOUGH_UNIT_TIME, a->period);
-    fprintf(stream, "\nAlong the program, of period %.9g%s or %zu samples", a->period, time,
-            a->samples);
-    if (a->start > 0) fprintf(stream, ", from t = %.4g%s on", a->start, time);
-    fprintf(stream, "\n");
+    const double span = (double)a->periods * a->period;
+    char when[40];
+    print_samples(stream, report);
     print_paragraph(stream, "  ", 2,
                     "The sampled loop has a periodic motion of its own, %.4g%s from the program "
                     "when the period begins. The multipliers are those of this motion.",
                     report->sag, unit_word(unit, GOUGH_UNIT_LENGTH));
-    print_sampled_multipliers(
-        stream, report,
-        &(multiplier_list){a->multiplier, a->listed, a->size, period, "in each period"});
+    if (a->periods == 1)
+        snprintf(when, sizeof when, "in each period");
+    else
+        snprintf(when, sizeof when, "in every %zu periods", a->periods);
+    print_sampled_multipliers(stream, report,
+                              &(multiplier_list){a->multiplier, a->listed, a->size,
+                                                 gough_unit_read(unit, GOUGH_UNIT_TIME, span),
+                                                 when});
     print_verdict(stream, report, a->stable, a->growth < 1 - GOUGH_GROWTH_LIMIT,
-                  &a->multiplier[0].mode, log(a->growth) / a->period);
+                  &a->multiplier[0].mode, log(a->growth) / span);
 }

@@ -118,9 +118,9 @@ static const scaled_member report_members[] = {SCALED(stability_report, arm, LEN
 static const scaled_member floquet_members[] = {SCALED(stability_report, floquet.start, TIME),
                                                 SCALED(stability_report, floquet.period, TIME)};
 
-static const scaled_member along_members[] = {SCALED(stability_report, along.start, TIME),
-                                              SCALED(stability_report, along.period, TIME),
-                                              SCALED(stability_report, sag, LENGTH)};
+static const scaled_member along_members[] = {
+    SCALED(stability_report, along.start, TIME), SCALED(stability_report, along.period, TIME),
+    SCALED(stability_report, along.sampling, TIME), SCALED(stability_report, sag, LENGTH)};
 
 /* From the study's units; a pose keeps the digits that it was given with. */
 static void scale_pose(double pose[GOUGH_COMPONENTS], const gough_units *own,

@@ -1,0 +1,243 @@
+/* A row of the map whose controller is sampled: each stiffness on its own, at rest from sample to sample, along the program about
+ * the periodic motion of the sampled loop. That motion depends on the stiffness, and it grows beyond bounds where a multiplier
+ * comes to 1, so nothing is interpolated. Theory: docs/theory/loop.md. */
+#include <math.h>
+
+#include "linear/sampled.h"
+#include "map/map_row.h"
+
+/* multipliers smaller than this share of the largest are its rounding */
+static const double least_share = 1e-9;
+
+/* growth of a multiplier in each sample at rest that rounding explains */
+static const double rounding = 1e-12;
+
+/* A conjugate pair this close to the real axis is two real multipliers, of a machine that sways alike in two directions. */
+static const double same_real = 3e-5;
+
+/* Where a motion ends, each look beyond takes a long search for one: edges there, relative to the greatest stiffness. */
+static const double coarse_edge = 1e-4;
+
+enum { GOLDEN = 6, BUMP = 8, MOST_TABLE = 1 << 26 };
+
+/* ---- the controller of the row ---- */
+
+static void set_period(gough_sampling *s, double period) {
+    const double longer = s->period > 0 ? period / s->period : 0;
+
+    s->delay *= longer;
+    s->preview *= longer;
+    s->period = period;
+}
+
+/* the controller of a row on its own */
+static void set_axis(const gough_map_options *o, size_t index, gough_sampling *s) {
+    if (o->axis == GOUGH_MAP_PERIOD) set_period(s, gough_map_value(&o->second, index));
+    if (o->axis == GOUGH_MAP_DELAY) s->delay = gough_map_value(&o->second, index);
+}
+
+/* Bytes of the table for a loop, 0 if it takes too many. */
+static size_t table_of(const sampled_orbit *o) {
+    const size_t bytes = sampled_table_size(o->samples, o->layout.n);
+
+    return bytes <= MOST_TABLE ? bytes : 0;
+}
+
+size_t map_sampled_table(const map_job *job) {
+    map_worker w = {.job = job};
+    size_t most = 0;
+    sampled_orbit o;
+
+    for (size_t row = 0; row < gough_map_rows(job->options); row++) {
+        w.orbit = &o;
+        o.samples = 0;
+        if (map_row_begin(&w, row, NULL) != GOUGH_OK || w.period.resting) continue;
+        const size_t bytes = table_of(&o);
+        if (bytes > most) most = bytes;
+    }
+    return most;
+}
+
+gough_status map_sampled_begin(map_worker *w, gough_error *error) {
+    gough_sampling *s = &w->model.control.sampling;
+    gough_status status;
+
+    set_axis(w->job->options, w->index, s);
+    status = gough_control_check(&w->model.control, error);
+    if (status == GOUGH_OK) status = sampled_check(s, error);
+    if (status != GOUGH_OK || w->period.resting) return status;
+    status = sampled_orbit_begin(w->orbit, &w->model, &w->period, error);
+    if (status == GOUGH_OK && w->table != NULL && table_of(w->orbit) > 0)
+        w->orbit->table = sampled_table_begin(w->orbit->samples, w->orbit->layout.n, w->table);
+    return status;
+}
+
+/* ---- one stiffness ---- */
+
+/* ln|μ| of what is listed, over `span`, as samples */
+static void take(const map_worker *w, const gough_multiplier *list, int listed, double span,
+                 double limit, sample *s) {
+    const double largest = listed > 0 ? hypot(list[0].value[0], list[0].value[1]) : 0;
+
+    for (int k = 0; k < listed; k++) {
+        const double size = hypot(list[k].value[0], list[k].value[1]);
+        double value[2] = {list[k].value[0], list[k].value[1]};
+        if (!(size > least_share * largest)) break;
+        if (fabs(value[1]) <= same_real * fabs(value[0])) value[1] = 0;
+        sample_add(s, value, log(size) / span, limit, &list[k].mode);
+    }
+    if (!isfinite(s->size)) sample_no_values(s, s->stiffness);
+    (void)w;
+}
+
+static int look_at_rest(void *context, double stiffness, sample *s) {
+    map_worker *w = context;
+    const gough_machine *machine = &w->model.machine;
+    const double T = w->model.control.sampling.period;
+    const double unit = sqrt(machine->gravity_magnitude / machine->base_radius);
+    gough_sampled_rest rest;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) w->model.control.stiffness[v] = stiffness;
+    sample_begin(s, stiffness, w->job->options->modes);
+    if (gough_sampled_at_rest(&w->model, w->component, &rest, NULL) == GOUGH_OK)
+        take(w, rest.multiplier, (int)rest.listed, T, rounding / T + GOUGH_GROWTH_LIMIT * unit, s);
+    else
+        sample_no_values(s, stiffness);
+    return map_report(w, w->reported);
+}
+
+static int look_along(void *context, double stiffness, sample *s) {
+    map_worker *w = context;
+    sampled_orbit *o = w->orbit;
+    gough_multiplier list[GOUGH_SAMPLED];
+
+    for (int v = 0; v < GOUGH_LEGS; v++) o->control.stiffness[v] = stiffness;
+    sample_begin(s, stiffness, w->job->options->modes);
+    if (sampled_orbit_find(o, NULL) == GOUGH_OK) {
+        w->job->map->row[w->index].steps = o->steps;
+        take(w, list, sampled_multipliers(&w->model.machine, &o->map, GOUGH_SAMPLED, list),
+             (double)o->periods, GOUGH_GROWTH_LIMIT / (double)o->periods, s);
+    } else {
+        sample_no_values(s, stiffness);
+    }
+    return map_report(w, w->reported);
+}
+
+/* ---- the row ---- */
+
+/* The scan of a row: what has been scanned so far, and the two points of the grid after it. */
+typedef struct {
+    scan scan;
+    sample last, middle, next;
+    int seen; /* how many of these there are */
+} way;
+
+/* the greatest least stiffness of a mode at rest, which neither period nor delay moves: below it some mode falls */
+static double threshold_of(const map_worker *w) {
+    double greatest = 0;
+    gough_rest rest;
+
+    if (gough_stability_at_rest(&w->model, w->period.resting ? w->component : NULL, &rest, NULL) !=
+        GOUGH_OK)
+        return 0;
+    for (int i = 0; i < 6; i++) {
+        if (sample_counts(&rest.threshold[i].mode, w->job->options->modes))
+            greatest = fmax(greatest, rest.threshold[i].stiffness);
+    }
+    return greatest;
+}
+
+static void scan_one(way *p, const sample *s) {
+    scan_to(&p->scan, &p->last, s);
+    p->last = *s;
+}
+
+/* Where growth has a top below the circle, or a bottom above it, at the middle one of three points: whether it crosses the circle
+ * between them, by golden section. */
+static bool find_bump(way *p, sample *found) {
+    const double golden = 0.61803398874989485;
+    const double sign = p->middle.growers > 0 ? -1 : 1; /* of the quantity that has a top */
+    double a = p->last.stiffness, b = p->next.stiffness, x = b - golden * (b - a);
+    sample best = p->middle;
+
+    if ((p->last.growers > 0) != (p->middle.growers > 0) ||
+        (p->next.growers > 0) != (p->middle.growers > 0) ||
+        !(sign * (p->middle.size - p->last.size) >= 0 &&
+          sign * (p->middle.size - p->next.size) >= 0))
+        return false;
+    for (int k = 0; k < BUMP && !p->scan.stopped; k++) {
+        p->scan.stopped |= p->scan.look(p->scan.context, x, found);
+        if (isnan(found->size)) return false;
+        if ((found->growers > 0) != (p->middle.growers > 0)) return true;
+        if (sign * (found->size - best.size) > 0) {
+            if (x > best.stiffness)
+                a = best.stiffness;
+            else
+                b = best.stiffness;
+            best = *found;
+        } else if (x > best.stiffness) {
+            b = x;
+        } else {
+            a = x;
+        }
+        x = best.stiffness - a > b - best.stiffness
+                ? best.stiffness - (1 - golden) * (best.stiffness - a)
+                : best.stiffness + (1 - golden) * (b - best.stiffness);
+    }
+    return false;
+}
+
+/* a further point of the grid, by rising stiffness */
+static void put_next(way *p, const sample *s) {
+    sample bump;
+
+    if (isnan(s->size)) return; /* no values: as if not looked at */
+    switch (p->seen) {
+    case 0:
+        scan_begin(&p->scan, s);
+        p->last = *s;
+        p->seen = 1;
+        return;
+    case 1:
+        p->middle = *s;
+        p->seen = 2;
+        return;
+    }
+    p->next = *s;
+    const bool bumps = find_bump(p, &bump);
+    if (bumps && bump.stiffness < p->middle.stiffness) scan_one(p, &bump);
+    scan_one(p, &p->middle);
+    if (bumps && bump.stiffness > p->middle.stiffness) scan_one(p, &bump);
+    p->middle = *s;
+}
+
+int map_sampled_find(map_worker *w) {
+    const gough_map_range *range = &w->job->options->stiffness;
+    gough_map_row *row = &w->job->map->row[w->index];
+    way p = {.seen = 0};
+    sample s;
+
+    row->sampling = w->model.control.sampling.period;
+    if (!w->period.resting) row->sampling = w->orbit->control.sampling.period;
+    if (!w->period.resting) row->periods = w->orbit->periods;
+    p.scan = (scan){.look = w->period.resting ? look_at_rest : look_along,
+                    .found = map_put_interval,
+                    .context = w,
+                    .low = range->from,
+                    .high = range->to,
+                    .resolution = map_edge_width_slow * range->to,
+                    .edge = map_edge_width_slow * range->to,
+                    .coarse = coarse_edge * range->to,
+                    .period = w->period.resting ? 0 : w->period.period,
+                    .sweeps = GOLDEN,
+                    .sampled = true,
+                    .threshold = threshold_of(w)};
+    for (size_t i = 0; i < range->count && !p.scan.stopped; i++) {
+        if (p.scan.look(w, gough_map_value(range, i), &s)) return 1;
+        if (map_put_point(w, NULL, i, &s)) return 1;
+        put_next(&p, &s);
+    }
+    if (p.seen == 2) scan_one(&p, &p.middle);
+    if (p.seen > 0) scan_end(&p.scan, &p.last);
+    return p.scan.stopped;
+}
