@@ -133,6 +133,16 @@ static void add_curve(builder *b, panel *deviation, panel *force, const curve *c
     set_points(line, c->named, c->named_G, c->named_force);
 }
 
+/* Forces of runs that follow the program alike differ by the errors of the runs: they are drawn as one. */
+static void note_errors(panel *p) {
+    static const double share = 1e-6;
+    double greatest = 0;
+    for (int i = 0; i < p->count; i++)
+        for (size_t k = 0; k < p->series[i].count; k++)
+            if (isfinite(p->series[i].y[k])) greatest = fmax(greatest, fabs(p->series[i].y[k]));
+    p->noise = fmax(p->noise, share * greatest);
+}
+
 void builder_fill_tuning(builder *b) {
     sheet *s = b->sheet;
     int colour = 0;
@@ -160,5 +170,6 @@ void builder_fill_tuning(builder *b) {
         }
     }
     if (deviation != NULL && colour > 0) limit_axis(b, deviation);
+    if (force != NULL) note_errors(force);
     if (force != NULL && colour == 0) s->count = 0;
 }

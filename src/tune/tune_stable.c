@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "floquet/loads.h"
+#include "plant/can_move.h"
 #include "tune/tune.h"
 
 /* without a map the margin is looked at in so many places on each side, without damping or with it */
@@ -103,6 +105,15 @@ static bool keeps_program(const tune *t) {
     return gough_keeps_program(&t->loop->machine, &t->loop->control, !t->period.resting);
 }
 
+/* maps are made for constant loads with the axes of the base; multipliers for all that repeat */
+static bool loads_allow_map(const tune *t) {
+    const gough_machine *machine = &t->loop->machine;
+    gough_error none;
+
+    return !machine_loads_follow(machine) &&
+           loads_check(machine, &t->period, true, &none) == GOUGH_OK;
+}
+
 /* The map finds resonances however narrow; it is quick where the motion is the program's own, and its memory is limited. Sets the
  * gains. */
 static bool can_map(tune *t, double from, double to, size_t count, double damping) {
@@ -112,6 +123,7 @@ static bool can_map(tune *t, double from, double to, size_t count, double dampin
     set_gains(t, from, damping);
     if (t->sampled || !keeps_program(t) || !(to > from) || to > t->map_top) return false;
     if (!t->period.resting && is_well_damped(t, to, damping)) return false;
+    if (!t->period.resting && !loads_allow_map(t)) return false;
     return gough_map_size(t->steady, &options, &bytes, NULL) == GOUGH_OK && bytes <= t->map_bytes;
 }
 

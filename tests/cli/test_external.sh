@@ -67,6 +67,19 @@ run stability own.yaml --set "$wave" --set 'external=[{force: [0, 0, sin(10*t)]}
 expect_code 2 "a map with a load that varies"
 grep -qF "maps are computed for constant loads" err || fail "$what: $(cat err)"
 
+# tune looks at multipliers one by one where a load varies, and refuses one that does not repeat; check says what is ignored
+quick=(--set "$wave" --set simulation.duration=2 --deviation 1e-3 --damping-ratio 0.4 --feedforward program)
+run tune own.yaml "${quick[@]}" --set 'external=[{force: [0, 0, sin(10*t)]}]'
+expect_code 0 "tune with a load that varies: $(head -2 err)"
+says "With feed-forward stiffness G = "
+run tune own.yaml "${quick[@]}" --set 'external=[{force: [0, 0, sin(3*t)]}]'
+expect_code 2 "tune with a load of another period"
+grep -qF "load 1 does not repeat with the period 1.25663706 of the program" err || fail "tune: $(cat err)"
+run check own.yaml --set "$support" --set control.model.external=false
+says "feedforward the program's forces without the external loads"
+run check own.yaml --set "$support"
+! grep -q "without  *the external loads" out || fail "check: the loads are known"
+
 # angles in both orders: rows, the start of a run and --pose against lengths from elementary rotations
 lengths() { # ORDER SURGE ROLL PITCH YAW
     python3 - "$@" <<'END'

@@ -113,4 +113,6 @@ says "With feed-forward that ignores the legs' mass"
 run simulate heavy.yaml --set control.model.legs=false --set simulation.duration=2 --set control.damping=2e4 -o rows.csv
 expect_code 0 simulate
 near "$what: it sags by less force than stiffness" "$(column rows.csv ez | tail -1 | awk '{ print ($1 < -1e-4 && $1 > -1e-3) }')" 1 0
+run check heavy.yaml --set 'control.model={legs: false, friction: false}' --set 'platform.legs.friction={viscous: 10, coulomb: 5}'
+says "feedforward the program's forces without the legs' mass and the viscous friction of the legs without the dry friction of the legs and losses of their screws"
 finish

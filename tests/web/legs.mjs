@@ -76,6 +76,15 @@ test("forces of drives and legs are apart, and energies say whose they are", asy
   assert.match(await note("energy"), /The work of the drives is .* drive force times rate\./);
   assert.match(await note("energy"), /The energies are the load's alone/);
   assert.equal(await title("work"), "Work of each drive");
+  const machine = page.locator("dl", { hasText: "height at home" });
+  assert.match(await machine.textContent(), /mass of the legs480 kg/);
+  const colors = await page.evaluate(() =>
+    [...document.querySelectorAll("#grid > *")]
+      .map(({ curve }) => curve.spec)
+      .find(({ id }) => id === "energy")
+      .lines.map(({ color }) => getComputedStyle(document.body).getPropertyValue(color.slice(4, -1))),
+  );
+  assert.equal(new Set(colors).size, colors.length, `${colors}`);
   const drawn = await page.evaluate(() => {
     const { run } = window.goughPage.studies[0];
     const figures = [...document.querySelectorAll("#grid > *")].map(({ curve }) => curve.spec);

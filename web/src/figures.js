@@ -287,6 +287,7 @@ function energyFigures(study) {
         `The work of the ${doers} is the sum over six of the integral of ${takesForce ? "drive force" : "force"} times rate.`,
         machine.legs_have_mass &&
           "The energies are the load's alone: those of the legs' own mass are not drawn.",
+        machine.externals > 0 && "The work of the external loads is not drawn.",
         takesForce && "Lost by friction: the same integral of drive force less leg force.",
       ),
       unit: energyUnit,
@@ -297,7 +298,7 @@ function energyFigures(study) {
         { label: "sum", color: AXES[2], t: run.t, y: total, width: 2 },
         { label: `work of the ${doers}`, color: GREY, dash: DASH, t: run.t, y: done },
         ...(takesForce
-          ? [{ label: "lost by friction", color: LEGS[3], t: run.t, y: frictionLoss(study) }]
+          ? [{ label: "lost by friction", color: LEGS[4], t: run.t, y: frictionLoss(study) }]
           : []),
       ],
     },

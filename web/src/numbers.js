@@ -134,13 +134,20 @@ function endFacts(study) {
       simulate && ["condition", `at most ${number(simulate.condition, 5)}`],
       ["rows", `${study.run.rows}, one each ${number(simulation.output_step, 6)}${time}`],
       ["method", simulation.method],
-      ["feed-forward", study.control.feedforward ? "the program's forces" : "none"],
+      [
+        "feed-forward",
+        study.control.feedforward ? `the program's forces${exceptFor(study.machine.ignored)}` : "none",
+      ],
       ["stiffness G", same(study.control.stiffness), unitAfter(study.gainUnit(0))],
       ["damping D", same(study.control.damping), unitAfter(study.gainUnit(1))],
     ],
     "end-facts",
   );
 }
+
+const exceptFor = (ignored) => (ignored ? ` except for ${ignored}` : "");
+
+const sum = (values) => values.reduce((total, value) => total + value, 0);
 
 const same = (six) => (six.every((value) => value === six[0]) ? number(six[0], 6) : list(six));
 
@@ -206,7 +213,13 @@ function machineFacts(study) {
         element("span", { class: "matrix" }, machine.inertia.map((row) => list(row)).join("\n")),
         unitAfter(study.unitOf("inertia")),
       ],
-      ["gravity", list(machine.gravity), unitAfter(study.unitOf("acceleration"))],
+      machine.legs_have_mass && [
+        "mass of the legs",
+        number(sum(machine.cylinder.mass) + sum(machine.piston.mass), 6),
+        unitAfter(study.unitOf("mass")),
+      ],
+      machine.externals > 0 && ["external loads", `${machine.externals}; see the study file`],
+      ["gravity", list(machine.gravity, 6), unitAfter(study.unitOf("acceleration"))],
       length &&
         (length[0] || length[1]) && [
           "length limits",

@@ -151,6 +151,11 @@ json_t *control_object(const gough_study *study, const gough_units *unit) {
     json_t *object = json_object();
     json_object_set_new(object, "law", json_string("leg"));
     json_object_set_new(object, "feedforward", json_boolean(c->feedforward));
+    json_t *model = json_object();
+    json_object_set_new(model, "legs", json_boolean(!c->ignores_legs));
+    json_object_set_new(model, "friction", json_boolean(!c->ignores_friction));
+    json_object_set_new(model, "external", json_boolean(!c->ignores_external));
+    json_object_set_new(object, "model", model);
     json_object_set_new(object, "stiffness",
                         gains(c, unit, GOUGH_UNIT_STIFFNESS, c->stiffness, c->cross_stiffness));
     json_object_set_new(object, "damping",

@@ -10,6 +10,7 @@
 #include "cli/check/machine_view.h"
 #include "cli/common/in_and_out.h"
 #include "cli/common/json.h"
+#include "cli/common/left_out.h"
 #include "cli/common/leg_table.h"
 #include "cli/common/option_values.h"
 #include "cli/common/sampled_view.h"
@@ -301,13 +302,26 @@ static void print_program(const check *c) {
     }
 }
 
+/* What the feed-forward leaves out of what the machine has. */
+static void print_ignored(const check *c) {
+    const gough_control *control = &c->model->control;
+    const bool rubs = leaves_out_friction(c->model);
+    const ignored_words ignored = words_of_ignored(c->model, true);
+    if (!control->feedforward) return;
+    if (*ignored.text) printf("    without            %s\n", ignored.text);
+    if (control->ignores_friction && rubs)
+        printf("    without            the dry friction of the legs and losses of their screws\n");
+}
+
 static void print_control(const check *c) {
     const gough_control *control = &c->model->control;
     double stiffness[2], damping[2];
     gain_range(control->stiffness, stiffness);
     gain_range(control->damping, damping);
-    printf("\nControl\n  feedforward          %s\n  stiffness G          ",
+    printf("\nControl\n  feedforward          %s\n",
            control->feedforward ? "the program's forces" : "none");
+    print_ignored(c);
+    printf("  stiffness G          ");
     print_range(stiffness, own(c, GOUGH_UNIT_STIFFNESS, 1),
                 unit_word(c->unit, GOUGH_UNIT_STIFFNESS));
     printf("%s%s\n  damping D            ", loop_matrix_words(control, control->cross_stiffness),

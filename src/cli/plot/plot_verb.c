@@ -74,7 +74,8 @@ static const option plot_option[] = {
      .value = "F",
      .read = read_limit,
      .at = FIGURE(max_force),
-     .text = "limit of the drive force that it draws (default: likewise)"},
+     .text =
+         "limit of the drive force that the figure duty draws (default: the study's, from HDF5)"},
     {.name = "log",
      .read = read_flag,
      .at = FIGURE(logarithmic),

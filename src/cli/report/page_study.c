@@ -6,6 +6,7 @@
 
 #include "cli/check/check_limits.h"
 #include "cli/common/json.h"
+#include "cli/common/left_out.h"
 #include "cli/common/memory.h"
 #include "cli/common/study_fields.h"
 #include "cli/common/talk.h"
@@ -178,6 +179,9 @@ static json_t *machine_object(const gough_study *study) {
     json_object_set_new(object, "home_condition", json_number(m->home_condition));
     json_object_set_new(object, "legs_have_mass", json_boolean(m->platform.legs_have_mass));
     json_object_set_new(object, "legs_take_force", json_boolean(legs_take_force(m)));
+    json_object_set_new(object, "externals", json_integer((json_int_t)m->externals));
+    const ignored_words ignored = words_of_ignored(study->model, true);
+    json_object_set_new(object, "ignored", json_words(ignored.text));
     json_object_set_new(object, "cylinder", part_object(&m->platform.cylinder, u));
     json_object_set_new(object, "piston", part_object(&m->platform.piston, u));
     return object;
