@@ -318,6 +318,22 @@ static void paint_pair(const field *f, const field_view *view, const field_pair 
     }
 }
 
+static bool holds(const field *f, size_t row, double x) { return field_covered(f, row, -1, x); }
+
+/* Of sampled loops: where something grows in both rows, though intervals that join or part have no partner in the other row. */
+static void paint_both(const field *f, const field_view *view, size_t row, double part,
+                       line_of_pixels *line) {
+    const bool logarithmic = f->options->stiffness.logarithmic;
+    if (!(row_of(f, row)->sampling > 0)) return;
+    for (int x = 0; x < view->width; x++) {
+        const double at = value_at(view, logarithmic, x + 0.5);
+        if (!holds(f, row, at) || !holds(f, row + 1, at)) continue;
+        line->cover[x] = 1;
+        line->level[x] =
+            fmax(line->level[x], mix(field_level(f, row, at), field_level(f, row + 1, at), part));
+    }
+}
+
 /* A line at a part of the way from a row to the next. It is grey near points without values, and all of it is if either row has
  * none. */
 static void paint_line(const field *f, const field_view *view, const line_of_pixels *line,
@@ -360,6 +376,7 @@ void field_paint(const field *f, const field_view *view, unsigned char *pixel) {
         memset(line.level, 0, width * sizeof *line.level);
         for (size_t p = f->first[row]; p < f->first[row + 1]; p++)
             paint_pair(f, view, &f->pair[p], part, &line);
+        paint_both(f, view, row, part, &line);
         paint_line(f, view, &line, row, part, pixel + 3 * (size_t)y * width);
     }
     free(line.cover);
