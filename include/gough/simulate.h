@@ -323,6 +323,10 @@ typedef struct gough_leg_summary {
     double
         acceleration; /**< peak |second derivative of the length|; 0 unless the machine has a limit
                               of acceleration or of the platform */
+    double
+        saturated; /**< share of the time, 0 to 1, in which a limit of `actuators` held its drive back; NaN if unknown, as
+                           from rows without the columns sat1 … sat6 and for forces along a program */
+    double saturated_at; /**< time at which this was first so; NaN if never */
 } gough_leg_summary;
 
 /** Summary of the rows so far; fill it by gough_summary_begin(), gough_summary_add(), gough_summary_end(). For the motion
@@ -364,6 +368,7 @@ typedef struct gough_summary {
     bool joints_;                         /**< private: looks have forces of the joints */
     bool limited_;                        /**< private: component and acceleration are wanted */
     double about_[3];                     /**< private: their point */
+    double held_[1 + GOUGH_LEGS]; /**< private: time and saturations of the last look or row */
 } gough_summary;
 
 /** An empty summary. Summaries are exact where rows or looks are, and of fourth order in their distance between them. */

@@ -75,17 +75,24 @@ static inline void row_joints(const struct system *r, const signals *m, real *va
     }
 }
 
-/* commands, measured lengths, what holds the drives back */
-static inline void row_loop(const struct system *r, const signals *m, real *value) {
+/* what holds the drives back */
+static inline void row_held(const struct system *r, const signals *m, real *value) {
+    const drive_signals *d = &m->loop;
+
     for (int v = 0; v < LEGS; v++) {
-        const int sampled = r->traits & SAMPLED;
-        const drive_signals *d = &m->loop;
-        value[GOUGH_U + v] = r->traits & LOOPED ? d->command[v] : m->force[v];
-        if (!r->options->actuators) continue;
-        value[GOUGH_MEASURED + v] = sampled ? r->measured[v] : m->g.length[v];
         value[GOUGH_SATURATED + v] =
             r->traits & LOOPED ? drive_held(&r->drives[v], d->asked[v], d->command[v], d->force[v])
                                : 0;
+    }
+}
+
+/* commands and measured lengths */
+static inline void row_loop(const struct system *r, const signals *m, real *value) {
+    for (int v = 0; v < LEGS; v++) {
+        const int sampled = r->traits & SAMPLED;
+        value[GOUGH_U + v] = r->traits & LOOPED ? m->loop.command[v] : m->force[v];
+        if (!r->options->actuators) continue;
+        value[GOUGH_MEASURED + v] = sampled ? r->measured[v] : m->g.length[v];
     }
 }
 
@@ -93,6 +100,11 @@ static inline void row_loop(const struct system *r, const signals *m, real *valu
 static inline int row_joints_summed(const struct system *r) {
     return r->options->summary && !r->options->summary->brief_ &&
            r->traits & (MOVING_MASS | FRICTION);
+}
+
+/* whether a summary counts the times in which drives are held back */
+static inline int row_held_summed(const struct system *r) {
+    return r->options->summary && !r->options->summary->brief_;
 }
 
 /* how much of a row is wanted: velocities and accelerations, and the condition number, are else 0 */
@@ -121,6 +133,7 @@ static inline void row_fill(const struct system *r, const wanted *s, real t, con
         value[GOUGH_DRIFT] = drift;
     }
     if (simulated && r->options->commands + r->options->actuators) row_loop(r, m, value);
+    if (simulated && (r->options->actuators || row_held_summed(r))) row_held(r, m, value);
     if (r->options->reactions) row_reactions(r, s, m, simulated, value);
     if (r->options->joints || row_joints_summed(r)) row_joints(r, m, value);
 }
@@ -153,6 +166,7 @@ static inline int row_send(const struct system *r, const real value[GOUGH_COLUMN
     if (sink == NULL) return 0;
     for (int c = 0; c < GOUGH_COLUMNS; c++) sent[c] = value[c];
     for (int c = GOUGH_H; c <= GOUGH_S_LAST && !r->options->joints; c++) sent[c] = (real)NAN;
+    for (int v = 0; v < LEGS && !r->options->actuators; v++) sent[GOUGH_SATURATED + v] = (real)NAN;
     for (int c = 0; c < GOUGH_COLUMNS; c++) row.value[c] = (double)sent[c];
 #if defined(NUMBER_QUAD)
     row.quad = sent;

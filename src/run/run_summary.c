@@ -54,7 +54,9 @@ void gough_summary_begin(gough_summary *summary) {
         gough_leg_summary *leg = &summary->leg[v];
         leg->length_min = leg->force_min = leg->power_min = INFINITY;
         leg->length_max = leg->force_max = leg->power_max = -INFINITY;
+        leg->saturated = leg->saturated_at = NAN;
     }
+    summary->held_[0] = NAN;
     summary->position_deviation = summary->angle_deviation = NAN;
     summary->drift = NAN;
 }
@@ -261,6 +263,7 @@ void gough_summary_add(gough_summary *summary, const gough_machine *machine, con
     double at_base[GOUGH_LEGS], at_top[GOUGH_LEGS], position, angle, load[4 * GOUGH_LEGS];
 
     count_row(summary, value[GOUGH_T]);
+    summary_saturation(summary, value);
     summary->joints_ = has_joints(machine, value);
     if (summary->joints_) take_joints(summary, value, load);
     find_swing(machine, summary->order, value, at_base, at_top);
@@ -549,6 +552,7 @@ void gough_summary_look(gough_summary *summary, const gough_machine *machine, co
     summary->joints_ = has_joints(machine, value);
     if (summary->joints_) take_joints(summary, value, newest + LOOK_TOP_LOAD);
     take_limits(summary, machine, value, newest);
+    summary_saturation(summary, value);
     summary->looks_++;
     if (!summary->brief_) watch_rows(summary, is_row);
     if (summary->looks_ == WINDOW) sum_up(summary, WINDOW, 0);
@@ -578,6 +582,7 @@ void gough_summary_end(gough_summary *summary) {
     for (int v = 0; v < GOUGH_LEGS; v++) {
         gough_leg_summary *leg = &summary->leg[v];
         const double newest = fmax(fabs(leg->force_min), fabs(leg->force_max));
+        if (span > 0) leg->saturated = fmin(1, leg->saturated / span);
         leg->rms_force = span > 0 ? sqrt(fmax(0, summary->square_[v] / span)) : newest;
         if (!summary->joints_) leg->top_load = leg->base_load = newest;
     }

@@ -97,3 +97,19 @@ double summary_external_power(const gough_machine *machine, gough_order order,
     }
     return power;
 }
+
+void summary_saturation(gough_summary *summary, const double *value) {
+    double *held = summary->held_;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        const double now = value[GOUGH_SATURATED + v] > 0 ? 1 : 0;
+        if (isnan(value[GOUGH_SATURATED + v])) continue;
+        if (isnan(leg->saturated)) leg->saturated = 0;
+        if (now > 0 && isnan(leg->saturated_at)) leg->saturated_at = value[GOUGH_T];
+        if (held[0] < value[GOUGH_T])
+            leg->saturated += (value[GOUGH_T] - held[0]) * (held[1 + v] + now) / 2;
+        held[1 + v] = now;
+    }
+    held[0] = value[GOUGH_T];
+}

@@ -2,6 +2,7 @@
 #include "cli/run/run_report.h"
 #include "cli/common/talk.h"
 
+#include "cli/common/paragraph.h"
 #include "cli/common/scale.h"
 #include "cli/run/leg_quantities.h"
 #include "cli/run/limits_used.h"
@@ -242,6 +243,21 @@ static bool legs_are_heavy_or_rough(const run_report *report) {
     return rough || p->legs_have_mass;
 }
 
+/* The legs whose drives a limit of `actuators` held back, for how long and since when. */
+static void print_saturated(FILE *stream, const run_report *report) {
+    const char *time = unit_word(&report->units, GOUGH_UNIT_TIME), *before = "";
+    char text[GOUGH_LEGS * 80] = "";
+    for (int i = 0; i < GOUGH_LEGS; i++) {
+        const gough_leg_summary *leg = &report->summary.leg[i];
+        if (isnan(leg->saturated_at)) continue;
+        snprintf(text + strlen(text), sizeof text - strlen(text),
+                 "%sleg %d for %.3g %% of the time, first at t = %.6g%s", before, i + 1,
+                 100 * leg->saturated, leg->saturated_at, time);
+        before = "; ";
+    }
+    if (*text) print_paragraph(stream, "  saturated   ", 14, "%s", text);
+}
+
 void run_report_print(FILE *stream, const run_report *report) {
     const gough_summary *s = &report->summary;
     const gough_units *unit = &report->units;
@@ -277,6 +293,7 @@ void run_report_print(FILE *stream, const run_report *report) {
                 "  drift       at most %.2g (violation of the constraints before projection)\n",
                 s->drift);
     }
+    if (report->simulated && s->rows > 0) print_saturated(stream, report);
     if (!report->study->model->machine.platform.legs_have_mass)
         fprintf(stream, "  legs        massless in this model: add %s\n",
                 report->study->model->machine.gravity_magnitude > 0
