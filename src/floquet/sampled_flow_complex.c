@@ -152,6 +152,7 @@ static void pass(passage *p, const sampled_layout *layout, double t, double tole
     p->l.fresh = 0;
     p->l.clock.sample = 0;
     loop_look(&p->r, &p->l, t, &g);
+    for (int v = 0; v < LEGS; v++) command[0][v] = drive_takes(&p->r.drives[v], command[0][v]);
     s->memory = p->l.memory;
     if (end != NULL) memcpy(s->y, end->y, sizeof s->y);
     if (end == NULL && layout->rest > 0)

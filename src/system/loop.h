@@ -15,8 +15,8 @@ typedef struct {
     sampler_memory memory;
     int fresh;  /* there has been no sample yet */
     number fed; /* sum of the program forces of the last sample: not finite if one of them is not */
-    number home[LEGS]; /* lengths at home, where counts have their origin */
-    number queue[LOOP_QUEUE][LEGS];
+    number home[LEGS];              /* lengths at home, where counts have their origin */
+    number queue[LOOP_QUEUE][LEGS]; /* what each sample asks for; a drive takes what it can */
 } loop;
 
 /* the legs in a state, with their rates */
@@ -74,7 +74,7 @@ static inline void loop_look(struct system *r, loop *l, real t, const legs *g) {
     const sampler_gains gains = {r->G, r->D, r->integral,
                                  r->traits & COUPLED ? &r->coupling : NULL};
     const real preview = r->lane[0].control->sampling.preview;
-    number fed[LEGS], error[LEGS], rate[LEGS], speed[LEGS], asked[LEGS], *u;
+    number fed[LEGS], error[LEGS], rate[LEGS], speed[LEGS], u[LEGS], *asked;
     const wanted *s = system_wanted(r, r->feeds ? t + preview : t);
 
     l->fed = number_of(0);
@@ -86,16 +86,21 @@ static inline void loop_look(struct system *r, loop *l, real t, const legs *g) {
     loop_measure(r, l, s, g, error, rate, speed);
     if (l->fresh) sampler_begin(&l->rule, error, rate, &l->memory);
     l->fresh = 0;
+    asked = l->queue[l->clock.sample % LOOP_QUEUE];
     sampler_asks(&l->rule, &gains, fed, error, rate, &l->memory, asked);
     loop_ask(r, l, t, s, fed, speed, asked);
 
-    u = l->queue[l->clock.sample % LOOP_QUEUE];
-    for (int v = 0; v < LEGS; v++) {
-        u[v] = drive_takes(&r->drives[v], asked[v]);
-        r->unmet[v] = asked[v] - u[v];
-    }
+    for (int v = 0; v < LEGS; v++) u[v] = drive_takes(&r->drives[v], asked[v]);
     sampler_integrate(&l->rule, r->integral, asked, u, &l->memory);
     l->clock.sample++;
+}
+
+/* a sample's command begins to act */
+static inline void loop_act(struct system *r, const number asked[LEGS]) {
+    for (int v = 0; v < LEGS; v++) {
+        r->held[v] = drive_takes(&r->drives[v], asked[v]);
+        r->unmet[v] = asked[v] - r->held[v];
+    }
 }
 
 /* what is due at t with the legs of the state: samples, and commands that begin to act */
@@ -106,8 +111,7 @@ static inline void loop_reach(struct system *r, loop *l, real t, const legs *g) 
         if (sample_clock_looks(c)) {
             loop_look(r, l, t, g);
         } else {
-            const number *u = l->queue[c->act++ % LOOP_QUEUE];
-            for (int v = 0; v < LEGS; v++) r->held[v] = u[v];
+            loop_act(r, l->queue[c->act++ % LOOP_QUEUE]);
         }
     }
 }
@@ -128,9 +132,9 @@ static inline void loop_resume(struct system *r, loop *l, real t, const number *
     }
     l->fresh = 1;
     l->clock.sample = next > 0 ? next - 1 : 0;
-    const number *u = l->queue[l->clock.sample % LOOP_QUEUE];
+    const number *asked = l->queue[l->clock.sample % LOOP_QUEUE];
     loop_look(r, l, t, &g);
-    for (int v = 0; v < LEGS; v++) r->held[v] = u[v];
+    loop_act(r, asked);
     l->clock.sample = l->clock.act = next;
 }
 
@@ -152,7 +156,7 @@ static inline void loop_begin(struct system *r, loop *l, double step, number *y)
         }
         l->fresh = 1;
         loop_look(r, l, 0, &g);
-        for (int v = 0; v < LEGS; v++) r->held[v] = l->queue[0][v];
+        loop_act(r, l->queue[0]);
         loop_reach(r, l, 0, &g);
     }
     if (!(r->traits & LAGGING)) return;

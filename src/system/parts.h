@@ -99,7 +99,7 @@ struct system {
     number track[LEGS];    /* 1/T_t of legs with an integral, 0 without */
     number held[LEGS];     /* command in force, if SAMPLED */
     number measured[LEGS]; /* lengths at the last sample */
-    number unmet[LEGS];    /* what the last sample asked of a drive beyond what it takes */
+    number unmet[LEGS];    /* what that asks of a drive beyond what it takes */
     int feeds;             /* F^p is fed forward */
     int knows;             /* MOVING_MASS, FRICTION and EXTERNAL where F^p counts with them */
     int solves;            /* the six equations of the program are needed */

@@ -341,9 +341,82 @@ START_TEST(work_is_what_energy_gains) {
 }
 END_TEST
 
+typedef struct {
+    const gough_machine *machine;
+    gough_summary sum;
+    double saturated[6];
+} counted_rows;
+
+static int count_row(void *context, const gough_row *row) {
+    counted_rows *c = context;
+
+    for (int v = 0; v < 6; v++) c->saturated[v] += row->value[GOUGH_SATURATED + v] > 0;
+    gough_summary_add(&c->sum, c->machine, row);
+    return 0;
+}
+
+/* more than the drive of leg 3 takes, in two of five samples from sample 2 on */
+static void ask_too_much(void *context, const gough_sample *sample, double command[GOUGH_LEGS]) {
+    const uint64_t turn = sample->number % 5;
+
+    (void)context;
+    if (turn == 2 || turn == 3) command[2] = turn == 2 ? 90 : -90;
+}
+
+/* commands that are held count exactly, whether the steps are the samples' own or find themselves, and rows tell the rest apart */
+START_TEST(summaries_count_how_long_drives_are_held) {
+    gough_model *model = model_of(30, 3);
+    gough_platform p = model->machine.platform;
+    gough_summary sum;
+
+    for (int v = 0; v < 6; v++) p.actuators.max_force[v][0] = -80, p.actuators.max_force[v][1] = 80;
+    machine_again(model, &p);
+    for (int method = 0; method < 2; method++) {
+        gough_simulation s = fixed(method ? GOUGH_RK4 : GOUGH_DOP853, method ? 0.005 : 0);
+        gough_end end;
+        model->control.sampling = (gough_sampling){.period = 0.02, .delay = 0.01};
+        s.law = ask_too_much;
+        s.summary = &sum;
+        s.actuators = s.commands = method == 0;
+        ck_assert(gough_simulate(model, &s, NULL, NULL, &end, NULL) == GOUGH_OK);
+        for (int v = 0; v < 6; v++) {
+            ck_assert_double_eq_tol(sum.leg[v].saturated, v == 2 ? 0.4 : 0, 1e-12);
+            ck_assert(v == 2 ? fabs(sum.leg[v].saturated_at - 0.05) <= 1e-12
+                             : isnan(sum.leg[v].saturated_at));
+        }
+    }
+    /* of a continuous controller, against rows that are close together */
+    model->control.sampling = (gough_sampling){.period = 0};
+    for (int v = 0; v < 6; v++) p.actuators.max_force[v][1] = 0.01;
+    machine_again(model, &p);
+    gough_simulation s = fixed(GOUGH_DOP853, 0);
+    gough_end end;
+    s.duration = 0.05;
+    s.output_step = 0.05;
+    s.summary = &sum;
+    ck_assert(gough_simulate(model, &s, NULL, NULL, &end, NULL) == GOUGH_OK);
+    s.output_step = 1e-4;
+    s.summary = NULL;
+    counted_rows count = {.machine = &model->machine};
+    gough_summary_begin(&count.sum);
+    ck_assert(gough_simulate(model, &s, count_row, &count, &end, NULL) == GOUGH_OK);
+    gough_summary_end(&count.sum);
+    int held = 0;
+    for (int v = 0; v < 6; v++) {
+        const gough_leg_summary *rows = &count.sum.leg[v];
+        held += rows->saturated > 0.1;
+        ck_assert_double_eq_tol(rows->saturated, count.saturated[v] / 501.0, 0.005);
+        ck_assert_double_eq_tol(sum.leg[v].saturated, rows->saturated, 0.05);
+        ck_assert(isnan(rows->saturated_at) == isnan(sum.leg[v].saturated_at));
+    }
+    ck_assert_int_ge(held, 3);
+    free(model);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("sampled", 60, a_short_period_is_nearly_continuous,
                      the_callers_law_may_be_the_librarys, the_callers_law_counts,
                      a_plant_moves_as_a_run, a_plant_ends_and_refuses, rows_show_what_holds_a_drive,
-                     work_is_what_energy_gains);
+                     work_is_what_energy_gains, summaries_count_how_long_drives_are_held);
 }
