@@ -582,7 +582,7 @@ void gough_summary_end(gough_summary *summary) {
     for (int v = 0; v < GOUGH_LEGS; v++) {
         gough_leg_summary *leg = &summary->leg[v];
         const double newest = fmax(fabs(leg->force_min), fabs(leg->force_max));
-        if (span > 0) leg->saturated = fmin(1, leg->saturated / span);
+        if (span > 0 && leg->saturated > 0) leg->saturated = fmin(1, leg->saturated / span);
         leg->rms_force = span > 0 ? sqrt(fmax(0, summary->square_[v] / span)) : newest;
         if (!summary->joints_) leg->top_load = leg->base_load = newest;
     }

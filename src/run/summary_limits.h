@@ -16,8 +16,8 @@ void summary_limits_row(const gough_machine *machine, gough_order order, const d
 /* From the numbers of a row: F·v + L·ω of the external loads, v being that of the centre of mass. */
 double summary_external_power(const gough_machine *machine, gough_order order, const double *value);
 
-/* Times in which drives are held back. Between two moments a drive is held for the share of their states, each of which is 0 or 1: that
- * is exact where commands are held, since they change at looks only. */
+/* Times in which drives are held back. Between two moments a drive is held for the share of their states, each of which is 0 or 1:
+ * that is exact where commands are held, since they change at looks only. */
 void summary_saturation(gough_summary *summary, const double *value);
 
 #endif
