@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_SECTIONS = 10 };
+enum { MOST_SECTIONS = 11 };
 
 int bench_lanes(int width) { return 1 << width; }
 
@@ -69,7 +69,8 @@ static void say_usage(FILE *where) {
     fputs("bench [--quick] [--json] [--only=SECTION] [--gough=COMMAND]\n"
           "  --quick   short runs: shows that all works, the times mean little\n"
           "  --json    the table for machines\n"
-          "  --only    kernels, steps, loop, precision, mujoco, solvers, threads, map or process\n"
+          "  --only    kernels, steps, loop, precision, mujoco, solvers, threads, map, pose or "
+          "process\n"
           "  --gough   the command whose processes are timed\n",
           where);
 }
@@ -112,6 +113,7 @@ int main(int count, char **text) {
 #endif
         &section_threads,
         &section_map,
+        &section_pose,
         &section_process,
         &section_claims,
     };

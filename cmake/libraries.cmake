@@ -46,7 +46,7 @@ else()
 endif()
 
 # The same for the paths to all poses; what is certified on the way of one pose is worth as much.
-set_source_files_properties(src/pose/pose_double.c src/pose/track_double.c src/pose/track_lanes_2.c
+set_source_files_properties(src/pose/pose_double.c src/pose/poses_all.c src/pose/track_double.c src/pose/track_lanes_2.c
     PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set_source_files_properties(src/pose/track_lanes_4.c PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx2")

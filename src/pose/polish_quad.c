@@ -6,7 +6,9 @@
 #include "pose/frame.h"
 #include "pose/soma.h"
 
-enum { CORRECTIONS = 3 };
+/* corrections at most, and one that is not worth making: what is left is far below the roundings of double */
+enum { CORRECTIONS = 4 };
+static const double NOTHING_LEFT = 1e-21;
 
 /* ε of a value; see point.h */
 static const double ROUNDINGS = 64 * 1.93e-34;
@@ -74,17 +76,16 @@ void pose_polish(const gough_machine *machine, const pose_frame *frame,
 
     for (int k = 0; k < SOMA; k++)
         x[k] = (scalar){number_of(root->x[k][0]), number_of(root->x[k][1])};
-    for (int n = 0; n < CORRECTIONS; n++) {
+    for (int n = 0;; n++) {
         residual(row, x, F);
-        correction(root->Y, F, d);
+        root->beta = correction(root->Y, F, d);
+        if (n == CORRECTIONS || !(root->beta > NOTHING_LEFT)) break;
         d[root->chart][0] = d[root->chart][1] = 0;
         for (int k = 0; k < SOMA; k++) {
             x[k].re = x[k].re - number_of(d[k][0]);
             x[k].im = x[k].im - number_of(d[k][1]);
         }
     }
-    residual(row, x, F);
-    root->beta = correction(root->Y, F, d);
 
     root->far = root->off = 0;
     for (int k = 0; k < SOMA; k++) {

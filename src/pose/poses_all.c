@@ -151,8 +151,11 @@ static bool certify(double epsilon, double kappa, double beta, root *z) {
     return true;
 }
 
-/* r and u at x, which quadruple precision moves if double does not do, or not well enough where it is asked for */
-static bool certify_at(const search *s, bool fine, root *z) {
+/* how much a certificate is worth: for a path that stopped before its end, and seems to be at infinity, double is enough */
+typedef enum { DOUBLE_ONLY, IF_NEEDED, BEST } effort;
+
+/* r and u at x, which quadruple precision moves if double cannot certify it, or not as well as is asked for */
+static bool certify_at(const search *s, effort how, root *z) {
     soma_point p;
     pose_root q = {.chart = z->chart};
     double beta = 0;
@@ -163,9 +166,9 @@ static bool certify_at(const search *s, bool fine, root *z) {
         beta = larger_or_nan(beta, magnitude(soma_dot(p.Y[i], p.value, SOMA)));
     const double largest = soma_largest(z->x);
     beta += p.size * p.rounding * largest * largest;
-    if (certify(p.epsilon, p.kappa, beta, z) && !(fine && z->r > ROUNDED)) return true;
+    if (certify(p.epsilon, p.kappa, beta, z) && !(how == BEST && z->r > ROUNDED)) return true;
 
-    if (!(p.epsilon < 1)) return false;
+    if (how == DOUBLE_ONLY || !(p.epsilon < 1)) return false;
     q.size = p.size;
     for (int i = 0; i < SOMA; i++) {
         q.x[i][0] = z->x[i].re, q.x[i][1] = z->x[i].im;
@@ -195,14 +198,16 @@ static bool has_rotation(const root *z) {
 
 /* The root at the end of a path, certified; and whether it is real: the equations are real, so that a root within a ball about a
  * real point in which it is alone is its own conjugate. False: there is none that is certain. */
-static bool end_root(const search *s, const path_point *end, root *z) {
-    take_chart(end, z);
+static bool end_root(const search *s, const path_end *end, root *z) {
+    const bool infinite = take_chart(&end->at, z) < AT_INFINITY && end->left > 0;
+
     end_newton(&s->legs, z);
     z->real = false;
-    if (!certify_at(s, false, z)) return false;
+    if (!certify_at(s, infinite ? DOUBLE_ONLY : IF_NEEDED, z)) return false;
+    if (!has_rotation(z) && !certify_at(s, BEST, z)) return false;
     if (!(largest_imaginary(z) > z->r)) {
         for (int k = 0; k < SOMA; k++) z->x[k].im = 0;
-        if (!certify_at(s, true, z)) return false;
+        if (!certify_at(s, BEST, z)) return false;
         z->real = true;
     }
     return has_rotation(z);
@@ -316,7 +321,7 @@ static bool follow_paths(search *s, int mixing, gough_poses *found) {
     for (int i = 0; i < PATHS; i++) {
         root z;
         found->steps += end[i].steps;
-        if (end_root(s, &end[i].at, &z)) {
+        if (end_root(s, &end[i], &z)) {
             reached++;
             added += add_root(s, &z);
         } else if (take_chart(&end[i].at, &z) < AT_INFINITY) {
