@@ -42,7 +42,7 @@ near "the trace" "$(jq .trace open.json)" -2 1e-13
 grep -q '^  Without feedback some mode always grows' <("$GOUGH" stability heave.yaml) || fail "the trace theorem is not told"
 
 # ---- JSON ----
-keys='["format","verb","title","units","friction_left_out","pose","eigenvalues","modes","thresholds","growth_rate","trace","trace_theorem","asymmetry","drifts","decays","last","period","period_start","samples","multipliers","multiplier_modes","growth_per_period","determinant","determinant_defect","pair_defect","drifting","sampling","stable"]'
+keys='["format","verb","title","units","friction_left_out","pose","eigenvalues","modes","thresholds","growth_rate","trace","trace_theorem","asymmetry","drifts","decays","last","period","period_start","samples","periods","sampling_period","sampling_adjusted","multipliers","multiplier_modes","growth_per_period","determinant","determinant_defect","pair_defect","drifting","sampling","stable"]'
 [[ $(jq -c keys_unsorted open.json) == "$keys" ]] || fail "keys $(jq -c keys_unsorted open.json)"
 jq -e '.verb == "stability" and .stable == false and ([.eigenvalues, .multipliers] | all(length == 12 and all(length == 2)))
     and (.modes | length) == 12 and .growth_rate == .eigenvalues[0][0]' open.json >/dev/null || fail "JSON: $(head -c 400 open.json)"
