@@ -24,7 +24,7 @@ static void try_ranges(const char *text) {
     static const char *const axes[] = {"sweep-stiffness", "sweep-frequency"};
     double pose[GOUGH_COMPONENTS] = {0}, from = 0, to = 0, number = 0;
     gough_error error = {0};
-    check(read_pose(text, pose, &error), &error);
+    check(read_pose("pose", text, pose, &error), &error);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) require(isfinite(pose[c]));
     for (int i = 0; i < 2; i++) {
         axis_values axis = {0};
