@@ -19,7 +19,8 @@ typedef struct axis_values {
 bool read_decimal(const char *text, const char *end, double *value);
 
 /* "heave=0.1,yaw=10", as option --NAME has it: adds to the components. Returns false with a sentence for the user. */
-bool read_pose(const char *name, const char *text, double pose[GOUGH_COMPONENTS], gough_error *error);
+bool read_pose(const char *name, const char *text, double pose[GOUGH_COMPONENTS],
+               gough_error *error);
 
 /* "a:b:n" or "a:b:n:log", as option --NAME has it. Returns false with a sentence for the user. */
 bool read_axis(const char *name, const char *text, axis_values *axis, gough_error *error);
