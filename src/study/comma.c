@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "gough/model.h"
+
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 /* Parentheses open after a text, `open` being open before; −1 where one closes that was not open. */
@@ -43,13 +45,16 @@ static bool ends_there(const study_node *piece) {
     return memchr(",]}", source->text[at], 3) != NULL;
 }
 
-/* The last of the nodes that a cut text goes on in; NULL if it cannot be told without doubt. */
+/* The last of the nodes that a cut text goes on in; NULL if it cannot be told without doubt. No formula has more commas than operations,
+ * so the search is short however many nodes there are. */
 static const study_node *last_piece(const study_node *parent, const study_node *first) {
     const study_node *left = first;
     int open = open_after(first, 0);
     if (open <= 0) return NULL;
+    int commas = 0;
     for (const study_node *node = first->next; node; node = node->next) {
         const study_node *piece = piece_of(parent, node);
+        if (++commas > GOUGH_FORMULA_OPERATIONS) return NULL;
         if (!piece || !only_a_comma(left, piece) || !ends_there(piece)) return NULL;
         open = open_after(piece, open);
         if (open < 0) return NULL;
