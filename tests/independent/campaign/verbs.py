@@ -208,7 +208,8 @@ class Check:
     def control_json(self):
         meaning, each = self.meaning, lambda values, d: [Q(x, d, 1e-12 * abs(x)) for x in values]
         return {"law": "leg", "feedforward": meaning.feedforward, "stiffness": each(meaning.stiffness, "stiffness"),
-                "damping": each(meaning.damping, "damping"), "integral": [Q(0, None, 0)] * 6, "tracking_time": None, "sampled": False}
+                "damping": each(meaning.damping, "damping"), "integral": [Q(0, None, 0)] * 6, "tracking_time": None, "sampled": False,
+                "model": {"legs": True, "friction": True, "external": True}}
 
     def actuators_json(self):
         none = [None] * 6
