@@ -45,8 +45,8 @@ static bool ends_there(const study_node *piece) {
     return memchr(",]}", source->text[at], 3) != NULL;
 }
 
-/* The last of the nodes that a cut text goes on in; NULL if it cannot be told without doubt. No formula has more commas than operations,
- * so the search is short however many nodes there are. */
+/* The last of the nodes that a cut text goes on in; NULL if it cannot be told without doubt. No formula has more commas than
+ * operations, so the search is short however many nodes there are. */
 static const study_node *last_piece(const study_node *parent, const study_node *first) {
     const study_node *left = first;
     int open = open_after(first, 0);
