@@ -106,7 +106,7 @@ double sheet_font_size(sheet_format format, double pixels);
 void sheet_cell(const double *centre, size_t count, size_t n, bool logarithmic, double *low,
                 double *high);
 
-/* Cells of a map for gnuplot: x, y, ends in x and in y, number, 1 where there is none (map.c). */
+/* Cells of a map for gnuplot: x, y, ends in x and in y, number, 1 where the cell has no number (map.c). */
 bool sheet_write_map(const map *map, bool logarithmic_x, double scale, const char *path);
 
 /* Thins a line for drawing: in each of @p buckets stretches of the abscissa the least and the greatest value stay, in

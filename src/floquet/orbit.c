@@ -73,7 +73,7 @@ static bool go_round(monodromy *m, const double y[MOTION], double missing[N], go
     return true;
 }
 
-/* (floquet-7): Newton's step (1 − Φ) ξ = missing, in the units of m; returns its size, INFINITY where there is none */
+/* (floquet-7): Newton's step (1 − Φ) ξ = missing, in the units of m; returns its size, INFINITY where the matrix is singular */
 static double newton_step(const monodromy *m, const double missing[N], double xi[N]) {
     double a[MONODROMY_SIZE], largest = 0;
     lapack_int pivot[N];

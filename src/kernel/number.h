@@ -43,43 +43,33 @@ enum { KERNEL_QUICK = 0 };
 #define KERNEL_UNROLL _Pragma("GCC unroll 24")
 #endif
 
-#if defined(NUMBER_DOUBLE)
+#if defined(NUMBER_DOUBLE) || defined(NUMBER_FLOAT)
 
+#if defined(NUMBER_DOUBLE)
 typedef double number;
-typedef double real;
-typedef int mask;
 #define REAL_LITERAL(x) x
+#define REAL_FUNCTION(name) name
 #define REAL_EPSILON 2.220446049250313e-16
-#define REAL_PI 3.14159265358979323846
 /* sweeps of an iteration that squares its error: at most, and at least */
 enum { NUMBER_SWEEPS = 4, NUMBER_SURE_SWEEPS = 1, NUMBER_NEWTON = 8 };
-
-static inline number number_of_real(real x) { return x; }
-static inline real number_first(number x) { return x; }
-static inline number number_root(number x) { return sqrt(x); }
-static inline number number_floor(number x) { return floor(x); }
-static inline mask number_greater(number a, number b) { return a > b; }
-static inline number number_select(mask m, number a, number b) { return m ? a : b; }
-static inline number number_magnitude(number x) { return fabs(x); }
-static inline int number_any(mask m) { return m; }
-
-#elif defined(NUMBER_FLOAT)
-
+#else
 typedef float number;
-typedef float real;
-typedef int mask;
 #define REAL_LITERAL(x) x##F
+#define REAL_FUNCTION(name) name##f
 #define REAL_EPSILON 1.1920929e-07F
-#define REAL_PI 3.14159265358979323846F
 enum { NUMBER_SWEEPS = 3, NUMBER_SURE_SWEEPS = 1, NUMBER_NEWTON = 7 };
+#endif
+typedef number real;
+typedef int mask;
+#define REAL_PI REAL_LITERAL(3.14159265358979323846)
 
 static inline number number_of_real(real x) { return x; }
 static inline real number_first(number x) { return x; }
-static inline number number_root(number x) { return sqrtf(x); }
-static inline number number_floor(number x) { return floorf(x); }
+static inline number number_root(number x) { return REAL_FUNCTION(sqrt)(x); }
+static inline number number_floor(number x) { return REAL_FUNCTION(floor)(x); }
 static inline mask number_greater(number a, number b) { return a > b; }
 static inline number number_select(mask m, number a, number b) { return m ? a : b; }
-static inline number number_magnitude(number x) { return fabsf(x); }
+static inline number number_magnitude(number x) { return REAL_FUNCTION(fabs)(x); }
 static inline int number_any(mask m) { return m; }
 
 #elif defined(NUMBER_QUAD)

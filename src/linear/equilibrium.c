@@ -56,7 +56,7 @@ static void displace(const gough_machine *machine, const double step[6], gough_s
     for (int r = 0; r < 3; r++) state->position[r] += step[r] + before[r] - after[r];
 }
 
-/* Newton's step towards no acceleration: −∂a/∂(δr, δθ)⁻¹ a, by columns for LAPACK. False where there is none. */
+/* Newton's step towards no acceleration: −∂a/∂(δr, δθ)⁻¹ a, by columns for LAPACK. Returns false where that matrix is singular. */
 static bool newton_step(const linear_loop *loop, const gough_state *state, double step[6]) {
     double force[GOUGH_LEGS], by_columns[6 * 6], largest = 0;
     linear_matrix A;

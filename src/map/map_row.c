@@ -316,7 +316,7 @@ static void put_node(map_worker *w, double stiffness) {
     if (w->nodes < w->room) w->node[w->nodes++] = stiffness;
 }
 
-/* by rising stiffness, none twice; what is all but sorted is sorted soon */
+/* by rising stiffness, each once: Shell's sort, quick where the list is nearly sorted */
 static void sort_nodes(map_worker *w) {
     size_t kept = 0;
 

@@ -6,7 +6,7 @@
 #include "pose/frame.h"
 #include "pose/soma.h"
 
-/* corrections at most, and one that is not worth making: what is left is far below the roundings of double */
+/* the most corrections made; a correction below NOTHING_LEFT is not made: it is far below the roundings of double */
 enum { CORRECTIONS = 4 };
 static const double NOTHING_LEFT = 1e-21;
 

@@ -151,7 +151,7 @@ static bool certify(double epsilon, double kappa, double beta, root *z) {
     return true;
 }
 
-/* how much a certificate is worth: for a path that stopped before its end, and seems to be at infinity, double is enough */
+/* How much work a certificate is given: where a path stopped early and seems to end at infinity, double precision is enough. */
 typedef enum { DOUBLE_ONLY, IF_NEEDED, BEST } effort;
 
 /* r and u at x, which quadruple precision moves if double cannot certify it, or not as well as is asked for */
@@ -197,7 +197,7 @@ static bool has_rotation(const root *z) {
 }
 
 /* The root at the end of a path, certified; and whether it is real: the equations are real, so that a root within a ball about a
- * real point in which it is alone is its own conjugate. False: there is none that is certain. */
+ * real point in which it is alone is its own conjugate. Returns false where a root cannot be certified. */
 static bool end_root(const search *s, const path_end *end, root *z) {
     const bool infinite = take_chart(&end->at, z) < AT_INFINITY && end->left > 0;
 

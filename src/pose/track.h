@@ -7,7 +7,7 @@
 #include "pose/eight.h"
 #include "pose/track_table.h"
 
-/* 32 steps a path; order 6 takes 40, order 10 takes 31 that are dearer */
+/* 32 steps a path; order 6 takes 40; order 10 takes 31, each of which costs more */
 enum { ORDER = 8, STEPS_MOST = 800 };
 
 /* the last term of the series at the end of a step; the first correction; the second, as it is and as part of the first */

@@ -97,7 +97,7 @@ static gough_simulation simulation_for(const tune *t, double stiffness, bool tim
     return t->fine ? with_small_steps(t, s, stiffness) : with_own_step(t, s, stiffness, parts);
 }
 
-/* D for a G: the model's, or that of the damping ratio, of nine digits as it will be typed; NaN: there is none */
+/* D for a G: the model's, or that of the damping ratio, of nine digits as it will be typed; NaN where no D gives that ratio */
 static gough_status damping_for(tune *t, double stiffness, double damping[GOUGH_LEGS],
                                 gough_error *error) {
     gough_error unstable = {0};

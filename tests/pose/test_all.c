@@ -20,7 +20,7 @@ static gough_poses all_of(const gough_machine *machine, const double length[GOUG
     return found;
 }
 
-/* each pose has the lengths; signs of the determinants add up to 0; poses come in order, and none twice */
+/* each pose has the lengths; signs of the determinants add up to 0; poses come in order, each once */
 static void check_poses(const gough_machine *machine, const double length[GOUGH_LEGS],
                         const gough_poses *found) {
     int sum = 0;

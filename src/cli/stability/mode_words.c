@@ -81,7 +81,7 @@ static void append_shape(char words[MODE_WORDS], const double complex shape[AXES
     }
 }
 
-/* The combination of v and w whose components i and j are 1 and 0; false where there is none. */
+/* The combination of v and w whose components i and j are 1 and 0; false where no combination has them. */
 static bool combine(const double complex v[AXES], const double complex w[AXES], int i, int j,
                     double complex combination[AXES]) {
     const double complex determinant = v[i] * w[j] - w[i] * v[j];
