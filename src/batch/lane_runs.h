@@ -6,6 +6,7 @@
 
 #include "batch/lane_runs_table.h"
 #include "batch/looks.h"
+#include "batch/watch.h"
 #include "system/loop.h"
 #include "system/problem.h"
 
@@ -31,7 +32,9 @@ typedef struct {
     int now;
     rattle_state body;
     number determinant; /* of the pose at the last row */
-    int watchful;
+    int watchful;       /* it must be computed at each step up to the next row */
+    pose_watch
+        watch; /* where a loop may fail from one sample to the next, and constraints are kept */
 
     loop loop;    /* if the controllers are sampled, at the same times in all lanes */
     number drift; /* since the look before */
@@ -188,6 +191,7 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
                        job->simulation->duration, job->simulation->output_step);
     g->rows = 0;
     g->watchful = 1;
+    watch_begin(&g->watch, &g->r.h);
     g->going_mask = g->determinant = g->drift = number_of(0);
     g->center = onto(&g->r.h.axes, g->r.h.center);
     looks_begin(&g->looks);
@@ -264,6 +268,9 @@ static inline number group_sum(const group *g, const signals *m) {
     return sum[0] + sum[1] + (sum[2] + sum[3]);
 }
 
+/* whether the loop may fail from one sample to the next, so that the changes from row to row say too little of what is between */
+static inline int group_wary(const group *g) { return g->r.traits & LOOPED; }
+
 /* 1 in lanes where something may have ended the run; cheap, and never wrong on the safe side */
 static inline number group_trouble(group *g, const wanted *s, const signals *m, number residual) {
     const number zero = number_of(0), one = number_of(1);
@@ -280,8 +287,9 @@ static inline number group_trouble(group *g, const wanted *s, const signals *m, 
     suspicion = suspicion + number_select(fine, zero, one);
     fine = number_greater(s->singularity.pivot_ratio, number_of(suspicious_pivots));
     suspicion = suspicion + number_select(fine, zero, one);
-    if (g->watchful) {
+    if (g->watchful || (group_wary(g) && watch_moved(&g->watch, &m->x, &m->g, g->going_mask))) {
         const elimination e = limits_pose(&g->r, m);
+        watch_set(&g->watch, &m->x, &m->g, e.determinant);
         fine = number_greater(g->side_pose * e.determinant, zero);
         suspicion = suspicion + number_select(fine, zero, one);
         fine = number_greater(e.pivot_ratio, number_of(suspicious_pivots));
@@ -346,9 +354,10 @@ static inline void group_row_due(group *g, const signals *m) {
     g->determinant = limits_pose(&g->r, m).determinant;
     const number slack = number_magnitude(g->determinant) -
                          number_of(determinant_ease) * number_magnitude(g->determinant - before);
-    g->watchful = g->r.traits & LOOPED; /* which may fail from one sample to the next */
+    g->watchful = group_wary(g) && g->r.options->constraints != GOUGH_PROJECTION;
+    if (group_wary(g)) watch_set(&g->watch, &m->x, &m->g, g->determinant);
     for (int i = 0; i < NUMBER_WIDTH; i++) {
-        g->watchful |= g->going[i] && !(number_lane(slack, i) > 0);
+        g->watchful |= !group_wary(g) && g->going[i] && !(number_lane(slack, i) > 0);
     }
 }
 
