@@ -119,6 +119,14 @@ typedef struct gough_actuators {
     double max_rate[GOUGH_LEGS];      /**< greatest |df/dt| of a lag of first order; 0: no limit */
 } gough_actuators;
 
+/** How far joints and lengths may be from what is said of them. Each number is one for each leg, from 1 to 6. Zero-filled: exact. No
+ *  motion and no force follows from them, only how well a pose is known, gough_pose_resolution(). */
+typedef struct gough_tolerances {
+    double joint[GOUGH_LEGS];  /**< greatest distance of each of the two joints of a leg from its
+                                    place, >= 0 */
+    double length[GOUGH_LEGS]; /**< greatest error of a measured length, >= 0 */
+} gough_tolerances;
+
 /** Joints, limits, drives, and mass and friction of the legs. gough_platform_default() has no joints, no limits, ideal drives, and
  *  legs without mass and friction. */
 typedef struct gough_platform {
@@ -142,6 +150,7 @@ typedef struct gough_platform {
     gough_actuators actuators;    /**< drives of the legs */
     gough_leg_limits legs;        /**< limits of single legs */
     gough_platform_limits limits; /**< of the platform */
+    gough_tolerances tolerances;  /**< of joints and measured lengths */
 } gough_platform;
 
 /** Fills in a platform without joints and without limits.

@@ -153,6 +153,40 @@ GOUGH_API gough_status gough_poses_all(const gough_machine *machine,
                                        gough_pose pose[GOUGH_POSES], gough_poses *found,
                                        gough_error *error);
 
+/** How errors of the lengths move the pose that follows from them, to first order: (pose-12). */
+typedef struct gough_resolution {
+    double map
+        [6]
+        [GOUGH_LEGS]; /**< the pose by the lengths: displacement of the point along x, y, z and rotation about them, base
+                                    axes, for each unit of length of each leg */
+    double
+        component[6]; /**< greatest magnitude of each of these, for lengths with the errors given */
+    double position;  /**< greatest displacement of the point */
+    double direction
+        [3]; /**< where it goes, a unit vector, or the opposite; zero if no displacement is possible */
+    double position_lengths[GOUGH_LEGS]; /**< errors of the lengths that displace it so */
+    double angle;                        /**< greatest rotation */
+    double axis[3];                      /**< about which, as `direction` */
+    double angle_lengths[GOUGH_LEGS];    /**< errors of the lengths that turn it so */
+    double condition;                    /**< condition number, as from gough_conditioning() */
+} gough_resolution;
+
+/** How well the pose of a machine is known from lengths that have errors, each at most so large, independent of the others:
+ *  (pose-12). A joint that lies up to ε from its place, in any direction, is to first order an error ε of the length of its leg.
+ *  @param point   whose displacement is asked for, top frame
+ *  @param error_of_length  six numbers >= 0: the greatest error of each length
+ *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL with a sentence if the pose is singular, its condition above GOUGH_GREATEST_CONDITION;
+ *          GOUGH_ERROR_INPUT with a sentence if a number is negative or not finite, or the matrix of the state is not a rotation.
+ *          @p resolution is unchanged after an error.
+ *
+ *  Allocates nothing. The velocities of the state are not used. Accurate to 1e-15 times the square of the condition number at
+ *  most; errors of second order in the errors given are left out, which are of the size of their square over the length of a
+ *  leg, times the condition number. */
+GOUGH_API gough_status gough_pose_resolution(const gough_machine *machine, const gough_state *state,
+                                             const double point[3],
+                                             const double error_of_length[GOUGH_LEGS],
+                                             gough_resolution *resolution, gough_error *error);
+
 #ifdef __cplusplus
 }
 #endif

@@ -108,6 +108,14 @@ static gough_status check_length(const gough_leg_limits *leg, int v, double home
     return GOUGH_OK;
 }
 
+/* how far something may be from its place or value */
+static gough_status check_tolerance(double x, const char *key, const char *what, int v,
+                                    gough_error *error) {
+    if (x >= 0 && isfinite(x)) return GOUGH_OK;
+    return FAIL(error, key, "the %s of %s must be 0 or positive and finite, not %g", what,
+                leg_name(v), x);
+}
+
 static gough_status check_leg(const gough_leg_limits *leg, int v, double home, gough_error *error) {
     const struct {
         double x, most;
@@ -136,6 +144,14 @@ gough_status limits_check(const gough_platform *platform, const double home_leng
 
     for (int v = 0; v < GOUGH_LEGS && status == GOUGH_OK; v++)
         status = check_leg(&platform->legs, v, home_length[v], error);
+    for (int v = 0; v < GOUGH_LEGS && status == GOUGH_OK; v++) {
+        const gough_tolerances *t = &platform->tolerances;
+        status = check_tolerance(t->joint[v], "platform.joints.tolerance",
+                                 "tolerance of the joints", v, error);
+        if (status == GOUGH_OK)
+            status =
+                check_tolerance(t->length[v], "pose.length_error", "error of the length", v, error);
+    }
     for (int c = 0; c < GOUGH_COMPONENTS && status == GOUGH_OK; c++) {
         const char *const name = gough_component_name(c);
         status = check_pair(p->pose[c], "platform.limits", name, error);

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli/check/check_resolution.h"
 #include "cli/common/json.h"
 #include "cli/common/leg_table.h"
 #include "cli/common/scale.h"
@@ -146,6 +147,7 @@ void pose_view_print(FILE *stream, const gough_model *model, const gough_units *
                 "\n  compliance           none: some displacement is not resisted; with more "
                 "control.stiffness\n"
                 "                       it may be\n");
+    resolution_print(stream, model, unit, &view->at.state);
 }
 
 static json_t *matrix_array(const gough_units *unit, const double given[6][6], bool stiffness,
@@ -183,6 +185,8 @@ json_t *pose_view_object(const gough_model *model, const gough_units *unit, cons
                         matrix_array(unit, s->geometric, true, view->found));
     json_object_set_new(object, "compliance",
                         matrix_array(unit, s->compliance, false, view->found && s->firm));
+    json_object_set_new(object, "resolution",
+                        view->found ? resolution_object(model, unit, &s->state) : json_null());
     json_object_set_new(object, "message", json_words(view->found ? "" : view->why.message));
     return object;
 }

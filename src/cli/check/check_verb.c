@@ -8,6 +8,7 @@
 #include "cli/check/check_sampling.h"
 #include "cli/check/check_warnings.h"
 #include "cli/check/machine_view.h"
+#include "cli/common/from_lengths.h"
 #include "cli/common/in_and_out.h"
 #include "cli/common/json.h"
 #include "cli/common/left_out.h"
@@ -35,6 +36,7 @@ typedef struct check {
 typedef struct check_line {
     command_line line;
     pose_view pose; /* `asked` and `pose` from the options */
+    lengths_asked lengths;
 } check_line;
 
 static void read_pose_option(const struct argp_state *state, const option *o, const char *text,
@@ -528,16 +530,31 @@ static gough_status run(const void *given) {
     const command_line *line = &asked->line;
     gough_study *study = NULL;
     gough_sweep *sweep = NULL;
+    pose_view pose = asked->pose;
+    if (pose.asked && asked->lengths.given) {
+        complain(line->verb, "--pose and --lengths both give the pose; give only one of them");
+        return GOUGH_ERROR_INPUT;
+    }
     gough_status status = read_study(line, line->file.word[0], &study);
     if (!status && study->swept) status = read_sweep(line, study, &sweep);
-    if (!status) status = check_study(line, &asked->pose, study, sweep);
+    if (!status && asked->lengths.given) {
+        pose.asked = true;
+        status = lengths_pose(line->verb, study, &asked->lengths, pose.pose);
+    }
+    if (!status) status = check_study(line, &pose, study, sweep);
     gough_sweep_free(sweep);
     gough_study_free(study);
     return status;
 }
 
 static const group_use groups[] = {
-    USES_JSON, USES_SETTINGS, USES(pose_group, check_line, pose, NULL), {0}};
+    USES_JSON,
+    USES_SETTINGS,
+    USES(pose_group, check_line, pose, NULL),
+    USES(lengths_group, check_line, lengths,
+         "the same in the pose of these six leg lengths, joint to joint, in the unit of the study, "
+         "that is joined to home"),
+    {0}};
 
 extern const command_verb check_verb;
 const command_verb check_verb = {

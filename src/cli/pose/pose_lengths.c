@@ -97,7 +97,7 @@ static void find_joined(pose_answer *a, const pose_asked *asked) {
     gough_state state = pose_begin(asked, a->study);
     gough_pose_certificate *c = &a->certificate;
     gough_pose pose;
-    a->status = gough_pose_from_lengths(machine, a->length, POSE_STEPS, &state, c, &a->error);
+    a->status = gough_pose_from_lengths(machine, a->length, LENGTHS_STEPS, &state, c, &a->error);
     if (a->status) return;
     pose = (gough_pose){.position_error = c->position_error,
                         .angle_error = c->angle_error,
@@ -128,7 +128,7 @@ static void find_all(pose_answer *a) {
     a->status = gough_poses_all(machine, a->length, pose, &a->found, &a->error);
     if (a->status) return;
     const bool joined =
-        gough_pose_from_lengths(machine, a->length, POSE_STEPS, &home, &c, NULL) == GOUGH_OK;
+        gough_pose_from_lengths(machine, a->length, LENGTHS_STEPS, &home, &c, NULL) == GOUGH_OK;
     for (int i = 0; i < a->found.real; i++)
         show(a, &pose[i], joined ? same_pose(&pose[i], &home, &c) : -1);
 }
@@ -283,7 +283,7 @@ static int print_json(const pose_answer *a) {
 gough_status pose_of_lengths(const pose_line *line, const gough_study *study) {
     pose_answer a = {.study = study, .unit = &study->units, .all = line->asked.all};
     for (int v = 0; v < GOUGH_LEGS; v++)
-        a.length[v] = gough_unit_read(a.unit, GOUGH_UNIT_LENGTH, line->asked.length[v]);
+        a.length[v] = gough_unit_read(a.unit, GOUGH_UNIT_LENGTH, line->asked.lengths.length[v]);
     if (a.all)
         find_all(&a);
     else

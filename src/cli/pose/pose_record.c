@@ -22,7 +22,7 @@ typedef struct pose_record {
     const double *time, *length[GOUGH_LEGS]; /* in units of the study */
     double acceleration[GOUGH_LEGS];         /* bounds, in units of the run */
     bool given;                              /* by the study, all of them */
-    double length_error;
+    double length_error[GOUGH_LEGS];
     gough_table *table;
     double *column[RECORD_COLUMNS];
     size_t rows; /* certain ones */
@@ -162,10 +162,11 @@ static gough_status follow_record(pose_record *r) {
         const double step = r->rows ? time_at(r, r->rows) - time_at(r, r->rows - 1) : 0;
         for (int v = 0; v < GOUGH_LEGS; v++) {
             length[v] = length_at(r, v, r->rows);
-            tube[v] = r->acceleration[v] * step * step / 8 + r->length_error;
+            tube[v] = r->acceleration[v] * step * step / 8 + r->length_error[v];
         }
-        const gough_status status = gough_pose_tube(
-            machine, length, tube, r->rows ? POSE_ROW_STEPS : POSE_STEPS, &r->last, &c, &r->error);
+        const gough_status status =
+            gough_pose_tube(machine, length, tube, r->rows ? POSE_ROW_STEPS : LENGTHS_STEPS,
+                            &r->last, &c, &r->error);
         if (status == GOUGH_ERROR_NUMERICAL) {
             r->lost = true;
             return GOUGH_OK;
@@ -194,8 +195,11 @@ static void say_lost(const pose_record *r) {
 
 static void print_record(const pose_record *r) {
     const char *length = unit_word(r->unit, GOUGH_UNIT_LENGTH);
-    double most = 0;
-    for (int v = 0; v < GOUGH_LEGS; v++) most = fmax(most, r->acceleration[v]);
+    double most = 0, error = 0;
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        most = fmax(most, r->acceleration[v]);
+        error = fmax(error, r->length_error[v]);
+    }
     print_title(stdout, r->study->title);
     printf("%s\n\n", units_sentence(r->study, r->unit).text);
     printf("  %-20s %zu of %zu\n", "certain rows", r->rows, r->samples->rows);
@@ -203,8 +207,8 @@ static void print_record(const pose_record *r) {
            in_units(r->unit, GOUGH_UNIT_ACCELERATION, most),
            unit_word(r->unit, GOUGH_UNIT_ACCELERATION),
            r->given ? "platform.legs.max_acceleration" : "twice that between the rows");
-    printf("  %-20s %.3g%s\n", "error of lengths",
-           in_units(r->unit, GOUGH_UNIT_LENGTH, r->length_error), length);
+    printf("  %-20s %.3g%s at most\n", "error of lengths",
+           in_units(r->unit, GOUGH_UNIT_LENGTH, error), length);
     if (r->rows > 1)
         printf("  %-20s %.3g (1: no change; below 0: several steps from row to row)\n",
                "least margin", r->least_margin);
@@ -229,15 +233,16 @@ static json_t *lost_json(const pose_record *r) {
 
 static int print_json(const pose_record *r) {
     json_t *record = json_object();
-    double acceleration[GOUGH_LEGS];
-    for (int v = 0; v < GOUGH_LEGS; v++)
+    double acceleration[GOUGH_LEGS], error[GOUGH_LEGS];
+    for (int v = 0; v < GOUGH_LEGS; v++) {
         acceleration[v] = in_units(r->unit, GOUGH_UNIT_ACCELERATION, r->acceleration[v]);
+        error[v] = in_units(r->unit, GOUGH_UNIT_LENGTH, r->length_error[v]);
+    }
     json_object_set_new(record, "rows", json_integer((json_int_t)r->samples->rows));
     json_object_set_new(record, "certain", json_integer((json_int_t)r->rows));
     json_object_set_new(record, "acceleration", json_numbers(acceleration, GOUGH_LEGS));
     json_object_set_new(record, "acceleration_given", json_boolean(r->given));
-    json_object_set_new(record, "length_error",
-                        json_number(in_units(r->unit, GOUGH_UNIT_LENGTH, r->length_error)));
+    json_object_set_new(record, "length_error", json_numbers(error, GOUGH_LEGS));
     json_object_set_new(record, "least_margin", json_number(r->rows > 1 ? r->least_margin : NAN));
     json_object_set_new(
         record, "largest_error",
@@ -277,7 +282,11 @@ static gough_status tell(pose_record *r) {
 gough_status pose_of_record(const pose_line *line, const gough_study *study) {
     pose_record r = {.line = line, .study = study, .unit = &study->units};
     gough_status status;
-    r.length_error = gough_unit_read(r.unit, GOUGH_UNIT_LENGTH, line->asked.length_error);
+    for (int v = 0; v < GOUGH_LEGS; v++)
+        r.length_error[v] =
+            line->asked.given_length_error
+                ? gough_unit_read(r.unit, GOUGH_UNIT_LENGTH, line->asked.length_error)
+                : study->model->machine.platform.tolerances.length[v];
     status = read_samples(&r);
     if (!status) {
         find_accelerations(&r);

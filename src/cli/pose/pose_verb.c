@@ -8,30 +8,6 @@
 #include "cli/common/option_values.h"
 #include "cli/common/talk.h"
 
-static void read_lengths(const struct argp_state *state, const option *o, const char *text,
-                         void *group) {
-    pose_asked *asked = group;
-    const char *at = text;
-    int count = 0;
-    (void)o;
-    for (;; at++) {
-        const char *end = at + strcspn(at, ",");
-        double value;
-        if (count == GOUGH_LEGS || !read_decimal(at, end, &value) || !(value > 0))
-            usage_error(state,
-                        "--lengths takes six lengths above 0, in the study's unit, as in --lengths "
-                        "1.2,1.2,1.3,1.3,1.2,1.2; got '%s'",
-                        text);
-        else
-            asked->length[count++] = value;
-        at = end;
-        if (!*at) break;
-    }
-    if (count < GOUGH_LEGS)
-        usage_error(state, "--lengths takes six lengths, of legs 1 to 6; '%s' has %d", text, count);
-    asked->given_lengths = true;
-}
-
 static void read_near(const struct argp_state *state, const option *o, const char *text,
                       void *group) {
     pose_asked *asked = group;
@@ -44,6 +20,7 @@ static void read_near(const struct argp_state *state, const option *o, const cha
 static void read_length_error(const struct argp_state *state, const option *o, const char *text,
                               void *group) {
     pose_asked *asked = group;
+    asked->given_length_error = true;
     if (!read_decimal(text, text + strlen(text), &asked->length_error) ||
         !(asked->length_error >= 0))
         usage_error(state, "--%s takes a length of 0 or more, in the study's unit; got '%s'",
@@ -51,11 +28,6 @@ static void read_length_error(const struct argp_state *state, const option *o, c
 }
 
 static const option pose_option[] = {
-    {.name = "lengths",
-     .value = "L1,...,L6",
-     .read = read_lengths,
-     .text = "the pose of these six leg lengths, joint to joint, in the unit of the study, that is "
-             "joined to home"},
     {.name = "near",
      .value = "C=X,...",
      .many = true,
@@ -78,7 +50,8 @@ static const option pose_option[] = {
     {.name = "length-error",
      .value = "L",
      .read = read_length_error,
-     .text = "greatest error of a recorded length, in the unit of the study (default: 0)"},
+     .text = "greatest error of a recorded length, in the unit of the study (default: "
+             "pose.length_error of the study)"},
     {0}};
 
 static const option_group pose_group = {pose_option, NULL, NULL};
@@ -92,14 +65,14 @@ static gough_status refuse(const pose_line *line, const char *sentence) {
 static gough_status check_asked(const pose_line *line) {
     const pose_asked *asked = &line->asked;
     const bool outputs = line->line.outputs.count > 0;
-    if (asked->given_lengths == (asked->samples != NULL))
+    if (asked->lengths.given == (asked->samples != NULL))
         return refuse(line, "give either --lengths, for one set of lengths, or --samples, for a "
                             "record of them");
     if (asked->all && asked->samples)
         return refuse(line, "--all lists the poses of --lengths; a record has one pose a row");
     if (asked->all && asked->given_near)
         return refuse(line, "--near says where a pose is followed from; --all lists all poses");
-    if (asked->length_error > 0 && !asked->samples)
+    if (asked->given_length_error && !asked->samples)
         return refuse(line, "--length-error is that of the lengths of --samples");
     if (outputs && !asked->samples)
         return refuse(line, "-o writes the poses of --samples; use --json for those of --lengths");
@@ -123,7 +96,10 @@ static gough_status run(const void *given) {
     return status;
 }
 
-static const group_use groups[] = {USES(pose_group, pose_line, asked, NULL),
+static const group_use groups[] = {USES(lengths_group, pose_line, asked.lengths,
+                                        "the pose of these six leg lengths, joint to joint, in the "
+                                        "unit of the study, that is joined to home"),
+                                   USES(pose_group, pose_line, asked, NULL),
                                    USES_JSON,
                                    USES_SETTINGS,
                                    USES_OUTPUT(TABLE_OUTPUT),

@@ -4,14 +4,14 @@
 
 #include <jansson.h>
 
-#include "cli/common/verb.h"
+#include "cli/common/from_lengths.h"
 
-/* Steps at most on the way to a pose that is asked for, and from one row of a record to the next. */
-enum { POSE_STEPS = 4000, POSE_ROW_STEPS = 100 };
+/* certified steps at most from one row of a record to the next */
+enum { POSE_ROW_STEPS = 100 };
 
 typedef struct pose_asked {
-    bool given_lengths, given_near, all;
-    double length[GOUGH_LEGS]; /* as given, in units of the study */
+    lengths_asked lengths;
+    bool given_near, given_length_error, all;
     double near[GOUGH_COMPONENTS];
     double length_error;
     const char *samples; /* a file of lengths; NULL: none */
@@ -21,13 +21,6 @@ typedef struct pose_line {
     command_line line;
     pose_asked asked;
 } pose_line;
-
-/* ---- poses in the words of the study: components from home of the point `about` of its motion ---- */
-
-/* of components in radians */
-gough_state pose_at(const gough_model *model, const double component[GOUGH_COMPONENTS]);
-void pose_components(const gough_model *model, const gough_state *state,
-                     double component[GOUGH_COMPONENTS]);
 
 /* the pose from which one is followed: home, or that of --near */
 gough_state pose_begin(const pose_asked *asked, const gough_study *study);

@@ -179,11 +179,13 @@ static gough_status run_and_report(const command_line *line, run_report *report)
 }
 
 gough_status run_study(const run_line *run, bool simulated) {
-    const command_line *line = &run->line;
+    command_line own = run->line;
+    const command_line *line = &own;
+    lengths_settings start = {.value = {""}};
     run_report report = {.verb = line->verb, .simulated = simulated, .all = run->all};
     gough_study *study = NULL;
     gough_status status = check_output(line, NULL);
-    if (!status) status = read_study(line, line->file.word[0], &study);
+    if (!status) status = read_study_at(&own, line->file.word[0], &run->start, &start, &study);
     if (!status) {
         study->simulation.reactions |= run->run.reactions; /* tables have columns by these too */
         study->simulation.joints |= run->run.joints;
@@ -194,5 +196,6 @@ gough_status run_study(const run_line *run, bool simulated) {
     }
     free(report.crossings.list);
     gough_study_free(study);
+    lengths_settings_free(&start);
     return status;
 }

@@ -2,7 +2,7 @@
 #ifndef GOUGH_CLI_RUN_STUDY_H
 #define GOUGH_CLI_RUN_STUDY_H
 
-#include "cli/common/verb.h"
+#include "cli/common/from_lengths.h"
 
 typedef struct run_options {
     gough_precision precision; /* GOUGH_DOUBLE unless the option or the study has more digits */
@@ -12,7 +12,8 @@ typedef struct run_options {
 typedef struct run_line {
     command_line line;
     run_options run;
-    bool all; /* forces only */
+    bool all;            /* forces only */
+    lengths_asked start; /* simulate only */
 } run_line;
 
 extern const option_group run_group; /* run_options */

@@ -10,7 +10,13 @@ static const option drive_option[] = {
 
 static const option_group drive_group = {drive_option, NULL, NULL};
 
-static const group_use groups[] = {RUN_GROUPS, USES(drive_group, run_line, run, NULL), {0}};
+static const group_use groups[] = {
+    RUN_GROUPS,
+    USES(drive_group, run_line, run, NULL),
+    USES(lengths_group, run_line, start,
+         "start in the pose of these six leg lengths, joint to joint, in the unit of the study, "
+         "that is joined to home, as initial has it"),
+    {0}};
 
 static gough_status run(const void *line) { return run_study(line, true); }
 

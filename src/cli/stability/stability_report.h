@@ -5,6 +5,7 @@
 #include <jansson.h>
 #include <stdio.h>
 
+#include "cli/common/from_lengths.h"
 #include "cli/common/option_values.h"
 #include "cli/common/sampled_view.h"
 #include "cli/common/verb.h"
@@ -69,6 +70,7 @@ typedef struct stability_line {
         axis_values stiffness, second;
         unsigned modes; /* as in gough_map_options */
     } map;
+    lengths_asked lengths; /* of the pose */
     int threads, lanes;
     const char *title;
 } stability_line;

@@ -54,6 +54,10 @@ static const group_use groups[] = {
     USES_JSON,
     USES_SETTINGS,
     USES(loop_group, stability_line, loop, NULL),
+    USES(lengths_group, stability_line, lengths,
+         "stability at rest in the pose of these six leg lengths, joint to joint, in the unit of "
+         "the "
+         "study, that is joined to home; the program is ignored"),
     USES(map_group, stability_line, map, NULL),
     USES(threads_group, stability_line, threads, NULL),
     USES(lanes_group, stability_line, lanes,
@@ -336,22 +340,25 @@ static gough_status answer_alone(const stability_line *asked, const gough_study 
 static const char *contradiction(const stability_line *asked) {
     const struct loop_options *loop = &asked->loop;
     const bool map = asked->map.stiffness.option != NULL;
+    const bool posed = loop->posed || asked->lengths.given;
+    if (loop->posed && asked->lengths.given)
+        return "--pose and --lengths both give the pose; give only one of them";
     if (isfinite(loop->at) && !loop->matrix) return "--at is the time of --matrix; give both";
-    if (isfinite(loop->at) && loop->posed)
-        return "--at refers to the program and --pose to rest; give only one of them";
+    if (isfinite(loop->at) && posed)
+        return "--at refers to the program, --pose and --lengths to rest; give only one of them";
     if (asked->map.second.option && !map)
         return "a map needs the stiffness as its first axis; give --sweep-stiffness too, as in "
                "--sweep-stiffness 0:2:201";
-    if (map && (loop->matrix || loop->posed))
-        return "a map is computed along the program; --pose and --matrix cannot be combined with "
-               "it";
+    if (map && (loop->matrix || posed))
+        return "a map is computed along the program; --pose, --lengths and --matrix cannot be "
+               "combined with it";
     if (asked->line.outputs.count && !map)
         return "-o is for maps; give --sweep-stiffness, as in --sweep-stiffness 0:2:201";
     return NULL;
 }
 
 static gough_status run(const void *given) {
-    const stability_line *asked = given;
+    stability_line own = *(const stability_line *)given, *const asked = &own;
     const command_line *line = &asked->line;
     gough_study *study = NULL;
     gough_status status = GOUGH_OK;
@@ -361,6 +368,10 @@ static gough_status run(const void *given) {
         status = GOUGH_ERROR_INPUT;
     }
     if (!status) status = read_study(line, line->file.word[0], &study);
+    if (!status && asked->lengths.given) {
+        own.loop.posed = true;
+        status = lengths_pose(line->verb, study, &asked->lengths, own.loop.pose);
+    }
     if (!status)
         status =
             asked->map.stiffness.option ? stability_map(asked, study) : answer_alone(asked, study);

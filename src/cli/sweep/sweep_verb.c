@@ -6,6 +6,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "cli/common/from_lengths.h"
 #include "cli/common/in_and_out.h"
 #include "cli/common/interrupt.h"
 #include "cli/common/progress.h"
@@ -19,6 +20,7 @@ typedef struct sweep_line {
     struct sweep_part {
         size_t shard, shards, one_run; /* 0: not asked for */
     } part;
+    lengths_asked start;
 } sweep_line;
 
 /* ---- options ------------------------------------------------------------------------------------------------------ */
@@ -68,6 +70,9 @@ static const group_use groups[] = {
          "runs computed side by side by one thread: 1, 2, 4 or 8 (default: as many as the "
          "processor supports)"),
     USES(part_group, sweep_line, part, NULL),
+    USES(lengths_group, sweep_line, start,
+         "start each run in the pose of these six leg lengths, joint to joint, in the unit of the "
+         "study, that is joined to home, as initial has it"),
     USES_DIMENSIONLESS(
         "print table and summary in units of R_b, M and sqrt(R_b/g) of the study as written"),
     {0}};
@@ -255,9 +260,28 @@ static gough_status run_sweep(const sweep_line *given, const gough_sweep *sweep)
     return status;
 }
 
+/* A pose that follows from the machine of the study as written is that of no other machine. */
+static gough_status check_start(const sweep_line *asked, const gough_sweep *sweep) {
+    static const char *const joints[] = {"platform.base", "platform.top", "platform.height"};
+    size_t keys;
+    const gough_sweep_key *key = gough_sweep_keys(sweep, &keys);
+    for (size_t i = 0; asked->start.given && i < keys; i++) {
+        for (size_t k = 0; k < sizeof joints / sizeof *joints; k++) {
+            if (strncmp(key[i].path, joints[k], strlen(joints[k])) != 0) continue;
+            complain(asked->line.verb,
+                     "--lengths gives one pose, but the sweep varies %s, and with it the pose of "
+                     "these lengths: give the start as initial, or leave out the key",
+                     key[i].path);
+            return GOUGH_ERROR_INPUT;
+        }
+    }
+    return GOUGH_OK;
+}
+
 static gough_status run(const void *given) {
-    const sweep_line *asked = given;
+    sweep_line own = *(const sweep_line *)given, *const asked = &own;
     const command_line *line = &asked->line;
+    lengths_settings start = {.value = {""}};
     gough_study *study = NULL;
     gough_sweep *sweep = NULL;
     gough_status status = GOUGH_OK;
@@ -266,11 +290,13 @@ static gough_status run(const void *given) {
         status = GOUGH_ERROR_INPUT;
     }
     if (!status) status = check_output(line, asked->part.shards ? ".shard" : NULL);
-    if (!status) status = read_study(line, line->file.word[0], &study);
+    if (!status) status = read_study_at(&own.line, line->file.word[0], &own.start, &start, &study);
     if (!status) status = read_sweep(line, study, &sweep);
+    if (!status) status = check_start(asked, sweep);
     if (!status) status = asked->part.one_run ? print_run(asked, sweep) : run_sweep(asked, sweep);
     gough_sweep_free(sweep);
     gough_study_free(study);
+    lengths_settings_free(&start);
     if (stopped_by) { /* who waits for this process, a shell's loop say, sees what ended it */
         fflush(NULL);
         signal(stopped_by, SIG_DFL);
