@@ -119,7 +119,7 @@ typedef struct gough_actuators {
     double max_rate[GOUGH_LEGS];      /**< greatest |df/dt| of a lag of first order; 0: no limit */
 } gough_actuators;
 
-/** How far joints and lengths may be from what is said of them. Each number is one for each leg, from 1 to 6. Zero-filled: exact. No
+/** How exactly joints and measured lengths are known. Each number is one for each leg, from 1 to 6. Zero-filled: exactly. No
  *  motion and no force follows from them, only how well a pose is known, gough_pose_resolution(). */
 typedef struct gough_tolerances {
     double joint[GOUGH_LEGS];  /**< greatest distance of each of the two joints of a leg from its

@@ -179,9 +179,8 @@ typedef struct gough_resolution {
  *          GOUGH_ERROR_INPUT with a sentence if a number is negative or not finite, or the matrix of the state is not a rotation.
  *          @p resolution is unchanged after an error.
  *
- *  Allocates nothing. The velocities of the state are not used. Accurate to 1e-15 times the square of the condition number at
- *  most; errors of second order in the errors given are left out, which are of the size of their square over the length of a
- *  leg, times the condition number. */
+ *  Allocates nothing. The velocities of the state are not used. Accurate to 1e-15 times the square of the condition number. What
+ *  is of second order is left out: about the square of the pose's error over the length of a leg, times the condition number. */
 GOUGH_API gough_status gough_pose_resolution(const gough_machine *machine, const gough_state *state,
                                              const double point[3],
                                              const double error_of_length[GOUGH_LEGS],

@@ -1,10 +1,10 @@
 /* How long the determinant of a pose need not be computed: it changes by no more than the pose does. Text over the number type.
  *
- * The matrix of (legs-8) has a column (m, t × m / reach) for each leg, with the leg's direction m and its top joint t in the axes of
- * the load, and t is constant. Its length is at most c = √(1 + t²/reach²), and it moves by at most c |Δm|. A determinant is linear
- * in each column, so that |Δdet| ≤ C Σ |Δm|, where C is the product of the c. With directions n in base axes and the load's
- * axes Q, |Δm| ≤ |Δn| + |ΔQ|, hence (Σ |Δm|)² ≤ 12 Σ |Δn|² + 72 |ΔQ|². A condition number of 1e8 takes a determinant of at most
- * (Σ c²)³/1e8, since Σ c² bounds the square of the largest singular value. */
+ * The matrix of (legs-8) has a column (m, t × m / reach) for each leg, with the leg's direction m and its top joint t in the
+ * axes of the load, and t is constant. Its length is at most c = √(1 + t²/reach²), and it moves by at most c |Δm|. A determinant
+ * is linear in each column, so that |Δdet| ≤ C Σ |Δm|, where C is the product of the c. With directions n in base axes and the
+ * load's axes Q, |Δm| ≤ |Δn| + |ΔQ|, hence (Σ |Δm|)² ≤ 12 Σ |Δn|² + 72 |ΔQ|². A condition number of 1e8 takes a determinant of
+ * at most (Σ c²)³/1e8, since Σ c² bounds the square of the largest singular value. */
 #ifndef GOUGH_BATCH_WATCH_H
 #define GOUGH_BATCH_WATCH_H
 

@@ -74,6 +74,13 @@ static gough_resolution resolution_at(const gough_machine *machine, const gough_
     return r;
 }
 
+/* what is of second order, and rounding of Newton's method */
+static double slack_of(const gough_resolution *r) {
+    const double first = r->position + r->angle + SMALL * r->condition;
+
+    return r->condition * (first * first + 1e-14);
+}
+
 /* the map's columns are what a small change of one length makes; no errors within the bounds make more than the worst; those that
  * are named make it, in the direction named */
 START_TEST(poses_of_wrong_lengths_are_where_it_says) {
@@ -87,7 +94,7 @@ START_TEST(poses_of_wrong_lengths_are_where_it_says) {
         random_point(&d, point);
         for (int v = 0; v < GOUGH_LEGS; v++) each[v] = SMALL * dice_between(&d, 0, 1);
         const gough_resolution r = resolution_at(&machine, &there, point, each);
-        const double slack = 1e-3 * r.condition * SMALL;
+        const double slack = slack_of(&r);
         for (int v = 0; v < GOUGH_LEGS; v++) {
             off[v] = SMALL;
             found_with(&machine, &there, off, point, by);
@@ -155,8 +162,10 @@ START_TEST(joints_out_of_place_are_errors_of_lengths) {
             lengths_by_vectors(&built, &there, length);
             ck_assert(newton_by_vectors(&machine, length, &pose));
             moved(&there, &pose, point, by);
-            const double slack = 1e-3 * r.condition * SMALL;
-            ck_assert(size_of(by) < r.position + slack && size_of(by + 3) < r.angle + slack);
+            const double slack = slack_of(&r);
+            ck_assert_msg(size_of(by) < r.position + slack && size_of(by + 3) < r.angle + slack,
+                          "machine %d, error %d: %g of %g, %g of %g", n, k, size_of(by), r.position,
+                          size_of(by + 3), r.angle);
             near = fmax(near, size_of(by) / r.position);
         }
     }

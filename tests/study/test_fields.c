@@ -300,6 +300,7 @@ START_TEST(every_member_is_of_the_part_that_its_key_names) {
         unsigned part;
     } sections[] = {{"platform", GOUGH_PART_MACHINE},
                     {"actuators", GOUGH_PART_MACHINE},
+                    {"pose", GOUGH_PART_MACHINE},
                     {"load", GOUGH_PART_MACHINE},
                     {"gravity", GOUGH_PART_MACHINE},
                     {"external", GOUGH_PART_EXTERNAL},

@@ -21,7 +21,8 @@ START_TEST(points_at_unknown_key) {
     expect_more(
         "mass: 50\n",
         "study.yaml:8:1: error: unknown key `mass`; known here: title, units, platform, "
-        "actuators, load, gravity, external, motion, disturbance, control, initial, simulation, "
+        "actuators, pose, load, gravity, external, motion, disturbance, control, initial, "
+        "simulation, "
         "sweep; keys of that "
         "name "
         "elsewhere: `units.mass`, `platform.legs.cylinder.mass`, `platform.legs.piston.mass`, "

@@ -105,8 +105,9 @@ static double map_factor(const gough_units *unit, int row) {
 static void print_map(FILE *stream, const gough_units *unit, const gough_resolution *r) {
     const char *length = unit_word(unit, GOUGH_UNIT_LENGTH),
                *angle = unit_word(unit, GOUGH_UNIT_ANGLE);
-    fprintf(stream, "\n  pose by leg lengths [1; %s%s%s]\n          ", *angle ? angle + 1 : "1",
-            *length ? "/" : "", *length ? length + 1 : "");
+    fprintf(stream,
+            "\n  pose by leg lengths [1; %s%s%s], rotations about x, y, z of the base\n          ",
+            *angle ? angle + 1 : "1", *length ? "/" : "", *length ? length + 1 : "");
     for (int v = 0; v < GOUGH_LEGS; v++) fprintf(stream, "       leg %d", v + 1);
     fprintf(stream, "\n");
     for (int i = 0; i < 6; i++) {
