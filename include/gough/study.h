@@ -88,6 +88,21 @@ typedef struct gough_setting {
  *  @return the descriptor; -1 with a sentence, GOUGH_ERROR_FILE */
 GOUGH_API int gough_open_input(const char *path, gough_error *error);
 
+/** Kinds of input, as flags. */
+enum {
+    GOUGH_INPUT_STUDY = 1, /**< a study */
+    GOUGH_INPUT_CSV = 2,   /**< a table in CSV */
+    GOUGH_INPUT_HDF5 = 4,  /**< a table in HDF5 */
+    GOUGH_INPUT_SHARD = 8  /**< a shard of a sweep */
+};
+
+/** What an open file is by its first bytes, for a message where another kind is wanted; its place in the file does not move.
+ *  @param file    descriptor, as from gough_open_input()
+ *  @param wanted  flags of the kinds that are right
+ *  @return words to follow "is", such as "a table of results in HDF5, which `gough plot` draws"; NULL if the file is of a wanted
+ *  kind, of no kind that gough reads or writes, or not a regular file. The words live as long as the program. */
+GOUGH_API const char *gough_input_kind(int file, unsigned wanted);
+
 /** Reads, checks and prepares a study.
  *
  *  All errors are reported together, up to a hundred messages in the order of the file: `file:line:column: error: sentence`,

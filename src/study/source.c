@@ -104,7 +104,12 @@ char *study_source_read(study_messages *messages, study_place place, const char 
     }
     struct stat about;
     char *text = NULL;
-    if (regular && fstat(file, &about) == 0 && !S_ISREG(about.st_mode)) {
+    const char *other = gough_input_kind(file, regular ? GOUGH_INPUT_CSV : GOUGH_INPUT_STUDY);
+    if (other) {
+        study_say(messages, GOUGH_ERROR_INPUT, place, "`%s` is %s; %s", name, other,
+                  regular ? "recorded motion is a table in CSV with a column `t`"
+                          : "a study is YAML text, such as `gough example` prints");
+    } else if (regular && fstat(file, &about) == 0 && !S_ISREG(about.st_mode)) {
         study_say(messages, GOUGH_ERROR_FILE, place,
                   "`%s` is not a regular file; recorded motion is read from regular files only",
                   name);

@@ -119,6 +119,12 @@ static gough_status read_file(int file, const char *path, gough_table *table, go
     if (S_ISREG(about.st_mode) && pread(file, start, sizeof start, 0) == sizeof start &&
         memcmp(start, hdf5_signature, sizeof start) == 0)
         return result_read_hdf5(file == STDIN_FILENO ? "/dev/stdin" : path, table, error);
+    const char *other = gough_input_kind(file, GOUGH_INPUT_CSV);
+    if (other)
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%s: is %s; a table of results is needed, as -o of `gough simulate` and "
+                          "other verbs writes",
+                          path, other);
     return read_csv_file(file, &about, path, table, error);
 }
 

@@ -35,6 +35,39 @@ START_TEST(a_dash_is_standard_input) {
 }
 END_TEST
 
+/* the words for a file with these bytes, which are part of it, or "" */
+static void expect_kind(const char *bytes, size_t length, unsigned wanted, const char *part) {
+    char *path = write_file("input.txt", bytes, length), first = 0;
+    const int file = gough_open_input(path, NULL);
+    const char *words = gough_input_kind(file, wanted);
+    if (*part)
+        ck_assert_msg(words && strstr(words, part), "%s", words ? words : "no words");
+    else
+        ck_assert_msg(!words, "%s", words);
+    if (length > 0) ck_assert_int_eq((int)read(file, &first, 1), 1);
+    ck_assert(length == 0 || first == bytes[0]); /* its place has not moved */
+    close(file);
+    forget_file(path);
+}
+
+START_TEST(a_file_is_known_by_its_first_bytes) {
+    expect_kind("\x89HDF\r\n\x1a\n....", 12, 0, "HDF5");
+    expect_kind("\x89HDF\r\n\x1a\n....", 12, GOUGH_INPUT_HDF5, "");
+    expect_kind("\x89HDF", 4, 0, "");
+    expect_kind("t,x,y\n", 6, GOUGH_INPUT_STUDY, "table in CSV");
+    expect_kind("t,x,y\n", 6, GOUGH_INPUT_STUDY | GOUGH_INPUT_CSV, "");
+    expect_kind("\n\2peewsg", 8, GOUGH_INPUT_CSV, "shard");
+    expect_kind("\n\2peewsg", 8, GOUGH_INPUT_SHARD, "");
+    expect_kind("# a remark\n\nplatform: {}\n", 25, GOUGH_INPUT_CSV, "study");
+    expect_kind("# a remark\n\nplatform: {}\n", 25, GOUGH_INPUT_STUDY, "");
+    expect_kind("# platform: {}", 14, 0, "");
+    expect_kind("<!DOCTYPE html>", 15, GOUGH_INPUT_STUDY, "web browser");
+    expect_kind("", 0, 0, "");
+    expect_kind("\n", 1, 0, "");
+    ck_assert_ptr_null(gough_input_kind(-1, 0));
+}
+END_TEST
+
 static void refuse(const char *path, const char *part) {
     gough_error error = {.message = ""};
     ck_assert_int_eq(gough_open_input(path, &error), -1);
@@ -60,5 +93,5 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("study/open", 60, a_file_is_opened_for_reading, a_dash_is_standard_input,
-                     what_may_block_or_is_missing_is_refused);
+                     a_file_is_known_by_its_first_bytes, what_may_block_or_is_missing_is_refused);
 }
