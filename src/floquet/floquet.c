@@ -128,7 +128,7 @@ gough_status gough_floquet_multipliers(const gough_model *model, const gough_per
         period = &found;
     }
     status = check(period, asked, error);
-    if (status == GOUGH_OK) status = loads_check(&model->machine, period, false, error);
+    if (status == GOUGH_OK) status = loads_check(&model->machine, period, error);
     if (status != GOUGH_OK) return status;
     monodromy_begin(&m, model, period, asked);
     status = go_round(&m, &floquet->state, error);

@@ -34,23 +34,32 @@ static bool repeats(const gough_formula *formula, const gough_period *p, bool co
     return apart <= same * largest;
 }
 
-gough_status loads_check(const gough_machine *machine, const gough_period *period, bool constant,
-                         gough_error *error) {
+/* the number of the first load that does not repeat, or that varies; 0: none */
+static size_t first_that_does_not(const gough_machine *machine, const gough_period *period,
+                                  bool constant) {
     for (size_t n = 0; n < machine->externals; n++) {
         const gough_external *e = &machine->external[n];
-        bool good = true;
-        for (int c = 0; c < 3; c++)
-            good = good && repeats(&e->force[c], period, constant) &&
-                   repeats(&e->moment[c], period, constant);
-        if (good) continue;
-        return gough_fail_key(
-            error, GOUGH_ERROR_INPUT, "external",
-            constant ? "external: load %zu varies in time; maps are computed for "
-                       "constant loads. Compute the multipliers without a map"
-                     : "external: load %zu does not repeat with the period %.9g" IN_TIME
-                       " of the program, so there are no multipliers; simulate "
-                       "instead",
-            n + 1, period->period);
+        for (int c = 0; c < 3; c++) {
+            if (!repeats(&e->force[c], period, constant) ||
+                !repeats(&e->moment[c], period, constant))
+                return n + 1;
+        }
     }
-    return GOUGH_OK;
+    return 0;
+}
+
+gough_status loads_check(const gough_machine *machine, const gough_period *period,
+                         gough_error *error) {
+    const size_t load = first_that_does_not(machine, period, false);
+
+    if (load == 0) return GOUGH_OK;
+    return gough_fail_key(error, GOUGH_ERROR_INPUT, "external",
+                          "external: load %zu does not repeat with the period %.9g" IN_TIME
+                          " of the program, so there are no multipliers; simulate "
+                          "instead",
+                          load, period->period);
+}
+
+bool loads_constant(const gough_machine *machine, const gough_period *period) {
+    return first_that_does_not(machine, period, true) == 0;
 }

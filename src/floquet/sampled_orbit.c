@@ -304,7 +304,7 @@ gough_status sampled_orbit_begin(sampled_orbit *o, const gough_model *model,
     o->adjusted = sampled_fit(&o->control.sampling, period->period, &o->samples, &o->periods);
     status = check(o, &model->control.sampling, period, error);
     if (status == GOUGH_OK) status = sampled_check(&o->control.sampling, error);
-    if (status == GOUGH_OK) status = loads_check(&model->machine, period, false, error);
+    if (status == GOUGH_OK) status = loads_check(&model->machine, period, error);
     if (status != GOUGH_OK) return status;
     lay_out(o, model, period);
     measure(o, period);

@@ -203,9 +203,6 @@ static gough_status run_threads(work *w, int threads, char *memory, gough_error 
 
 /* ---- before the work ---- */
 
-/* rows whose program moves and is kept: those that need tables */
-static bool has_tables(const map_worker *w) { return !w->period.resting && map_row_kept(w); }
-
 /* (floquet-24): the steps of all rows are made finer until those of the first, the middle and the last row suffice */
 static gough_status choose_steps(map_job *job, map_worker *w, gough_error *error) {
     const size_t rows = gough_map_rows(job->options);
@@ -216,7 +213,7 @@ static gough_status choose_steps(map_job *job, map_worker *w, gough_error *error
         const size_t row = (rows - 1) * (size_t)look / 2;
         const double wanted = job->options->accuracy;
         double change;
-        if (map_row_begin(w, row, NULL) != GOUGH_OK || !has_tables(w)) continue;
+        if (map_row_begin(w, row, NULL) != GOUGH_OK || !map_row_has_tables(w)) continue;
         while (map_row_accuracy(w, job->finer, &change, NULL) == GOUGH_OK && !(change <= wanted)) {
             if (job->finer > finest && change <= rough) break;
             if (job->finer > finest) {
@@ -238,7 +235,7 @@ static size_t most_parts(map_worker *probe, size_t rows) {
     size_t parts = 1;
 
     for (size_t row = 0; row < rows; row++) {
-        if (map_row_begin(probe, row, NULL) != GOUGH_OK || !has_tables(probe)) continue;
+        if (map_row_begin(probe, row, NULL) != GOUGH_OK || !map_row_has_tables(probe)) continue;
         if (probe->d.parts > parts) parts = probe->d.parts;
     }
     return parts;

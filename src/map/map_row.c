@@ -66,9 +66,12 @@ static void set_motion(gough_motion *motion, double amplitude, double frequency)
 static linear_loop loop_of(const map_worker *w) {
     return (linear_loop){&w->model.machine, &w->model.motion, &w->model.control, false, 0};
 }
-bool map_row_kept(const map_worker *w) {
+/* whether the row's loop keeps its program */
+static bool keeps_program(const map_worker *w) {
     return gough_keeps_program(&w->model.machine, &w->model.control, !w->period.resting);
 }
+
+bool map_row_has_tables(const map_worker *w) { return !w->period.resting && !w->alone; }
 
 gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
     const gough_map_options *o = w->job->options;
@@ -87,6 +90,7 @@ gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
     for (int v = 0; v < GOUGH_LEGS && o->axis == GOUGH_MAP_DAMPING; v++)
         control->damping[v] = value;
     loop = loop_of(w);
+    w->alone = false;
     w->sampled = w->job->sampled;
     w->damped = w->sampled || linear_is_damped(&loop);
 
@@ -99,14 +103,10 @@ gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
         return w->sampled ? map_sampled_begin(w, error) : GOUGH_OK;
     }
     if (w->sampled) return map_sampled_begin(w, error);
-    status = loads_check(&w->model.machine, &w->period, true, error);
-    if (status == GOUGH_OK && machine_loads_follow(&w->model.machine))
-        status = gough_fail_key(error, GOUGH_ERROR_INPUT, "external",
-                                "external: load %d turns with the top or is a moment, so that "
-                                "multipliers do not come in pairs; maps are computed for forces "
-                                "with the axes of the base",
-                                machine_loads_follow(&w->model.machine));
-    if (status != GOUGH_OK || !map_row_kept(w)) return status;
+    /* tables are of constant forces with the axes of the base, for which multipliers come in pairs */
+    w->alone = !keeps_program(w) || machine_loads_follow(&w->model.machine) ||
+               !loads_constant(&w->model.machine, &w->period);
+    if (w->alone) return loads_check(&w->model.machine, &w->period, error);
 
     status = transition_divide(&loop, &w->period, top, &w->d, error);
     if (status != GOUGH_OK) return status;
@@ -544,11 +544,11 @@ int map_row_find(map_worker *w, size_t index) {
         row->period = w->period;
         if (w->sampled) {
             stopped = map_sampled_find(w);
-        } else if (w->period.resting && map_row_kept(w)) {
+        } else if (w->period.resting && keeps_program(w)) {
             stopped = find_at_rest(w);
         } else if (w->period.resting) {
             stopped = find_one_by_one(w, look_at_rest);
-        } else if (!map_row_kept(w)) {
+        } else if (w->alone) {
             stopped = find_one_by_one(w, look_along_orbit);
         } else {
             stopped = find_by_tables(w, &error);

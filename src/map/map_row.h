@@ -43,14 +43,16 @@ typedef struct {
     size_t nodes, places, room;
     size_t meetings;
     double reported;
+    bool
+        alone; /* multipliers of each stiffness by themselves, about the loop's own motion or under loads that vary */
 } map_worker;
 
 /* Bytes of one worker and all that belongs to it. */
 size_t map_worker_size(const map_job *job);
 map_worker *map_worker_begin(const map_job *job, void *memory);
 
-/* whether the row's loop keeps its program */
-bool map_row_kept(const map_worker *w);
+/* whether the row needs tables: it moves, and its stiffnesses are not looked at one by one */
+bool map_row_has_tables(const map_worker *w);
 
 /* The study as it is in a row, its period, and how the period is divided. */
 gough_status map_row_begin(map_worker *w, size_t index, gough_error *error);

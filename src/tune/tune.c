@@ -254,7 +254,7 @@ static gough_status find_period(tune *t, gough_error *error) {
     if (status != GOUGH_OK && t->model->motion.period > 0)
         return gough_fail(error, status, "%s", why.message);
     tuning->periodic = status == GOUGH_OK && !t->period.resting;
-    if (tuning->periodic) status = loads_check(&t->model->machine, &t->period, false, error);
+    if (tuning->periodic) status = loads_check(&t->model->machine, &t->period, error);
     if (tuning->periodic && status != GOUGH_OK) return status;
     if (status != GOUGH_OK) {
         gough_fail(&why, status, "the program has no period, so home was checked");

@@ -105,13 +105,11 @@ static bool keeps_program(const tune *t) {
     return gough_keeps_program(&t->loop->machine, &t->loop->control, !t->period.resting);
 }
 
-/* maps are made for constant loads with the axes of the base; multipliers for all that repeat */
+/* maps are quick for constant loads with the axes of the base */
 static bool loads_allow_map(const tune *t) {
     const gough_machine *machine = &t->loop->machine;
-    gough_error none;
 
-    return !machine_loads_follow(machine) &&
-           loads_check(machine, &t->period, true, &none) == GOUGH_OK;
+    return !machine_loads_follow(machine) && loads_constant(machine, &t->period);
 }
 
 /* The map finds resonances however narrow; it is quick where the motion is the program's own, and its memory is limited. Sets the
