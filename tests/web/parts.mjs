@@ -6,7 +6,7 @@ import test from "node:test";
 import { csv } from "../../web/src/csv.js";
 import { decode, Table } from "../../web/src/data.js";
 import { legWork, loadEnergy } from "../../web/src/energy.js";
-import { amount, fixed, known, number, ticks, unit, shower } from "../../web/src/format.js";
+import { amount, below, fixed, known, number, ticks, unit, shower } from "../../web/src/format.js";
 import { equalEllipsoid, symmetricEigen } from "../../web/src/inertia.js";
 import { legsOf, poseOf } from "../../web/src/pose.js";
 import { Player } from "../../web/src/player.js";
@@ -289,6 +289,15 @@ test("numbers read well", () => {
     [3e-9, -2e-8, 1.23456e-5, 12.3456, NaN].map((value) => known(value, 1e-8)),
     ["0", "−2·10⁻⁸", "1.235·10⁻⁵", "12.346", "–"],
   );
+  // a magnitude is never said to be 0 where it is only not known
+  assert.deepEqual(
+    [0, 3e-9, 1e-8, 1.1e-8, 0.5, NaN].map((value) => below(value, 1e-8)),
+    ["below 1·10⁻⁸", "below 1·10⁻⁸", "below 1·10⁻⁸", "1·10⁻⁸", "0.5", "–"],
+  );
+  assert.equal(below(0, 2.31e-9), "below 3·10⁻⁹");
+  assert.equal(below(0, 0.012), "below 0.02");
+  assert.equal(below(0, 2.31e-9, 3, true), "3·10⁻⁹");
+  assert.equal(below(0, 0), "0"); // without a scale
 
   assert.deepEqual(["m/s2", "degree/s", "1", "N m", ""].map(unit), ["m/s²", "°/s", "", "N m", ""]);
   assert.equal(amount(3, "degree"), "3 °");

@@ -1,6 +1,6 @@
 // What `gough report` wrote into the page: studies with their tables. A column is decoded when it is first asked for, so that a
 // recording of many rows opens at once.
-import { known, unit } from "./format.js";
+import { below, known, unit } from "./format.js";
 import { blendAngle, placed, poseOf } from "./pose.js";
 
 const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
@@ -233,6 +233,21 @@ export class Study {
   /** A number of a column in words: no more of it than is known. */
   say(value, name, digits = 5) {
     return known(value, this.noise(name), digits);
+  }
+
+  /** A magnitude of a column in words: "below 2·10⁻⁹" where it is only an error of the run. */
+  within(value, name, digits = 5) {
+    return below(value, this.noise(name), digits);
+  }
+
+  /** The same as a bound, which stands behind "at most". */
+  most(value, name, digits = 5) {
+    return below(value, this.noise(name), digits, true);
+  }
+
+  /** Whether a number of a column is only an error of the run. */
+  isNoise(value, name) {
+    return Math.abs(value) <= this.noise(name);
   }
 
   /** Whether the run is over at a time, so that it has no numbers there. */

@@ -38,6 +38,16 @@ export function known(value, noise, digits = 5) {
   return number(value, Math.max(1, Math.min(digits, Math.floor(Math.log10(size / noise)) + 1)));
 }
 
+/** A magnitude that is known to within its noise: where it is smaller, "below 2·10⁻⁹" in place of a number; `bound` leaves out
+ *  the word, for a number behind "at most". */
+export function below(value, noise, digits = 5, bound = false) {
+  if (!Number.isFinite(value) || !(noise > 0) || Math.abs(value) > noise)
+    return known(value, noise, digits);
+  const unit = 10 ** Math.floor(Math.log10(noise));
+  const most = number(Math.ceil((noise / unit) * (1 - 1e-12)) * unit, 1);
+  return bound ? most : `below ${most}`;
+}
+
 /** A number with a fixed count of decimals, for what changes while it is read. */
 export function fixed(value, decimals) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";

@@ -564,8 +564,8 @@ export class Live {
     ];
     const { study } = this;
     this.off.textContent = [
-      study.say(off, "ex", 3) + unitAfter(study.unit("ex")),
-      study.say(angle, "eroll", 3) + unitAfter(study.unitOf("angle")),
+      study.within(off, "ex", 3) + unitAfter(study.unit("ex")),
+      study.within(angle, "eroll", 3) + unitAfter(study.unitOf("angle")),
     ].join(", ");
     this.pace.textContent =
       this.ratio > 0

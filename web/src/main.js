@@ -162,15 +162,18 @@ class Page {
     const { control, machine, simulate } = study;
     const [stiffness, damping] = [Math.max(...control.stiffness), Math.max(...control.damping)];
     const exceptFor = machine.ignored ? ` except for ${machine.ignored}` : "";
-    const off = simulate?.deviation && study.say(simulate.deviation.position, "ex", 3);
+    const off = simulate?.deviation?.position;
+    const near = study.isNoise(off, "ex");
     const parts = [
       `${study.unitsSentence} · base radius ${amount(machine.base_radius, study.unit("l1"))} · `,
       study.openLoop ? "open loop" : `feedback G = ${amount(stiffness, study.gainUnit(0))}`,
       damping > 0 ? `, D = ${amount(damping, study.gainUnit(1))}` : "",
       control.sampling ? `, sampled every ${amount(control.sampling.period, study.unitOf("time"))}` : "",
       control.feedforward ? `, program forces fed forward${exceptFor}` : ", no program forces",
-      off === "0" ? ", on its program to the accuracy of the run" : "",
-      off && off !== "0" ? `, at most ${off}${unitAfter(study.unit("ex"))} off its program` : "",
+      near ? ", on its program to the accuracy of the run" : "",
+      off > 0 && !near
+        ? `, at most ${study.say(off, "ex", 3)}${unitAfter(study.unit("ex"))} off its program`
+        : "",
     ];
     return parts.join("");
   }

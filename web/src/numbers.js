@@ -127,8 +127,8 @@ function endFacts(study) {
       !study.complete && ["why", end.message],
       simulate?.deviation && [
         "greatest deviation",
-        `${study.say(simulate.deviation.position, "ex")}${unitAfter(study.unit("ex"))} from the program, `,
-        `${study.say(simulate.deviation.angle, "eroll")}${unitAfter(study.unitOf("angle"))} of angle`,
+        `${study.within(simulate.deviation.position, "ex")}${unitAfter(study.unit("ex"))} from the program, `,
+        `${study.within(simulate.deviation.angle, "eroll")}${unitAfter(study.unitOf("angle"))} of angle`,
       ],
       simulate && ["drift of the constraints", `at most ${number(simulate.drift, 3)}`],
       simulate && ["condition", `at most ${number(simulate.condition, 5)}`],
@@ -410,8 +410,8 @@ export function compareNumbers(host, studies) {
     study.control.feedforward ? "yes" : "no",
     own(study, same(study.control.stiffness), study.gainUnit(0)),
     own(study, same(study.control.damping), study.gainUnit(1)),
-    own(study, study.say(study.simulate?.deviation?.position, "ex", 4), study.unit("ex")),
-    study.say(study.simulate?.deviation?.angle, "eroll", 4),
+    own(study, study.within(study.simulate?.deviation?.position, "ex", 4), study.unit("ex")),
+    study.within(study.simulate?.deviation?.angle, "eroll", 4),
     own(
       study,
       study.say(Math.max(...(study.simulate?.legs ?? []).map((leg) => leg.force[1])), "f1", 4),

@@ -131,9 +131,9 @@ function glance(study) {
   const pairs = [
     [
       "off program, at most",
-      `${study.say(simulate.deviation?.position, "ex", 3)}${unitAfter(study.unit("ex"))}`,
+      `${study.most(simulate.deviation?.position, "ex", 3)}${unitAfter(study.unit("ex"))}`,
     ],
-    ["off in angle, at most", `${study.say(simulate.deviation?.angle, "eroll", 3)} °`],
+    ["off in angle, at most", `${study.most(simulate.deviation?.angle, "eroll", 3)} °`],
     [
       study.forceWords,
       `${study.say(Math.min(...forces), "f1", 4)} … ${study.say(Math.max(...forces), "f1", 4)}${unitAfter(study.unit("f1"))}`,
@@ -237,7 +237,7 @@ export class ComparisonPanel {
           element(
             "dd",
             {},
-            `${study.say(study.simulate?.deviation?.position, "ex", 3)}${unitAfter(study.unit("ex"))}`,
+            `${study.most(study.simulate?.deviation?.position, "ex", 3)}${unitAfter(study.unit("ex"))}`,
           ),
         ),
       );
@@ -255,8 +255,8 @@ export class ComparisonPanel {
       const { run } = study;
       const over = study.isOver(time);
       const at = (names) => names.map((name) => (over ? NaN : run.value(name, time)));
-      deviation.textContent = study.say(Math.hypot(...at(["ex", "ey", "ez"])), "ex", 3);
-      angle.textContent = study.say(Math.hypot(...at(["eroll", "epitch", "eyaw"])), "eroll", 3);
+      deviation.textContent = study.within(Math.hypot(...at(["ex", "ey", "ez"])), "ex", 3);
+      angle.textContent = study.within(Math.hypot(...at(["eroll", "epitch", "eyaw"])), "eroll", 3);
       const six = at(["f1", "f2", "f3", "f4", "f5", "f6"]);
       const ends = [Math.min(...six), Math.max(...six)].map((force) => study.say(force, "f1", 3));
       forces.textContent = over

@@ -258,6 +258,43 @@ static void print_saturated(FILE *stream, const run_report *report) {
     if (*text) print_paragraph(stream, "  saturated   ", 14, "%s", text);
 }
 
+/* Below what share of their scale (the longest leg at home, a radian) deviations are only errors of the run. The page has the same
+ * in web/src/data.js: errors reach a hundred times the tolerance of adaptive steps; of fixed steps only rounding is known. */
+static double noise_of(const run_report *report) {
+    const gough_simulation *o = &report->study->simulation;
+    const bool adaptive = o->method == GOUGH_DOP853 && !(o->step > 0);
+    return fmin(fmax(adaptive ? 100 * o->tolerance : 0, 1e-12), 1e-6);
+}
+
+/* "at most 0.0123 m", or "below 3e-09 m" where a number would be an error of the run */
+static const char *say_deviation(const run_report *report, double value, double scale,
+                                 gough_unit unit, char text[60]) {
+    const char *word = unit_word(&report->units, unit);
+    const double noise = noise_of(report) * scale, power = pow(10, floor(log10(noise)));
+    if (value > noise)
+        snprintf(text, 60, "at most %.4g%s", value, word);
+    else
+        snprintf(text, 60, "below %.1g%s", ceil(noise / power * (1 - 1e-12)) * power, word);
+    return text;
+}
+
+static void print_deviation(FILE *stream, const run_report *report) {
+    const gough_machine *machine = &report->study->model->machine;
+    double length = 0;
+    char position[60], angle[60];
+    for (int i = 0; i < GOUGH_LEGS; i++) length = fmax(length, machine->home_length[i]);
+    say_deviation(report, report->summary.position_deviation,
+                  length * gough_unit_factor(&report->units, GOUGH_UNIT_LENGTH), GOUGH_UNIT_LENGTH,
+                  position);
+    say_deviation(report, report->summary.angle_deviation,
+                  gough_unit_factor(&report->units, GOUGH_UNIT_ANGLE), GOUGH_UNIT_ANGLE, angle);
+    /* "at most 1 m and 2 deg" */
+    const char *second = strncmp(position, "at", 2) == 0 && strncmp(angle, "at", 2) == 0
+                             ? angle + strlen("at most ")
+                             : angle;
+    fprintf(stream, "  deviation   %s and %s from the program\n", position, second);
+}
+
 void run_report_print(FILE *stream, const run_report *report) {
     const gough_summary *s = &report->summary;
     const gough_units *unit = &report->units;
@@ -286,9 +323,7 @@ void run_report_print(FILE *stream, const run_report *report) {
                 s->condition, s->condition_time, unit_word(unit, GOUGH_UNIT_TIME));
     }
     if (report->simulated && s->rows > 0) {
-        fprintf(stream, "  deviation   at most %.4g%s and %.4g%s from the program\n",
-                s->position_deviation, unit_word(unit, GOUGH_UNIT_LENGTH), s->angle_deviation,
-                unit_word(unit, GOUGH_UNIT_ANGLE));
+        print_deviation(stream, report);
         fprintf(stream,
                 "  drift       at most %.2g (violation of the constraints before projection)\n",
                 s->drift);
