@@ -101,7 +101,7 @@ static void add_legs(builder *b, panel *p, size_t t) {
     for (int v = 0; v < GOUGH_LEGS; v++) {
         if (group[v] != v) continue;
         add_point(b, p, root_mean_square(&s, rate[v]), root_mean_square(&s, force[v]),
-                  t == 0 && v == 0 ? "RMS" : "",
+                  t == 0 && v == 0 ? "RMS of a leg" : "",
                   builder_compares(b) ? colour_of_table(t) : colour_of_leg(v));
     }
 }
@@ -142,7 +142,7 @@ static double limit_of(const builder *b, double asked, size_t member) {
 }
 
 void builder_fill_duty(builder *b) {
-    panel *p = builder_panel_of(b, "Drive force", "f1", false);
+    panel *p = builder_panel_of(b, "Drive force of each leg", "f1", false);
     builder_abscissa(b, "leg rate", "dl1");
     b->sheet->from = b->sheet->to = NAN; /* of time, not of the abscissa */
     for (size_t t = 0; t < b->table_count; t++) add_legs(b, p, t);

@@ -47,7 +47,7 @@ units() { # units LABEL m N W s ° m/s TABLE...
     expect "$label-deviation.svg" 'Deviation of position from the program' "$m"
     expect "$label-deviation.svg" 'Deviation of angles from the program' °
     "$GOUGH" plot "$@" -q --figure duty -o "$label-duty.svg"
-    expect "$label-duty.svg" 'Drive force' "$N"
+    expect "$label-duty.svg" 'Drive force of each leg' "$N"
     expect "$label-duty.svg" 'leg rate' "$rate"
     expect "$label-drift.svg" 'Constraint drift before projection' -
     expect "$label-condition.svg" 'Condition number of the leg Jacobian' -
