@@ -28,6 +28,14 @@ typedef struct gough_batch_run {
                                    gough_sampling.run */
 } gough_batch_run;
 
+/** What sizes the legs, GOUGH_SIZING_LENGTH_LEAST … GOUGH_SIZING_HOLDS_TO, one for each line of gough/sizing.def: the least or the
+ *  greatest value of the six legs over a run, or their sum, as that line says. */
+enum gough_sizing {
+#define GOUGH_SIZING_COLUMN(id, name, what, unit, of_legs) GOUGH_SIZING_##id,
+#include "gough/sizing.def"
+    GOUGH_SIZINGS
+};
+
 /** Outcome of a run. Peaks, deviations and work are those of the motion, between output times too, as
  *  gough_summary_look() takes them; with fixed steps the looks are at the ends of steps. Angles in radians. */
 typedef struct gough_outcome {
@@ -48,6 +56,8 @@ typedef struct gough_outcome {
     double energy;              /**< net work of all legs */
     double drift;               /**< largest violation of (1.2) before projection */
     double rows;                /**< output times reached */
+    double sizing
+        [GOUGH_SIZINGS]; /**< by gough_sizing, if gough_batch_options.sizing asks for it; else NaN */
 } gough_outcome;
 
 /** How to run a batch; start from gough_batch_options_default(). */
@@ -55,6 +65,10 @@ typedef struct gough_batch_options {
     size_t size; /**< of this struct in bytes, from gough_batch_options_default(), or 0 */
     int lanes; /**< 0: as many as the processor has; else 1, 2, 4 or 8 (more than it has is an error) */
     int threads; /**< 0: one per processor that the process may use */
+    bool sizing; /**< fill gough_outcome.sizing, for about a fifth more time */
+    bool
+        forces; /**< inverse dynamics along the program, as gough_forces(), in place of motion. Runs go one by one. Deviations and
+                      drift of outcomes are NaN, and a limit that is exceeded does not end a run: the first one is its cause */
     /** Called occasionally, from one thread at a time, with the number of finished runs; nonzero stops. May be NULL. */
     int (*progress)(void *context, size_t done);
     void *context; /**< passed to progress */
@@ -90,8 +104,8 @@ GOUGH_API size_t gough_batch_size(const gough_batch_options *options);
  *  @param[out] outcomes  @p count of them, in the order of the runs
  *  @param memory      gough_batch_size() bytes, aligned to 64; nothing else is allocated, except by the
  *                     system for threads
- *  @return GOUGH_OK, even if runs ended early (see their outcomes); GOUGH_ERROR_INPUT for invalid options, or runs
- *  that differ in height or feed-forward; GOUGH_ERROR_NUMERICAL if the progress function stopped it
+ *  @return GOUGH_OK, even if runs ended early (see their outcomes); GOUGH_ERROR_INPUT for invalid options, or runs of
+ *  motion that differ in height or feed-forward; GOUGH_ERROR_NUMERICAL if the progress function stopped it
  *  (unfinished runs have 0 rows). Bits do not depend on lanes and threads. */
 GOUGH_API gough_status gough_batch(const gough_motion *motion, const gough_simulation *simulation,
                                    const gough_batch_run *runs, size_t count,

@@ -138,6 +138,8 @@ typedef struct gough_sweep_options {
     int threads;  /**< as in gough_batch_options */
     size_t first; /**< first run; 0: 1 */
     size_t last;  /**< last run; 0: all */
+    bool sizing;  /**< as in gough_batch_options; tables then have a column for each gough_sizing */
+    bool forces;  /**< as in gough_batch_options */
     /** Called in the caller's thread about ten times a second with the number of finished runs; nonzero stops. May be NULL. */
     int (*progress)(void *context, size_t done);
     void *context; /**< passed to progress */
@@ -163,26 +165,31 @@ GOUGH_API gough_status gough_sweep_run(const gough_sweep *sweep, const gough_swe
 
 /* ---- its files ------------------------------------------------------------------------------------------------ */
 
-/** Summary of a sweep. Runs that reached their duration count as done. */
+/** Least and greatest value of a quantity over the runs of a sweep, in units of the study and radians. */
+typedef struct gough_sweep_range {
+    double least;        /**< NaN: no run has a value */
+    double greatest;     /**< likewise */
+    size_t least_run;    /**< which run has the least; 0: no run */
+    size_t greatest_run; /**< likewise */
+} gough_sweep_range;
+
+/** Summary of a sweep. Runs that reached their duration count as done. Ranges are over these runs; in a sweep of forces, which no
+ *  limit ends, also over the runs in which a limit is exceeded. */
 typedef struct gough_sweep_summary {
-    gough_units units;            /**< of the file's numbers; those here are in the study's */
-    size_t runs;                  /**< of the file */
-    size_t resumed;               /**< of these, found in FILE.part */
-    size_t ended[GOUGH_CAUSES];   /**< by gough_cause */
-    size_t first_invalid;         /**< a run; 0: none */
-    size_t first_not_finite;      /**< a run that ended so; 0: none */
-    double least_position;        /**< least of the deviations of position; NaN: no run is done */
-    double greatest_position;     /**< the greatest of them, units of the study */
-    double least_angle;           /**< least of the deviations of angle, radians */
-    double greatest_angle;        /**< the greatest of them */
-    size_t least_position_run;    /**< which run it is; 0: none */
-    size_t greatest_position_run; /**< likewise */
-    size_t least_angle_run;       /**< likewise */
-    size_t greatest_angle_run;    /**< likewise */
-    double least_power;           /**< least power of any leg; below 0 it brakes */
-    double greatest_power;        /**< greatest power of any leg */
-    size_t least_power_run;       /**< in which run */
-    size_t greatest_power_run;    /**< likewise */
+    gough_units units;          /**< of the file's numbers; those here are in the study's */
+    size_t runs;                /**< of the file */
+    size_t resumed;             /**< of these, found in FILE.part */
+    size_t ended[GOUGH_CAUSES]; /**< by gough_cause */
+    size_t first_invalid;       /**< a run; 0: none */
+    size_t first_not_finite;    /**< a run that ended so; 0: none */
+    gough_sweep_range position; /**< of gough_outcome.position_deviation */
+    gough_sweep_range angle;    /**< of gough_outcome.angle_deviation */
+    gough_sweep_range force;    /**< of gough_outcome.force */
+    gough_sweep_range speed;    /**< of gough_outcome.speed */
+    gough_sweep_range power;    /**< least and greatest power of any leg; below 0 it brakes */
+    gough_sweep_range sizing[GOUGH_SIZINGS]; /**< by gough_sizing, if the sweep has them */
+    bool has_sizing;                         /**< true if it has */
+    bool forces;                             /**< true for a sweep of forces along the program */
 } gough_sweep_summary;
 
 /** Output of a sweep. */

@@ -94,6 +94,7 @@ static const struct {
     SIZE_OF(gough_sweep_key),
     SIZE_OF(gough_sweep_options),
     SIZE_OF(gough_sweep_output),
+    SIZE_OF(gough_sweep_range),
     SIZE_OF(gough_sweep_row),
     SIZE_OF(gough_sweep_summary),
     SIZE_OF(gough_table),

@@ -19,8 +19,7 @@ enum { GROUPS = 32, BLOCK = 32, RECORDS = 18 * BLOCK + 8 };
 
 gough_status gough_batch_options_init(gough_batch_options *options, size_t size) {
     if (size != sizeof *options) return gough_size_refuse(options, size);
-    *options = (gough_batch_options){
-        .size = size, .lanes = 0, .threads = 0, .progress = NULL, .context = NULL};
+    *options = (gough_batch_options){.size = size};
     return GOUGH_OK;
 }
 
@@ -292,7 +291,7 @@ static int loops_all_same(const gough_batch_run *runs, size_t count) {
 }
 
 static void plan(work *w, const gough_simulation *s, int lanes, int threads) {
-    const int fixed = s->step > 0 && s->precision == GOUGH_DOUBLE;
+    const int fixed = s->step > 0 && s->precision == GOUGH_DOUBLE && !w->job.forces;
     size_t share = (w->count + 2 * (size_t)threads - 1) / (2 * (size_t)threads);
 
     w->width = fixed ? width_of(lanes) : NULL;
@@ -340,12 +339,16 @@ gough_status gough_batch(const gough_motion *motion, const gough_simulation *sim
                           "%d lanes: this processor can run 1%s%s or %d lanes", lanes,
                           widest > 2 ? ", 2" : "", widest > 4 ? ", 4" : "", widest);
     }
-    status = check_runs(motion, simulation, runs, count, error);
+    status = options->forces ? simulate_check(motion, simulation, error)
+                             : check_runs(motion, simulation, runs, count, error);
     if (status != GOUGH_OK) return status;
 
     own.summary = NULL; /* of one run, which runs side by side must not share */
-    w = (work){
-        .job = {motion, &own, runs, outcomes, 0, 0}, .count = count, .options = options, .done = 0};
+    own.joints |= options->sizing;
+    w = (work){.job = {motion, &own, runs, outcomes, 0, 0, options->sizing, options->forces},
+               .count = count,
+               .options = options,
+               .done = 0};
     atomic_init(&w.next, 0);
     atomic_init(&w.stopped, 0);
     pthread_mutex_init(&w.lock, NULL);

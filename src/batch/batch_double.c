@@ -1,6 +1,9 @@
 /* What one lane does alone: groups of a single run, beginnings and ends as in gough_simulate(), recorded stages, adaptive runs. */
 #define NUMBER_DOUBLE
+#include <string.h>
+
 #include "batch/lane_runs.h"
+#include "gough/dynamics.h"
 #include "run/forward_run.h"
 
 const struct batch_width batch_width_1 = {1, (sizeof(group) + 63) / 64 * 64, group_begin,
@@ -37,13 +40,30 @@ static int listen(void *context, const gough_row *row) {
     return 0;
 }
 
+/* what holds the legs at rest at home, under the external loads as they are at t = 0 */
+static void put_holding(const gough_machine *machine, double sizing[GOUGH_SIZINGS]) {
+    const gough_state home = gough_state_home(machine);
+    double force[LEGS], low[LEGS], high[LEGS];
+    gough_wrench known;
+
+    if (gough_external_wrench(machine, &home, 0, &known) != GOUGH_OK ||
+        gough_holding_forces(machine, &home, &known, force, low, high) != GOUGH_OK)
+        return;
+    for (int v = 0; v < LEGS; v++) {
+        sizing[GOUGH_SIZING_HOLDS_FROM] = fmin(sizing[GOUGH_SIZING_HOLDS_FROM], low[v]);
+        sizing[GOUGH_SIZING_HOLDS_TO] = fmax(sizing[GOUGH_SIZING_HOLDS_TO], high[v]);
+    }
+}
+
 static void listen_begin(listener *l, const batch_job *job, size_t which) {
     l->machine = job->runs[which].machine;
     l->outcome = &job->outcomes[which];
     l->summed = 0;
     *l->outcome = (gough_outcome){.cause = GOUGH_END_DONE};
+    for (int i = 0; i < GOUGH_SIZINGS; i++) l->outcome->sizing[i] = NAN;
+    if (job->sizing) put_holding(l->machine, l->outcome->sizing);
     gough_summary_begin(&l->summary);
-    l->summary.brief_ = true; /* an outcome has neither */
+    l->summary.brief_ = !job->sizing; /* without it an outcome has neither */
     l->summary.order = job->motion->order;
 }
 
@@ -51,6 +71,34 @@ void batch_put_power(gough_outcome *outcome, double least, double greatest) {
     outcome->power_least = least;
     outcome->power_greatest = greatest;
     outcome->power = greatest > 0 ? greatest : 0;
+}
+
+/* what sizes the legs, of all six */
+static void put_sizing(const gough_summary *summary, double sizing[GOUGH_SIZINGS]) {
+    static const struct {
+        int to;
+        size_t from;
+        int sums; /* 1: the sum; −1: the least; 0: the greatest */
+    } of[] = {{GOUGH_SIZING_LENGTH_LEAST, offsetof(gough_leg_summary, length_min), -1},
+              {GOUGH_SIZING_LENGTH_GREATEST, offsetof(gough_leg_summary, length_max), 0},
+              {GOUGH_SIZING_SWING_BASE, offsetof(gough_leg_summary, swing_base), 0},
+              {GOUGH_SIZING_SWING_TOP, offsetof(gough_leg_summary, swing_top), 0},
+              {GOUGH_SIZING_RMS_FORCE, offsetof(gough_leg_summary, rms_force), 0},
+              {GOUGH_SIZING_TOP_LOAD, offsetof(gough_leg_summary, top_load), 0},
+              {GOUGH_SIZING_BASE_LOAD, offsetof(gough_leg_summary, base_load), 0},
+              {GOUGH_SIZING_SIDE_LOAD, offsetof(gough_leg_summary, side_load), 0},
+              {GOUGH_SIZING_FRICTION_LOSS, offsetof(gough_leg_summary, friction_loss), 1},
+              {GOUGH_SIZING_RETURNED_ENERGY, offsetof(gough_leg_summary, returned_energy), 1}};
+
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
+        double all = of[i].sums > 0 ? 0 : NAN;
+        for (int v = 0; v < LEGS; v++) {
+            double x;
+            memcpy(&x, (const char *)&summary->leg[v] + of[i].from, sizeof x);
+            all = of[i].sums > 0 ? all + x : of[i].sums < 0 ? fmin(all, x) : fmax(all, x);
+        }
+        sizing[of[i].to] = all;
+    }
 }
 
 static void listen_end(listener *l, const gough_end *end) {
@@ -74,6 +122,7 @@ static void listen_end(listener *l, const gough_end *end) {
         out->energy += leg->energy;
     }
     batch_put_power(out, least, greatest);
+    if (!l->summary.brief_) put_sizing(&l->summary, out->sizing);
 }
 
 void batch_alone(const batch_job *job, size_t which) {
@@ -86,7 +135,11 @@ void batch_alone(const batch_job *job, size_t which) {
     listen_begin(&l, job, which);
     simulation.summary = &l.summary;
     l.summed = 1;
-    (void)table->simulate(&parts, &simulation, listen, &l, &end);
+    if (job->forces) {
+        (void)table->forces(&parts, &simulation, listen, &l, NULL, NULL, &end);
+    } else {
+        (void)table->simulate(&parts, &simulation, listen, &l, &end);
+    }
     listen_end(&l, &end);
 }
 
@@ -124,6 +177,7 @@ static void look_at_end(forward *d, real until, batch_step *step) {
     const wanted *s = system_whole(&d->r, until);
     system_signals(&d->r, until, y, &m);
     looks_fill(s, &m, onto(&d->r.h.axes, d->r.h.center), step->look);
+    sizing_fill(&d->r, &m, step->sizing);
     for (int c = 0; c < LOOKS_COLUMNS; c++) step->looked &= isfinite(step->look[c]) != 0;
 }
 

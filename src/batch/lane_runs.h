@@ -10,10 +10,6 @@
 #include "system/loop.h"
 #include "system/problem.h"
 
-/* What most steps do not come to is apart from them. Laid out within, it would spread their memory over so much stack that loads
- * often had the place of an unrelated store in a page, for which processors make them wait. */
-#define LANES_APART __attribute__((noinline)) static
-
 typedef struct {
     struct system r;
     appointments when; /* the same in all lanes */
@@ -41,6 +37,7 @@ typedef struct {
     number last[STATE_SIZE];
     vector center; /* of mass, from the top frame's origin, central axes */
     looks looks;
+    struct sizing sizing; /* if the job wants it */
 } group;
 
 /* ---- lanes and scalars ---- */
@@ -145,6 +142,7 @@ static inline void group_program_pose(struct system *r) {
 static inline void group_look(group *g, const wanted *s, const signals *m, double t) {
     group_program_pose(&g->r);
     looks_fill(s, m, g->center, looks_next(&g->looks));
+    if (g->looks.sizing) sizing_fill(&g->r, m, sizing_look(&g->looks, QUADRATURE_ROWS - 1));
     looks_take(&g->looks, g->going_mask, g->drift, t);
     g->drift = number_of(0);
     if (t >= g->when.corner - g->when.slack) looks_corner(&g->looks, g->going_mask);
@@ -166,6 +164,7 @@ static inline void group_write(const group *g, const batch_job *job, const looks
     out->drift = number_lane(l->drift, lane);
     out->rows = g->rows;
     out->energy = number_lane(l->energy, lane);
+    if (l->sizing) sizing_write(l->sizing, lane, out->force, out->sizing);
 }
 
 /* ---- a group's life ---- */
@@ -195,6 +194,10 @@ static inline void group_begin(void *memory, const batch_job *job, size_t first,
     g->going_mask = g->determinant = g->drift = number_of(0);
     g->center = onto(&g->r.h.axes, g->r.h.center);
     looks_begin(&g->looks);
+    if (job->sizing) {
+        sizing_begin(&g->sizing, &g->r);
+        g->looks.sizing = &g->sizing;
+    }
     for (int i = 0; i < NUMBER_WIDTH; i++) {
         double state[STATE_SIZE], side[2];
         const int starts = batch_start(job, group_run(g, i), state, side);
@@ -298,19 +301,38 @@ static inline number group_trouble(group *g, const wanted *s, const signals *m, 
     return group_heard(g, suspicion, zero);
 }
 
+/* looks of a lane that ends, for which the others' stay as they are */
+static inline looks group_own(const group *g, struct sizing *sizing) {
+    looks own = g->looks;
+
+    if (own.sizing) {
+        *sizing = g->sizing;
+        own.sizing = sizing;
+    }
+    return own;
+}
+
+/* numbers of one lane, 0 in the others */
+static inline void group_put(number *to, int lane, const double *from, int count) {
+    for (int c = 0; c < count; c++) {
+        to[c] = number_of(0);
+        number_put(&to[c], lane, from[c]);
+    }
+}
+
 /* The outcome of a lane that ends within a step, with what is seen there. What others of the group see stays as it is. */
 static inline void group_end_within(group *g, const batch_job *job, const batch_step *step,
                                     int lane) {
-    looks own = g->looks;
+    struct sizing sizing;
+    looks own = group_own(g, &sizing);
     number heard = number_of(0);
 
     number_put(&heard, lane, 1);
     if (step->looked) {
         number *look = looks_next(&own);
-        for (int c = 0; c < LOOKS_COLUMNS; c++) {
-            look[c] = number_of(0);
-            number_put(&look[c], lane, step->look[c]);
-        }
+        group_put(look, lane, step->look, LOOKS_COLUMNS);
+        if (own.sizing)
+            group_put(sizing_look(&own, QUADRATURE_ROWS - 1), lane, step->sizing, SIZING_COLUMNS);
         looks_take(&own, heard, g->drift, step->until);
     }
     looks_finish(&own, heard);
@@ -377,7 +399,8 @@ typedef struct {
 /* ends the lanes whose sample at t has asked for program forces that are no numbers */
 LANES_APART void group_end_unknown(group *g, const batch_job *job, double t) {
     for (int i = 0; i < NUMBER_WIDTH; i++) {
-        looks own = g->looks;
+        struct sizing sizing;
+        looks own = group_own(g, &sizing);
         number heard = number_of(0);
         if (!g->going[i] || isfinite(number_lane(g->loop.fed, i))) continue;
         number_put(&heard, i, 1);

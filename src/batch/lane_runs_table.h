@@ -13,6 +13,8 @@ typedef struct {
     gough_outcome *outcomes;
     long long steps;   /* fixed steps of a run */
     long long per_row; /* steps from a row to the next */
+    int sizing;        /* outcomes have what sizes the legs */
+    int forces;        /* inverse dynamics in place of motion */
 } batch_job;
 
 struct batch_width {
@@ -36,8 +38,8 @@ extern const struct batch_width batch_width_1, batch_width_2, batch_width_4, bat
 /* the state at t = 0; returns 1 if the run goes on, else 0 with the outcome's end filled. rows: 1 if the first row stands */
 int batch_start(const batch_job *job, size_t run, double state[STATE_SIZE], double side[2]);
 
-/* numbers of a look at a run (looks.h) */
-enum { BATCH_LOOK = 3 * GOUGH_LEGS + 7 };
+/* numbers of a look at a run (look.h), and of those that size its legs (sizing.h) */
+enum { BATCH_LOOK = 3 * GOUGH_LEGS + 7, BATCH_SIZING = 7 * GOUGH_LEGS };
 
 /* a step that may have broken something, as gough_simulate() would see it; side: signs of the determinants at the beginning */
 typedef struct {
@@ -46,7 +48,7 @@ typedef struct {
     double held[GOUGH_LEGS]; /* commands in force, of a sampled controller */
 
     /* found: when the run ends, and what is seen there if any motion is left to be seen */
-    double until, look[BATCH_LOOK];
+    double until, look[BATCH_LOOK], sizing[BATCH_SIZING];
     int looked;
 } batch_step;
 
@@ -62,7 +64,7 @@ void batch_last_row(const batch_job *job, size_t run, const double state[STATE_S
 /* the least and the greatest power of a leg into an outcome */
 void batch_put_power(gough_outcome *outcome, double least, double greatest);
 
-/* one run by the driver of gough_simulate(), for adaptive steps and quadruple precision */
+/* one run by the driver of gough_simulate(), for adaptive steps and quadruple precision, or by that of gough_forces() */
 void batch_alone(const batch_job *job, size_t run);
 
 /* makes a tape that records with the first run */

@@ -1,6 +1,7 @@
 /* Figures of sweeps. The swept keys are the columns between `run` and `x`: where one of them varies, lines over it; where two vary
  * over a grid, a map; for anything else, what share of the runs has at most which deviation. Runs that ended early are marked. */
 #define _POSIX_C_SOURCE 200809L
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -77,7 +78,10 @@ static bool is_logarithmic(const double *value, size_t count) {
 
 /* ---- names -------------------------------------------------------------------------------------------------------- */
 
-static const char *heading_of(const char *name) {
+enum { HEADING = 100 };
+
+/* What a column is, as a heading: text is room for it. */
+static const char *heading_of(const char *name, char text[HEADING]) {
     static const char *const known[][2] = {
         {"position_deviation", "Largest deviation of position from the program"},
         {"angle_deviation", "Largest deviation of angle from the program"},
@@ -88,9 +92,16 @@ static const char *heading_of(const char *name) {
         {"power_greatest", "Greatest leg power"},
         {"energy", "Net work of the legs"},
         {"drift", "Largest constraint drift"},
-        {"end_time", "Time of the end"}};
+        {"end_time", "Time of the end"},
+#define GOUGH_SIZING_COLUMN(id, name, what, unit, of_legs) {name, what},
+#include "gough/sizing.def"
+    };
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
-        if (strcmp(name, known[i][0]) == 0) return known[i][1];
+        if (strcmp(name, known[i][0]) == 0) {
+            snprintf(text, HEADING, "%s", known[i][1]);
+            text[0] = (char)toupper((unsigned char)text[0]);
+            return text;
+        }
     return name;
 }
 
@@ -100,9 +111,23 @@ static void name_axis(builder *b, char *label, size_t size, const char *name, co
     snprintf(label, size, "%.100s%s", said, unit);
 }
 
-/* The columns to draw: those asked for, or deviations. */
+/* Whether a sweep is one of forces along a program: it has no deviations from it, and its runs do not end where they exceed a
+ * limit. */
+static bool is_of_forces(const gough_table *table) {
+    const size_t deviation = column_index(table, "position_deviation");
+    const size_t force = column_index(table, "force");
+    bool any = false;
+    for (size_t r = 0; r < table->rows; r++) {
+        if (deviation == table->columns || !isnan(table->value[deviation][r])) return false;
+        any = any || (force < table->columns && !isnan(table->value[force][r]));
+    }
+    return any;
+}
+
+/* The columns to draw: those asked for, or deviations, or of a sweep of forces these. */
 static size_t names_of(builder *b, char names[MOST_NAMES][64], bool both) {
     const char *list = b->figure->columns;
+    if (list == NULL && is_of_forces(b->tables[0])) list = both ? "force,power" : "force";
     if (list == NULL) list = both ? "position_deviation,angle_deviation" : "position_deviation";
     size_t count = 0;
     while (count < MOST_NAMES) {
@@ -124,6 +149,21 @@ static bool spans_decades(const gough_table *table, const double *value) {
         greatest = fmax(greatest, value[r]);
     }
     return greatest > 100.0 * least;
+}
+
+/* Values that differ by less than this share of their size differ by rounding, as a side load that no swept number changes. */
+static const double same_share = 1e-9;
+
+/* Makes such values equal, lest rounding be drawn as a signal. */
+static void level(double *value, size_t count) {
+    double least = INFINITY, greatest = -INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        least = fmin(least, value[i]);
+        greatest = fmax(greatest, value[i]);
+    }
+    if (!(greatest - least <= same_share * fmax(fabs(least), fabs(greatest)))) return;
+    for (size_t i = 0; i < count; i++)
+        if (!isnan(value[i])) value[i] = greatest;
 }
 
 /* ---- over one key ------------------------------------------------------------------------------------------------- */
@@ -152,6 +192,7 @@ static void add_line(builder *b, panel *p, size_t table, const char *key, const 
             array[1][r] = sorted[r].y;
             array[2][r] = sorted[r].ended;
         }
+        level(array[1], t->rows);
         series *line = &p->series[p->count++];
         *line = (series){
             .count = t->rows, .x = array[0], .y = array[1], .colour = colour_of_table(table)};
@@ -159,6 +200,7 @@ static void add_line(builder *b, panel *p, size_t table, const char *key, const 
         for (size_t r = 0; r < t->rows; r++) any = any || array[2][r] > 0.5;
         line->points = t->rows <= MOST_POINTS;
         line->ended = any ? array[2] : NULL;
+        if (is_of_forces(t)) line->ended_label = "limit exceeded";
         if (builder_compares(b))
             snprintf(line->label, sizeof line->label, "%s", builder_label(b, table));
     }
@@ -181,7 +223,8 @@ static void fill_lines(builder *b, size_t key) {
             const double *column = builder_column(b, t, names[i]);
             if (column != NULL) wide = wide || spans_decades(b->tables[t], column);
         }
-        panel *p = builder_panel(b, heading_of(names[i]), builder_unit(b, names[i]), wide);
+        char heading[HEADING];
+        panel *p = builder_panel(b, heading_of(names[i], heading), builder_unit(b, names[i]), wide);
         if (p != NULL) p->noise = builder_noise(b, names[i]);
         for (size_t t = 0; t < b->table_count; t++) add_line(b, p, t, path, names[i]);
     }
@@ -206,14 +249,18 @@ static void add_map(builder *b, const map *grid, const size_t key[2], const char
     const double *value = builder_column(b, 0, name), *cause = builder_column(b, 0, "end_cause");
     double *cells = builder_array(b, 0);
     if (cells == NULL || value == NULL) return;
+    const bool forces = is_of_forces(t);
     for (size_t r = 0; r < t->rows; r++) {
+        const bool missing = forces ? isnan(value[r]) : cause[r] > 0.5;
         const size_t column = place_of(grid->x, grid->columns, t->value[key[0]][r]);
         const size_t row = place_of(grid->y, grid->rows, t->value[key[1]][r]);
-        cells[row * grid->columns + column] = cause[r] > 0.5 ? NAN : value[r];
-        if (cause[r] > 0.5) snprintf(b->sheet->note, sizeof b->sheet->note, "grey: ended early");
+        cells[row * grid->columns + column] = missing ? NAN : value[r];
+        if (missing) snprintf(b->sheet->note, sizeof b->sheet->note, "grey: ended early");
     }
+    level(cells, t->rows);
     const bool wide = b->figure->logarithmic || spans_decades(t, cells);
-    panel *p = builder_panel(b, heading_of(name), builder_unit(b, name), wide);
+    char heading[HEADING];
+    panel *p = builder_panel(b, heading_of(name, heading), builder_unit(b, name), wide);
     if (p == NULL) return;
     p->noise = builder_noise(b, name);
     p->mapped = true;
@@ -259,8 +306,12 @@ static void fill_shares(builder *b) {
         return;
     }
     const char *name = names[0];
-    name_axis(b, b->sheet->abscissa, sizeof b->sheet->abscissa, name, heading_of(name));
-    panel *p = builder_panel(b, "Runs that reach their end with at most this", "%", false);
+    char heading[HEADING];
+    name_axis(b, b->sheet->abscissa, sizeof b->sheet->abscissa, name, heading_of(name, heading));
+    const bool forces = is_of_forces(b->tables[0]);
+    panel *p = builder_panel(
+        b, forces ? "Runs with at most this" : "Runs that reach their end with at most this", "%",
+        false);
     for (size_t t = 0; t < b->table_count; t++) {
         const gough_table *table = b->tables[t];
         const double *value = builder_column(b, t, name),
@@ -269,7 +320,7 @@ static void fill_shares(builder *b) {
         if (b->status != GOUGH_OK || p == NULL || p->count == SHEET_SERIES) return;
         size_t count = 0;
         for (size_t r = 0; r < table->rows; r++)
-            if (!(cause[r] > 0.5) && isfinite(value[r])) x[count++] = value[r];
+            if ((forces || !(cause[r] > 0.5)) && isfinite(value[r])) x[count++] = value[r];
         qsort(x, count, sizeof *x, compare_numbers);
         for (size_t i = 0; i < count; i++) y[i] = 100.0 * (double)(i + 1) / (double)table->rows;
         wide = wide || (count > 0 && x[0] > 0.0 && x[count - 1] > 100.0 * x[0]);

@@ -12,6 +12,7 @@
 #include "program/appointments.h"
 #include "run/ends.h"
 #include "run/row.h"
+#include "run/run.h"
 
 /* halvings of a bracket around a crossing: to round-off */
 enum { WALK_HALVINGS = 64 };
@@ -537,17 +538,17 @@ static inline gough_status walk_all(walk *a) {
     return status == GOUGH_OK ? walk_finish(a) : status;
 }
 
-static inline gough_status walk_run(const gough_model *model, const gough_simulation *options,
+static inline gough_status walk_run(const simulate_parts *parts, const gough_simulation *options,
                                     gough_sink sink, void *context, gough_crossing_sink crossings,
                                     void *crossings_context, gough_end *end) {
-    const system_lane lane = {&model->machine, &model->control, &model->disturbance, 0, 0};
-    const real radius = (real)model->machine.base_radius, duration = (real)options->duration;
+    const system_lane lane = {parts->machine, parts->control, parts->disturbance, 0, 0};
+    const real radius = (real)parts->machine->base_radius, duration = (real)options->duration;
     gough_status status;
     walk a;
 
-    system_begin(&a.r, &model->motion, options, &lane);
+    system_begin(&a.r, parts->motion, options, &lane);
     system_program_only(&a.r);
-    appointments_begin(&a.when, &model->motion, NULL, &model->machine, 0, options->duration,
+    appointments_begin(&a.when, parts->motion, NULL, parts->machine, 0, options->duration,
                        options->output_step);
     a.sink = sink;
     a.context = context;
@@ -558,7 +559,7 @@ static inline gough_status walk_run(const gough_model *model, const gough_simula
     a.determinant = 0;
     a.speed = (real)walk_rest * radius / duration;
     a.swiftness = a.speed / duration;
-    a.force = (real)model->machine.load.mass * a.swiftness;
+    a.force = (real)parts->machine->load.mass * a.swiftness;
     for (int e = 0; e < MARGIN_SINGULAR; e++) a.open[e].cause = GOUGH_END_DONE;
 
     status = walk_all(&a);

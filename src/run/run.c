@@ -255,6 +255,16 @@ const struct simulate_table *simulate_table_of(gough_precision precision) {
     return precision == GOUGH_QUADRUPLE ? &simulate_quad : in_double;
 }
 
+static simulate_parts parts_of(const gough_model *model) {
+    return (simulate_parts){&model->motion,
+                            &model->machine,
+                            &model->control,
+                            &model->disturbance,
+                            &model->initial,
+                            model->disturbance.noise.run,
+                            model->control.sampling.run};
+}
+
 static void begin_summary(const gough_model *model, gough_summary *summary) {
     gough_summary_begin(summary);
     summary->order = model->motion.order;
@@ -275,10 +285,11 @@ gough_status gough_forces(const gough_model *model, const gough_simulation *simu
     *end = (gough_end){.cause = GOUGH_END_DONE};
     if (checked != GOUGH_OK) return checked;
     if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
+    const simulate_parts parts = parts_of(model);
     if (simulation->summary) begin_summary(model, simulation->summary);
     const gough_status status =
         simulate_table_of(simulation->precision)
-            ->forces(model, simulation, sink, context, crossings, crossings_context, end);
+            ->forces(&parts, simulation, sink, context, crossings, crossings_context, end);
     if (simulation->summary) gough_summary_end(simulation->summary);
     return finish(status, end, error);
 }
@@ -291,13 +302,7 @@ gough_status gough_simulate(const gough_model *model, const gough_simulation *si
     *end = (gough_end){.cause = GOUGH_END_DONE};
     if (checked != GOUGH_OK) return checked;
     if (simulation->statistics) *simulation->statistics = (gough_statistics){.steps = 0};
-    const simulate_parts parts = {&model->motion,
-                                  &model->machine,
-                                  &model->control,
-                                  &model->disturbance,
-                                  &model->initial,
-                                  model->disturbance.noise.run,
-                                  model->control.sampling.run};
+    const simulate_parts parts = parts_of(model);
     if (simulation->summary) begin_summary(model, simulation->summary);
     const gough_status status =
         simulate_table_of(simulation->precision)->simulate(&parts, simulation, sink, context, end);

@@ -31,7 +31,7 @@ gough_status simulate_check_control(const gough_control *control,
                                     const gough_simulation *simulation, gough_error *error);
 
 struct simulate_table {
-    gough_status (*forces)(const gough_model *model, const gough_simulation *options,
+    gough_status (*forces)(const simulate_parts *parts, const gough_simulation *options,
                            gough_sink sink, void *context, gough_crossing_sink crossings,
                            void *crossings_context, gough_end *end);
     gough_status (*simulate)(const simulate_parts *parts, const gough_simulation *options,

@@ -24,6 +24,9 @@ uint64_t sweep_digest(uint64_t seed, const void *bytes, size_t length) {
     return sum;
 }
 
+/* What the numbers of a sweep are, as one number of its head. */
+enum { DIMENSIONLESS = 1, SIZING = 2, FORCES = 4, KINDS = 8 };
+
 /* ---- out --------------------------------------------------------------------------------------------------------- */
 
 static void put_number(FILE *stream, uint64_t number) { fwrite(&number, 8, 1, stream); }
@@ -61,7 +64,8 @@ static void put_identity(FILE *stream, const sweep_head *head) {
     put_number(stream, head->samples);
     put_number(stream, head->plan);
     put_number(stream, head->numerics);
-    put_number(stream, head->units.dimensionless);
+    put_number(stream, (head->units.dimensionless ? DIMENSIONLESS : 0) |
+                           (head->sizing ? SIZING : 0) | (head->forces ? FORCES : 0));
     put_real(stream, head->units.length);
     put_real(stream, head->units.mass);
     put_real(stream, head->units.time);
@@ -154,7 +158,11 @@ static void get_identity(cursor *c, sweep_head *head) {
     head->samples = get_number(c);
     head->plan = get_number(c);
     head->numerics = get_number(c);
-    head->units.dimensionless = get_number(c) != 0;
+    const uint64_t kind = get_number(c);
+    c->good = c->good && kind < KINDS;
+    head->units.dimensionless = kind & DIMENSIONLESS;
+    head->sizing = kind & SIZING;
+    head->forces = kind & FORCES;
     head->units.length = get_real(c);
     head->units.mass = get_real(c);
     head->units.time = get_real(c);

@@ -36,8 +36,8 @@ static char *join_settings(const gough_sweep *sweep) {
     return NULL;
 }
 
-sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_units *units, size_t shard,
-                          size_t shards) {
+sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_sweep_options *options,
+                          const gough_units *units, size_t shard, size_t shards) {
     sweep_head *head = calloc(1, sizeof *head);
     if (head == NULL) return NULL;
     const gough_study *study = gough_sweep_study(sweep);
@@ -54,7 +54,9 @@ sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_units *units, si
     head->gravity = study->model->machine.gravity_magnitude;
     head->own = study->units;
     head->samples = digest_samples(&study->model->motion);
-    head->numerics = sweep_numerics_digest(study);
+    head->sizing = options->sizing;
+    head->forces = options->forces;
+    head->numerics = sweep_numerics_digest(study, head->forces);
     head->title = strdup(study->title);
     head->study = strdup(study->text);
     head->settings = join_settings(sweep);

@@ -52,12 +52,15 @@ static int add_row(void *context, const gough_row *row) {
 
 /* The first steps of the study as it stands, to the bit: another stepper, constant, compiler's slip or library of functions
  * gives another number. */
-uint64_t sweep_numerics_digest(const gough_study *study) {
+uint64_t sweep_numerics_digest(const gough_study *study, bool forces) {
     gough_simulation s = study->simulation;
     rows r = {.sum = 1};
     gough_end end;
     s.output_step = s.step > 0 ? s.step : fmin(s.output_step, s.duration / STEPS);
-    (void)gough_simulate(study->model, &s, add_row, &r, &end, NULL);
+    if (forces)
+        (void)gough_forces(study->model, &s, add_row, &r, NULL, NULL, &end, NULL);
+    else
+        (void)gough_simulate(study->model, &s, add_row, &r, &end, NULL);
     return r.sum;
 }
 

@@ -14,11 +14,11 @@
 
 #include "sweep/sweep_bytes.h"
 
-enum { OUTCOME_NUMBERS = 23 };
+enum { OUTCOME_NUMBERS = 23, MOST_NUMBERS = OUTCOME_NUMBERS + GOUGH_SIZINGS };
 static const double SYNC_EVERY = 1; /* seconds: what a loss of power may cost */
 
-/* An outcome as numbers in the order of the file; cause and leg stand apart. */
-static void outcome_numbers(gough_outcome *o, double *number[OUTCOME_NUMBERS]) {
+/* An outcome as numbers in the order of the file, the first of which every sweep has; cause and leg stand apart. */
+static void outcome_numbers(gough_outcome *o, double *number[MOST_NUMBERS]) {
     double **at = number;
     *at++ = &o->time;
     for (int c = 0; c < 3; c++) *at++ = &o->position[c];
@@ -35,10 +35,17 @@ static void outcome_numbers(gough_outcome *o, double *number[OUTCOME_NUMBERS]) {
     *at++ = &o->energy;
     *at++ = &o->drift;
     *at++ = &o->rows;
+    for (int i = 0; i < GOUGH_SIZINGS; i++) *at++ = &o->sizing[i];
+}
+
+static size_t outcome_length(const sweep_head *head) {
+    return head->sizing ? MOST_NUMBERS : OUTCOME_NUMBERS;
 }
 
 /* run, cause and leg, swept values, outcome, checksum */
-size_t sweep_record_size(size_t keys) { return 8 * (2 + keys + OUTCOME_NUMBERS + 1); }
+size_t sweep_record_size(const sweep_head *head) {
+    return 8 * (2 + head->keys + outcome_length(head) + 1);
+}
 
 static gough_status fail(const sweep_part *part, gough_error *error, const char *what) {
     return gough_fail(error, GOUGH_ERROR_FILE, "%s: cannot %s: %s",
@@ -79,7 +86,7 @@ static bool outcome_possible(const unsigned char *record) {
 }
 
 static bool record_whole(const sweep_part *part, const unsigned char *record, size_t run) {
-    const size_t length = sweep_record_size(part->head->keys) - 8;
+    const size_t length = sweep_record_size(part->head) - 8;
     uint64_t number, sum;
     memcpy(&number, record, 8);
     memcpy(&sum, record + length, 8);
@@ -88,8 +95,8 @@ static bool record_whole(const sweep_part *part, const unsigned char *record, si
 }
 
 gough_status sweep_part_add(sweep_part *part, const gough_sweep_row *row, gough_error *error) {
-    const size_t keys = part->head->keys, size = sweep_record_size(keys);
-    double *number[OUTCOME_NUMBERS];
+    const size_t keys = part->head->keys, size = sweep_record_size(part->head);
+    double *number[MOST_NUMBERS];
     gough_outcome outcome = row->outcome;
     if (part->held + size > sizeof part->buffer) {
         if (!write_all(part->file, part->buffer, part->held)) return fail(part, error, "write");
@@ -102,7 +109,8 @@ gough_status sweep_part_add(sweep_part *part, const gough_sweep_row *row, gough_
     memcpy(at + 8, &cause, 8);
     memcpy(at + 16, row->value, 8 * keys);
     outcome_numbers(&outcome, number);
-    for (size_t i = 0; i < OUTCOME_NUMBERS; i++) memcpy(at + 16 + 8 * (keys + i), number[i], 8);
+    for (size_t i = 0; i < outcome_length(part->head); i++)
+        memcpy(at + 16 + 8 * (keys + i), number[i], 8);
     const uint64_t sum = sweep_digest(part->seed, at, size - 8);
     memcpy(at + size - 8, &sum, 8);
     part->held += size;
@@ -127,7 +135,7 @@ gough_status sweep_part_flush(sweep_part *part, gough_error *error) {
 }
 
 size_t sweep_part_get(const sweep_part *part, size_t n, size_t most, void *records) {
-    const size_t size = sweep_record_size(part->head->keys), left = part->done - n;
+    const size_t size = sweep_record_size(part->head), left = part->done - n;
     const size_t wanted = left < most ? left : most;
     const size_t got = read_at(part->file, records, wanted * size, part->length + n * size) / size;
     for (size_t i = 0; i < got; i++)
@@ -140,13 +148,15 @@ void sweep_record_take(const sweep_part *part, const void *record, double *value
                        gough_sweep_row *row) {
     const unsigned char *at = record;
     const size_t keys = part->head->keys;
-    double *number[OUTCOME_NUMBERS];
+    double *number[MOST_NUMBERS];
     uint64_t run, cause;
     memcpy(&run, at, 8);
     memcpy(&cause, at + 8, 8);
     memcpy(value, at + 16, 8 * keys);
     outcome_numbers(&row->outcome, number);
-    for (size_t i = 0; i < OUTCOME_NUMBERS; i++) memcpy(number[i], at + 16 + 8 * (keys + i), 8);
+    for (size_t i = 0; i < MOST_NUMBERS; i++) *number[i] = NAN;
+    for (size_t i = 0; i < outcome_length(part->head); i++)
+        memcpy(number[i], at + 16 + 8 * (keys + i), 8);
     row->run = (size_t)run;
     row->value = value;
     row->outcome.cause = (gough_cause)(cause >> 8);
@@ -157,7 +167,7 @@ void sweep_record_take(const sweep_part *part, const void *record, double *value
 
 /* Counts whole records from the beginning. */
 static bool count_records(sweep_part *part) {
-    const size_t size = sweep_record_size(part->head->keys), room = sizeof part->buffer / size;
+    const size_t size = sweep_record_size(part->head), room = sizeof part->buffer / size;
     const size_t wanted = part->head->last + 1 - part->head->first;
     part->done = 0;
     while (part->done < wanted) {
@@ -221,7 +231,7 @@ static gough_status go_on(sweep_part *part, gough_error *error) {
     if (status == GOUGH_OK) status = compare_head(part, &begun, error);
     if (status != GOUGH_OK) return status;
     if (begun) count_records(part);
-    const size_t size = sweep_record_size(part->head->keys);
+    const size_t size = sweep_record_size(part->head);
     const off_t end = begun ? (off_t)(part->length + part->done * size) : 0;
     if (ftruncate(part->file, end) != 0 || lseek(part->file, end, SEEK_SET) != end)
         return fail(part, error, "write");
@@ -268,6 +278,11 @@ gough_status sweep_part_read(sweep_part *part, const char *path, gough_error *er
     unsigned char start[SWEEP_START];
     const size_t got = read_at(part->file, start, sizeof start, 0);
     part->length = sweep_head_length(start, got);
+    const char *other = part->length == 0 ? gough_input_kind(part->file, GOUGH_INPUT_SHARD) : NULL;
+    if (other)
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%s: is %s; a shard is needed, as `gough sweep --shard` writes", path,
+                          other);
     if (part->length == 0 || part->length > (size_t)about.st_size)
         return fail_shard(path, error, "is not a finished shard of gough sweep");
     part->bytes = malloc(part->length);

@@ -16,14 +16,15 @@ typedef struct sweep_head {
     gough_units units;
     double base_radius, gravity; /* of the units of the output */
     gough_units own;             /* of the study, in which swept values are */
+    bool sizing, forces;         /* as in gough_sweep_options */
     uint64_t runs, keys;
     const char **path, **label; /* of each key: its path, its unit in tables */
     uint64_t shard, shards, first, last;
 } sweep_head;
 
 /* The head of a sweep; free its memory with sweep_head_free(). NULL if memory is out. */
-sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_units *units, size_t shard,
-                          size_t shards);
+sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_sweep_options *options,
+                          const gough_units *units, size_t shard, size_t shards);
 void sweep_head_free(sweep_head *head);
 
 /* An open file of records. */
@@ -41,8 +42,8 @@ typedef struct sweep_part {
     unsigned char buffer[1 << 16];
 } sweep_part;
 
-/* Bytes of a record with that many swept values. */
-size_t sweep_record_size(size_t keys);
+/* Bytes of a record of a sweep. */
+size_t sweep_record_size(const sweep_head *head);
 
 /* Opens PATH.part (NULL: a file without a name) for this head: a new one, or one with records of the same sweep, whose torn end is
  * cut off. The head is the part's from here on, also after an error.

@@ -59,7 +59,7 @@ typedef struct hand {
 
 gough_status gough_sweep_options_init(gough_sweep_options *options, size_t size) {
     if (size != sizeof *options) return gough_size_refuse(options, size);
-    *options = (gough_sweep_options){.size = size, .lanes = 0, .threads = 0};
+    *options = (gough_sweep_options){.size = size};
     return GOUGH_OK;
 }
 
@@ -133,8 +133,12 @@ static int look(void *context, size_t done) {
 
 static gough_status run_batch(hand *h, const gough_study *study, const size_t *which, size_t count,
                               gough_outcome *outcome, gough_error *error) {
-    const gough_batch_options options = {
-        .lanes = h->all->options->lanes, .threads = 1, .progress = look, .context = h->all};
+    const gough_batch_options options = {.lanes = h->all->options->lanes,
+                                         .threads = 1,
+                                         .sizing = h->all->options->sizing,
+                                         .forces = h->all->options->forces,
+                                         .progress = look,
+                                         .context = h->all};
     const gough_status status = gough_batch(&study->model->motion, &study->simulation, h->run,
                                             count, &options, h->outcome, h->memory, error);
     for (size_t i = 0; i < count; i++) outcome[which[i]] = h->outcome[i];
@@ -311,7 +315,7 @@ static bool equip_hand(hand *h, workers *c) {
 static size_t piece_size(const workers *c, int threads) {
     const gough_simulation *s = &gough_sweep_study(c->sweep)->simulation;
     const size_t lanes = (size_t)(c->options->lanes > 0 ? c->options->lanes : gough_batch_lanes());
-    if (!(s->step > 0)) return 1;
+    if (!(s->step > 0) || c->options->forces) return 1;
     const size_t runs = c->last + 1 - c->first;
     const double steps = fmax(s->duration / s->step, 1);
     double size = fmin(MOST_PIECE, PIECE_STEPS / steps);

@@ -11,13 +11,21 @@
 
 #include "table/table.h"
 
-enum { STRETCH = 512 /* records */, STATE = 12, PEAKS = 7, ENDS = 3, POWERS = 2, NUMBER = 32 };
+enum {
+    STRETCH = 512 /* records */,
+    STATE = 12,
+    PEAKS = 7,
+    ENDS = 3,
+    POWERS = 2,
+    SIZES = GOUGH_SIZINGS, /* if the sweep has them */
+    NUMBER = 32
+};
 
 /* Columns after the state. */
 static const struct {
     const char *name, *long_name;
     gough_unit unit;
-} peak[PEAKS + POWERS] = {
+} peak[PEAKS + POWERS + SIZES] = {
     {"position_deviation", "largest deviation of the position from the program", GOUGH_UNIT_LENGTH},
     {"angle_deviation", "largest angle between the platform and the program", GOUGH_UNIT_ANGLE},
     {"force", "largest leg force, pushing or pulling", GOUGH_UNIT_FORCE},
@@ -27,7 +35,10 @@ static const struct {
     {"drift", "largest constraint violation before projection", GOUGH_UNIT_NONE},
     /* in the table behind the end of the run */
     {"power_least", "least power of any leg, below 0 where it brakes", GOUGH_UNIT_POWER},
-    {"power_greatest", "greatest power of any leg", GOUGH_UNIT_POWER}};
+    {"power_greatest", "greatest power of any leg", GOUGH_UNIT_POWER},
+#define GOUGH_SIZING_COLUMN(id, name, what, unit, of_legs) {name, what, GOUGH_UNIT_##unit},
+#include "gough/sizing.def"
+};
 
 typedef struct table {
     const sweep_part *part;
@@ -81,7 +92,7 @@ static void list_columns(table *t) {
     add_column(t, "end_leg", "1", "leg that caused it, or 0", 1);
     t->column[t->columns - 1].whole = true;
     add_scaled(t, "end_time", "time of the end", GOUGH_UNIT_TIME, &scale);
-    for (int i = PEAKS; i < PEAKS + POWERS; i++)
+    for (int i = PEAKS; i < PEAKS + POWERS + (head->sizing ? SIZES : 0); i++)
         add_scaled(t, peak[i].name, peak[i].long_name, peak[i].unit, &scale);
 }
 
@@ -109,18 +120,19 @@ static void take_row(const table *t, const void *record) {
     *at++ = o->time;
     *at++ = none ? NAN : o->power_least;
     *at++ = none ? NAN : o->power_greatest;
+    for (int i = 0; i < SIZES && t->part[0].head->sizing; i++) *at++ = none ? NAN : o->sizing[i];
     for (int i = 0; i < t->columns; i++) t->number[i] *= t->factor[i];
 }
 
 static gough_status open_table(table *t, const sweep_part *part, size_t parts, gough_error *error) {
     *t = (table){.part = part, .parts = parts, .keys = part[0].head->keys};
-    const size_t columns = 1 + t->keys + STATE + PEAKS + ENDS + POWERS;
+    const size_t columns = 1 + t->keys + STATE + PEAKS + ENDS + POWERS + SIZES;
     for (size_t p = 0; p < parts; p++) t->rows += part[p].done;
     t->column = calloc(columns, sizeof *t->column);
     t->factor = calloc(columns, sizeof *t->factor);
     t->number = calloc(columns, sizeof *t->number);
     t->value = calloc(t->keys, sizeof *t->value);
-    t->records = malloc(STRETCH * sweep_record_size(t->keys));
+    t->records = malloc(STRETCH * sweep_record_size(part[0].head));
     if (t->column && t->factor && t->number && t->value && t->records) {
         list_columns(t);
         return GOUGH_OK;
@@ -140,7 +152,7 @@ static void close_table(table *t) {
 /* Calls for each record in order; false where one cannot be read or the call says so. */
 static bool each_record(const table *t, bool (*call)(void *context, const void *record),
                         void *context) {
-    const size_t size = sweep_record_size(t->keys);
+    const size_t size = sweep_record_size(t->part[0].head);
     for (size_t p = 0; p < t->parts; p++) {
         for (size_t n = 0; n < t->part[p].done;) {
             const size_t got = sweep_part_get(&t->part[p], n, STRETCH, t->records);
@@ -274,10 +286,19 @@ typedef struct adding {
     gough_sweep_summary *summary;
 } adding;
 
-static void widen(double value, size_t run, double *least, size_t *least_run, double *greatest,
-                  size_t *greatest_run) {
-    if (!(value >= *least)) *least = value, *least_run = run;
-    if (!(value <= *greatest)) *greatest = value, *greatest_run = run;
+static void widen(gough_sweep_range *range, double least, double greatest, size_t run) {
+    if (least < range->least || (range->least_run == 0 && !isnan(least)))
+        range->least = least, range->least_run = run;
+    if (greatest > range->greatest || (range->greatest_run == 0 && !isnan(greatest)))
+        range->greatest = greatest, range->greatest_run = run;
+}
+
+/* Whether a run has gone through its whole motion: forces along a program go on where a limit is exceeded. */
+static bool is_whole(const gough_outcome *o, bool forces) {
+    if (o->cause == GOUGH_END_DONE) return true;
+    return forces && o->rows > 0 && o->cause != GOUGH_END_LEG_NO_LENGTH &&
+           o->cause != GOUGH_END_SINGULAR && o->cause != GOUGH_END_NOT_FINITE &&
+           o->cause != GOUGH_END_STOPPED && o->cause != GOUGH_END_INVALID;
 }
 
 static bool sum_record(void *context, const void *record) {
@@ -290,15 +311,14 @@ static bool sum_record(void *context, const void *record) {
     s->ended[o->cause]++;
     if (o->cause == GOUGH_END_INVALID && s->first_invalid == 0) s->first_invalid = row.run;
     if (o->cause == GOUGH_END_NOT_FINITE && s->first_not_finite == 0) s->first_not_finite = row.run;
-    if (o->cause != GOUGH_END_DONE) return true;
-    widen(o->position_deviation, row.run, &s->least_position, &s->least_position_run,
-          &s->greatest_position, &s->greatest_position_run);
-    widen(o->angle_deviation, row.run, &s->least_angle, &s->least_angle_run, &s->greatest_angle,
-          &s->greatest_angle_run);
-    if (!(o->power_least >= s->least_power))
-        s->least_power = o->power_least, s->least_power_run = row.run;
-    if (!(o->power_greatest <= s->greatest_power))
-        s->greatest_power = o->power_greatest, s->greatest_power_run = row.run;
+    if (!is_whole(o, s->forces)) return true;
+    widen(&s->position, o->position_deviation, o->position_deviation, row.run);
+    widen(&s->angle, o->angle_deviation, o->angle_deviation, row.run);
+    widen(&s->force, o->force, o->force, row.run);
+    widen(&s->speed, o->speed, o->speed, row.run);
+    widen(&s->power, o->power_least, o->power_greatest, row.run);
+    for (int i = 0; i < GOUGH_SIZINGS; i++)
+        widen(&s->sizing[i], o->sizing[i], o->sizing[i], row.run);
     return true;
 }
 
@@ -306,13 +326,16 @@ gough_status sweep_table_sum(const sweep_part *part, size_t parts, gough_sweep_s
                              gough_error *error) {
     table t;
     gough_status status = open_table(&t, part, parts, error);
+    const gough_sweep_range nothing = {NAN, NAN, 0, 0};
     *summary = (gough_sweep_summary){.units = part[0].head->units,
-                                     .least_position = NAN,
-                                     .greatest_position = NAN,
-                                     .least_angle = NAN,
-                                     .greatest_angle = NAN,
-                                     .least_power = NAN,
-                                     .greatest_power = NAN};
+                                     .position = nothing,
+                                     .angle = nothing,
+                                     .force = nothing,
+                                     .speed = nothing,
+                                     .power = nothing,
+                                     .has_sizing = part[0].head->sizing,
+                                     .forces = part[0].head->forces};
+    for (int i = 0; i < GOUGH_SIZINGS; i++) summary->sizing[i] = nothing;
     adding a = {&t, summary};
     if (status == GOUGH_OK && !each_record(&t, sum_record, &a)) status = fail_reading(part, error);
     close_table(&t);

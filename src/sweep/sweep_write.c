@@ -121,7 +121,7 @@ gough_status gough_sweep_write(const gough_sweep *sweep, const gough_sweep_optio
     const char *path = output->path && strcmp(output->path, "-") != 0 ? output->path : NULL;
     sweep_part *part = malloc(sizeof *part);
     if (part == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
-    sweep_head *head = sweep_head_of(sweep, &units, output->shard, output->shards);
+    sweep_head *head = sweep_head_of(sweep, options, &units, output->shard, output->shards);
     status = sweep_part_open(part, path, head, error);
     if (status == GOUGH_OK) status = run_into(sweep, options, output, part, summary, error);
     if (status != GOUGH_OK) sweep_part_forget(part);

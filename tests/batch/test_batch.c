@@ -5,6 +5,7 @@
 #include "gough/batch.h"
 #include "gough/dynamics.h"
 #include "support/machines.h"
+#include "support/sizing.h"
 #include "support/suite.h"
 
 enum { RUNS = 37 }; /* fills no width evenly */
@@ -142,6 +143,7 @@ static void run_batch(fixture *f, const gough_simulation *s, int lanes, int thre
 
     options.lanes = lanes;
     options.threads = threads;
+    options.sizing = true;
     memory = aligned_alloc(64, (gough_batch_size(&options) + 63) / 64 * 64);
     memset(outcome, 0xff, RUNS * sizeof *outcome);
     ck_assert_msg(gough_batch(&f->model.motion, s, f->run, RUNS, &options, outcome, memory,
@@ -168,8 +170,12 @@ static void check_alone(const fixture *f, const gough_simulation *s) {
         model->initial = *f->run[i].initial;
         model->disturbance.noise.run = f->run[i].number;
         model->control.sampling.run = f->run[i].number;
-        (void)gough_simulate(model, s, keep, row, &end, NULL);
+        gough_simulation own = *s;
+        gough_summary summary;
+        own.summary = &summary;
+        (void)gough_simulate(model, &own, keep, row, &end, NULL);
         const gough_outcome *out = &f->outcome[i];
+        if (summary.rows > 0) check_sizing(out, &summary);
         ck_assert_int_eq(out->cause, end.cause);
         ck_assert_int_eq(out->leg, end.leg);
         ck_assert_msg(memcmp(&out->time, &end.time, sizeof(double)) == 0,
@@ -461,6 +467,7 @@ START_TEST(runs_that_divide_time_differently_keep_their_numbers) {
     memcpy(f->other, f->outcome, sizeof f->outcome);
     for (int i = 0; i < RUNS; i++) { /* each in a batch of its own */
         gough_batch_options options = gough_batch_options_default();
+        options.sizing = true;
         void *memory = aligned_alloc(64, (gough_batch_size(&options) + 63) / 64 * 64);
         ck_assert_int_eq(gough_batch(&f->model.motion, &s, &f->run[i], 1, &options, &f->outcome[i],
                                      memory, NULL),

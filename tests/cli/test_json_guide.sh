@@ -69,7 +69,8 @@ hold '## forces and simulate' run-*.json
 json sweep-1.json sweep gain-sweep.yaml --set 'sweep.keys.control.stiffness=[1, 2]'
 "$GOUGH" sweep gain-sweep.yaml --set 'sweep.keys.control.stiffness=[1, 2]' --shard 1/1 -o a.shard -q
 json sweep-2.json merge a.shard -o a.csv
-hold '## sweep and merge' sweep-1.json sweep-2.json
+json sweep-3.json sweep gain-sweep.yaml --forces --sizing --set 'sweep.keys.control.stiffness=[1, 2]'
+hold '## sweep and merge' sweep-1.json sweep-2.json sweep-3.json
 json one.json sweep load-uncertainty.yaml --run 7
 hold '### One run' one.json
 jq -e '.set | has("load.mass")' one.json >/dev/null || fail "a run sets its keys"

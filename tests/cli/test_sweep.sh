@@ -88,7 +88,9 @@ refused "are the same shard, 2 of 4" merge -o m.csv s1.shard s2.shard s3.shard s
 refused "are not from the same sweep" merge -o m.csv s1.shard foreign.shard s3.shard s4.shard
 head -c 2000 s2.shard >torn.shard
 refused "torn.shard" merge -o m.csv s1.shard torn.shard s3.shard s4.shard
-refused "is not a finished shard" merge -o m.csv whole.csv
+refused "is a table in CSV, which \`gough plot\` draws; a shard is needed" merge -o m.csv whole.csv
+echo nothing >nothing.shard
+refused "is not a finished shard" merge -o m.csv nothing.shard
 refused "o FILE is missing" merge s1.shard
 [[ ! -e m.csv ]] || fail "a refused merge leaves a file"
 "$GOUGH" sweep study.yaml -q --set sweep.keys='{load.mass: [1, 2]}' --shard 1/3 -o e1.shard

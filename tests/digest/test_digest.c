@@ -90,6 +90,7 @@ static void hash_outcome(uint64_t *h, const gough_outcome *out) {
     hash_double(h, out->energy);
     hash_double(h, out->drift);
     hash_double(h, out->rows);
+    if (!isnan(out->sizing[GOUGH_SIZING_LENGTH_LEAST])) hash_doubles(h, out->sizing, GOUGH_SIZINGS);
 }
 
 static int hash_sweep_row(void *context, const gough_sweep_row *row) {

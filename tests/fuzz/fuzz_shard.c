@@ -22,7 +22,7 @@ static size_t repair(unsigned char *bytes, size_t size) {
     put(bytes + length - 8, sweep_digest(0, bytes, length - 8));
     sweep_head *head = sweep_head_read(bytes, length);
     if (!head) return length;
-    const size_t record = sweep_record_size(head->keys);
+    const size_t record = sweep_record_size(head);
     first = head->first;
     for (size_t at = length, run = 0; size - at >= record; at += record, run++) {
         put(bytes + at, first + run);
@@ -40,7 +40,7 @@ static void read_shard(const char *path) {
     const gough_status status = sweep_part_read(&part, path, &error);
     if (status != GOUGH_OK && !error.message[0]) abort();
     if (status == GOUGH_OK) {
-        const size_t size = sweep_record_size(part.head->keys);
+        const size_t size = sweep_record_size(part.head);
         unsigned char *records = malloc(8 * size);
         double *value = malloc((part.head->keys + 1) * sizeof *value);
         if (!records || !value) abort();

@@ -25,7 +25,8 @@ static sweep_head *new_head(void) {
     ck_assert_msg(gough_sweep_parse("study.yaml", study, strlen(study), NULL, 0, &sweep,
                                     &messages) == GOUGH_OK,
                   "%s", messages);
-    sweep_head *head = sweep_head_of(sweep, &bare, 2, 3);
+    const gough_sweep_options options = {.sizing = true};
+    sweep_head *head = sweep_head_of(sweep, &options, &bare, 2, 3);
     ck_assert_ptr_nonnull(head);
     gough_sweep_free(sweep);
     return head;
@@ -40,6 +41,7 @@ static bool comes_back(const sweep_head *head) {
     sweep_head *back = sweep_head_read(bytes, length);
     const bool same = back && back->runs == head->runs && back->keys == head->keys &&
                       back->plan == head->plan && back->shard == head->shard &&
+                      back->sizing == head->sizing && back->forces == head->forces &&
                       strcmp(back->study, head->study) == 0 &&
                       strcmp(back->path[1], head->path[1]) == 0;
     ck_assert(same == (back != NULL));
@@ -144,6 +146,28 @@ START_TEST(a_text_has_no_nul) {
 }
 END_TEST
 
+/* What the numbers of a sweep are is one number of its head, which has a greatest value. */
+START_TEST(a_kind_of_sweep_that_does_not_exist_is_refused) {
+    sweep_head *head = new_head();
+    for (int kind = 0; kind < 4; kind++) {
+        head->sizing = kind & 1;
+        head->forces = kind & 2;
+        ck_assert(comes_back(head));
+    }
+    size_t length, place = SWEEP_START + 3 * 8; /* behind four texts and three numbers */
+    unsigned char *bytes = sweep_head_bytes(head, &length);
+    const char *const texts[] = {head->version, head->title, head->study, head->settings};
+    for (size_t i = 0; i < 4; i++) place += 8 + strlen(texts[i]);
+    ck_assert_int_eq(bytes[place], 1 | 2 | 4);
+    bytes[place] = 8;
+    const uint64_t sum = sweep_digest(0, bytes, length - 8);
+    memcpy(bytes + length - 8, &sum, 8);
+    ck_assert_ptr_null(sweep_head_read(bytes, length));
+    free(bytes);
+    sweep_head_free(head);
+}
+END_TEST
+
 /* More than a buffer holds, and what was torn off is noticed. */
 START_TEST(records_come_back_until_the_first_that_is_torn) {
     static sweep_part part;
@@ -155,27 +179,36 @@ START_TEST(records_come_back_until_the_first_that_is_torn) {
                   error.message);
     ck_assert_uint_eq(part.head->first, 334);
     const size_t runs = part.head->last + 1 - part.head->first;
-    ck_assert_uint_gt(runs * sweep_record_size(2), sizeof part.buffer);
+    ck_assert_uint_gt(runs * sweep_record_size(part.head), sizeof part.buffer);
     for (size_t run = part.head->first; run <= part.head->last; run++) {
         const double value[2] = {(double)run, 2};
         const gough_sweep_row row = {
-            .run = run, .value = value, .outcome = {.cause = GOUGH_END_LEG_LONG, .leg = 3}};
+            .run = run,
+            .value = value,
+            .outcome = {.cause = GOUGH_END_LEG_LONG,
+                        .leg = 3,
+                        .sizing = {[GOUGH_SIZING_HOLDS_TO] = (double)run + 0.5}}};
         ck_assert_int_eq(sweep_part_add(&part, &row, &error), GOUGH_OK);
     }
     ck_assert_int_eq(sweep_part_flush(&part, &error), GOUGH_OK);
     ck_assert_int_eq(sweep_part_flush(&part, &error), GOUGH_OK);
-    char *records = malloc(runs * sweep_record_size(2));
+    char *records = malloc(runs * sweep_record_size(part.head));
     ck_assert_uint_eq(sweep_part_get(&part, 0, runs, records), runs);
     sweep_part_close(&part); /* opened again, it goes on behind all of them */
     ck_assert_int_eq(sweep_part_open(&part, path, new_head(), &error), GOUGH_OK);
     ck_assert_uint_eq(part.done, runs);
     double value[2];
     gough_sweep_row row;
-    sweep_record_take(&part, records + sweep_record_size(2), value, &row);
+    sweep_record_take(&part, records + sweep_record_size(part.head), value, &row);
     ck_assert_uint_eq(row.run, 335);
     ck_assert(fabs(value[0] - 335) <= 0);
     ck_assert_int_eq(row.outcome.leg, 3);
-    const off_t torn = (off_t)(part.length + 5 * sweep_record_size(2) + 40);
+    ck_assert(fabs(row.outcome.sizing[GOUGH_SIZING_HOLDS_TO] - 335.5) <= 0);
+    part.head->sizing = false; /* a sweep without them has no number there */
+    sweep_record_take(&part, records, value, &row);
+    ck_assert(isnan(row.outcome.sizing[GOUGH_SIZING_HOLDS_TO]));
+    part.head->sizing = true;
+    const off_t torn = (off_t)(part.length + 5 * sweep_record_size(part.head) + 40);
     ck_assert_int_eq(pwrite(part.file, "torn", 4, torn), 4);
     ck_assert_uint_eq(sweep_part_get(&part, 0, runs, records), 5);
     ck_assert_int_eq(ftruncate(part.file, torn - 40), 0);
@@ -253,6 +286,7 @@ END_TEST
 int main(void) {
     return SUITE_RUN("sweep/part", 60, each_number_of_a_head_is_checked,
                      no_key_comes_twice_and_none_after_the_thousandth, a_head_is_as_long_as_it_says,
-                     a_text_has_no_nul, records_come_back_until_the_first_that_is_torn,
+                     a_text_has_no_nul, a_kind_of_sweep_that_does_not_exist_is_refused,
+                     records_come_back_until_the_first_that_is_torn,
                      shards_of_other_sweeps_do_not_merge);
 }

@@ -240,6 +240,7 @@ START_TEST(shards_that_cannot_be_read_are_refused_with_their_name) {
         ck_assert_ptr_nonnull(strstr(error.message, "1.shard: is "));
         sweep_part_close(&part);
     }
+    const gough_sweep_options options = {.size = 0};
     static const gough_units bare = {.dimensionless = true, .length = 1, .mass = 1, .time = 1};
     ck_assert_int_eq(sweep_part_read(&part, "no such.shard", &error), GOUGH_ERROR_FILE);
     sweep_part_close(&part);
@@ -250,8 +251,8 @@ START_TEST(shards_that_cannot_be_read_are_refused_with_their_name) {
     sweep_part_close(&part);
     /* a disk that is full at any time, of a file with a name and of one without */
     for (int named = 0; named < 2; named++) {
-        gough_status status =
-            sweep_part_open(&part, named ? one : NULL, sweep_head_of(sweep, &bare, 0, 0), &error);
+        gough_status status = sweep_part_open(&part, named ? one : NULL,
+                                              sweep_head_of(sweep, &options, &bare, 0, 0), &error);
         ck_assert_int_eq(status, GOUGH_OK);
         fault_arm("write", 1, ENOSPC);
         const double value = 1;
@@ -259,7 +260,7 @@ START_TEST(shards_that_cannot_be_read_are_refused_with_their_name) {
         size_t rows = 0;
         for (; status == GOUGH_OK; rows++) status = sweep_part_add(&part, &row, &error);
         ck_assert(fault_disarm());
-        ck_assert_uint_gt(rows * sweep_record_size(1), sizeof part.buffer);
+        ck_assert_uint_gt(rows * sweep_record_size(part.head), sizeof part.buffer);
         ck_assert_ptr_nonnull(strstr(error.message, "cannot write: No space left on device"));
         part.done = 0;
         sweep_part_forget(&part);

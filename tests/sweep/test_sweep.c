@@ -240,7 +240,7 @@ START_TEST(without_a_path_there_is_a_summary) {
     ck_assert_int_eq(run_into(NULL, 0, 0, &summary, &error), GOUGH_OK);
     ck_assert_uint_eq(summary.runs, 9);
     ck_assert_uint_eq(summary.ended[GOUGH_END_DONE], 9);
-    ck_assert(summary.greatest_position >= summary.least_position);
+    ck_assert(summary.position.greatest >= summary.position.least);
     ck_assert_int_eq(run_into("a.txt", 0, 0, &summary, &error), GOUGH_ERROR_INPUT);
     ck_assert_int_eq(run_into("a.csv", 1, 2, &summary, &error), GOUGH_ERROR_INPUT);
     ck_assert_int_eq(run_into("a.shard", 3, 2, &summary, &error), GOUGH_ERROR_INPUT);

@@ -74,36 +74,54 @@ static const char *cause_words(gough_cause cause) {
     return "ended";
 }
 
-/* What a sweep leaves of a quantity: its least and greatest value, and the runs that have them. */
-static const struct extremes {
-    const char *key, *label;
-    gough_unit unit;
-    size_t least, least_run, greatest, greatest_run;
-} quantities[] = {
-#define MEMBER(name) offsetof(gough_sweep_summary, name)
-#define EXTREMES(name)                                                                             \
-    MEMBER(least_##name), MEMBER(least_##name##_run), MEMBER(greatest_##name),                     \
-        MEMBER(greatest_##name##_run)
-    {"position_deviation", "largest deviation of position (runs that reached their end)",
-     GOUGH_UNIT_LENGTH, EXTREMES(position)},
-    {"angle_deviation", "largest deviation of angle", GOUGH_UNIT_ANGLE, EXTREMES(angle)},
-    {"power", "power of a leg (below 0 the leg brakes)", GOUGH_UNIT_POWER, EXTREMES(power)}};
-enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
-
-static double value_at(const gough_sweep_summary *s, size_t at) {
-    return *(const double *)(const void *)((const char *)s + at);
+/* How many runs ended so. Where forces are computed along a program, a limit ends nothing. */
+static void print_cause(FILE *stream, gough_cause cause, const gough_sweep_summary *s) {
+    static const char ended[] = "ended: ";
+    const char *words = cause_words(cause);
+    const bool limit = cause == GOUGH_END_LEG_SHORT || cause == GOUGH_END_LEG_LONG ||
+                       cause == GOUGH_END_LEG_SPEED || cause == GOUGH_END_LEG_FORCE ||
+                       cause >= GOUGH_END_LEG_ACCELERATION;
+    if (s->forces && limit)
+        fprintf(stream, "  limit exceeded: %s, in %zu\n", words + sizeof ended - 1,
+                s->ended[cause]);
+    else
+        fprintf(stream, "  %-30s %zu\n",
+                s->forces && cause == GOUGH_END_DONE ? "within all limits" : words,
+                s->ended[cause]);
 }
 
-static size_t run_at(const gough_sweep_summary *s, size_t at) {
-    return *(const size_t *)(const void *)((const char *)s + at);
+/* What a sweep leaves of a quantity: its least and greatest value, and the runs that have them. */
+static const struct quantity {
+    const char *key, *label;
+    gough_unit unit;
+    size_t at; /* of its range in the summary */
+} quantities[] = {
+#define RANGE(member) offsetof(gough_sweep_summary, member)
+    {"position_deviation", "largest deviation of position", GOUGH_UNIT_LENGTH, RANGE(position)},
+    {"angle_deviation", "largest deviation of angle", GOUGH_UNIT_ANGLE, RANGE(angle)},
+    {"force", "largest drive force of a leg, pushing or pulling", GOUGH_UNIT_FORCE, RANGE(force)},
+    {"speed", "largest speed of a leg", GOUGH_UNIT_SPEED, RANGE(speed)},
+    {"power", "power of a leg (below 0 the leg brakes)", GOUGH_UNIT_POWER, RANGE(power)},
+#define GOUGH_SIZING_COLUMN(id, name, what, unit, of_legs)                                         \
+    {name, what, GOUGH_UNIT_##unit, RANGE(sizing) + GOUGH_SIZING_##id * sizeof(gough_sweep_range)},
+#include "gough/sizing.def"
+};
+enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
+
+/* how many of them a sweep has: those that size the legs only where it was asked for */
+static int quantities_of(const gough_sweep_summary *s) {
+    return s->has_sizing ? QUANTITIES : QUANTITIES - GOUGH_SIZINGS;
+}
+
+static const gough_sweep_range *range_of(const gough_sweep_summary *s, const struct quantity *q) {
+    return (const gough_sweep_range *)(const void *)((const char *)s + q->at);
 }
 
 /* what is printed: in the output's units */
 static gough_sweep_summary scaled_summary(const sweep_report *report) {
     gough_sweep_summary summary = report->summary;
     for (int q = 0; q < QUANTITIES; q++) {
-        const scaled_member both[] = {{quantities[q].least, 1, quantities[q].unit, NULL},
-                                      {quantities[q].greatest, 1, quantities[q].unit, NULL}};
+        const scaled_member both[] = {{quantities[q].at, 2, quantities[q].unit, NULL}};
         SCALE(&summary, both, &report->units);
     }
     return summary;
@@ -131,16 +149,20 @@ static void print_summary(FILE *stream, const sweep_report *report) {
         fprintf(stream, ", %.3g s, %.4g runs/s", report->time, made / report->time);
     fputs("\n\n", stream);
     for (int c = 0; c < GOUGH_CAUSES; c++)
-        if (s->ended[c] || c == GOUGH_END_DONE)
-            fprintf(stream, "  %-30s %zu\n", cause_words((gough_cause)c), s->ended[c]);
-    for (int q = 0; q < QUANTITIES && s->least_position_run; q++) {
-        const struct extremes *e = &quantities[q];
+        if (s->ended[c] || c == GOUGH_END_DONE) print_cause(stream, (gough_cause)c, s);
+    bool any = false;
+    for (int q = 0; q < quantities_of(s); q++) {
+        const struct quantity *e = &quantities[q];
+        const gough_sweep_range *range = range_of(s, e);
         const char *unit = unit_word(&report->units, e->unit);
-        fprintf(stream, "  %s\n", e->label);
-        print_extreme(stream, report, "least", value_at(s, e->least), unit,
-                      run_at(s, e->least_run));
-        print_extreme(stream, report, "greatest", value_at(s, e->greatest), unit,
-                      run_at(s, e->greatest_run));
+        if (range->least_run == 0) continue;
+        fprintf(stream, "  %s%s\n", e->label,
+                any         ? ""
+                : s->forces ? " (runs that met no singular pose)"
+                            : " (runs that reached their end)");
+        any = true;
+        print_extreme(stream, report, "least", range->least, unit, range->least_run);
+        print_extreme(stream, report, "greatest", range->greatest, unit, range->greatest_run);
     }
     for (size_t i = 0; i < report->outputs; i++)
         if (strcmp(report->output[i], "-") != 0) print_line(stream, "wrote %s", report->output[i]);
@@ -250,11 +272,10 @@ static json_t *extreme(double value, size_t run) {
     return object;
 }
 
-static json_t *extremes_of(const gough_sweep_summary *s, const struct extremes *e) {
+static json_t *extremes_of(const gough_sweep_range *range) {
     json_t *object = json_object();
-    json_object_set_new(object, "least", extreme(value_at(s, e->least), run_at(s, e->least_run)));
-    json_object_set_new(object, "greatest",
-                        extreme(value_at(s, e->greatest), run_at(s, e->greatest_run)));
+    json_object_set_new(object, "least", extreme(range->least, range->least_run));
+    json_object_set_new(object, "greatest", extreme(range->greatest, range->greatest_run));
     return object;
 }
 
@@ -274,8 +295,8 @@ static int print_summary_json(const sweep_report *report) {
     json_object_set_new(object, "resumed", json_integer((json_int_t)s->resumed));
     json_object_set_new(object, "done", json_integer((json_int_t)s->ended[GOUGH_END_DONE]));
     json_object_set_new(object, "ended", ended);
-    for (int q = 0; q < QUANTITIES; q++)
-        json_object_set_new(object, quantities[q].key, extremes_of(s, &quantities[q]));
+    for (int q = 0; q < quantities_of(s); q++)
+        json_object_set_new(object, quantities[q].key, extremes_of(range_of(s, &quantities[q])));
     json_object_set_new(object, "time", json_number(timed ? report->time : NAN));
     json_object_set_new(object, "rate", json_number(timed ? made / report->time : NAN));
     return json_print(object);

@@ -21,6 +21,9 @@ typedef struct sweep_line {
         size_t shard, shards, one_run; /* 0: not asked for */
     } part;
     lengths_asked start;
+    struct sweep_kind {
+        bool forces, sizing;
+    } kind;
 } sweep_line;
 
 /* ---- options ------------------------------------------------------------------------------------------------------ */
@@ -56,9 +59,25 @@ static const option part_option[] = {
     {.name = "run",
      .value = "N",
      .read = read_run,
-     .text = "print the values of run N as options for gough simulate, without running anything"},
+     .text = "print the values of run N as options for gough simulate and gough forces, without "
+             "running anything"},
     {0}};
 
+static const option kind_option[] = {
+    {.name = "forces",
+     .read = read_flag,
+     .at = offsetof(struct sweep_kind, forces),
+     .text = "compute the forces along the program, as gough forces does, in place of a "
+             "simulation"},
+    {.name = "sizing",
+     .read = read_flag,
+     .at = offsetof(struct sweep_kind, sizing),
+     .text =
+         "add what sizes the legs to the table: lengths, swings, RMS force, loads of joints and "
+         "guides, losses, what holds at rest"},
+    {0}};
+
+static const option_group kind_group = {kind_option, NULL, NULL};
 static const option_group part_group = {part_option, NULL, NULL};
 
 static const group_use groups[] = {
@@ -73,6 +92,7 @@ static const group_use groups[] = {
     USES(lengths_group, sweep_line, start,
          "start each run in the pose of these six leg lengths, joint to joint, in the unit of the "
          "study, that is joined to home, as initial has it"),
+    USES(kind_group, sweep_line, kind, NULL),
     USES_DIMENSIONLESS(
         "print table and summary in units of R_b, M and sqrt(R_b/g) of the study as written"),
     {0}};
@@ -169,9 +189,15 @@ static void explain_not_finite(const command_line *line, const gough_sweep *swee
     gough_end end;
     gough_sweep_maker *maker = ended ? gough_sweep_maker_new(sweep) : NULL;
     if (!maker) return;
-    if (gough_sweep_make(maker, run, &study, &error) == GOUGH_OK &&
-        gough_simulate(study->model, &study->simulation, NULL, NULL, &end, &error) ==
-            GOUGH_ERROR_INPUT) {
+    gough_status status = gough_sweep_make(maker, run, &study, &error);
+    if (status == GOUGH_OK)
+        status = summary->forces
+                     ? gough_forces(study->model, &study->simulation, NULL, NULL, NULL, NULL, &end,
+                                    &error)
+                     : gough_simulate(study->model, &study->simulation, NULL, NULL, &end, &error);
+    else
+        status = GOUGH_OK;
+    if (status == GOUGH_ERROR_INPUT) {
         char values[400], *place = place_of(gough_sweep_study(sweep), error.message);
         sweep_name_values(sweep, run, values, sizeof values);
         remark(line->verb, "%zu of %zu runs end%s early; the first is run %zu (%s): %s%s%s", ended,
@@ -219,6 +245,8 @@ static gough_status run_sweep(const sweep_line *given, const gough_sweep *sweep)
     gough_sweep_options options = gough_sweep_options_default();
     options.threads = given->threads;
     options.lanes = given->lanes;
+    options.forces = given->kind.forces;
+    options.sizing = given->kind.sizing;
     options.progress = look;
     options.context = &bar;
     const char **also = calloc(line->outputs.count + 1, sizeof *also);

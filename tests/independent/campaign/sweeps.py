@@ -148,7 +148,8 @@ class Sweep:
         return best, {k for k, q in values.items() if abs(q.value - best.value) <= q.slack + best.slack}
 
     EXTREMES = (("position_deviation", "position_deviation", "position_deviation", "length"),
-                ("angle_deviation", "angle_deviation", "angle_deviation", "angle"), ("power", "power_least", "power_greatest", "power"))
+                ("angle_deviation", "angle_deviation", "angle_deviation", "angle"), ("force", "force", "force", "force"),
+                ("speed", "speed", "speed", "speed"), ("power", "power_least", "power_greatest", "power"))
 
     def ended(self):
         out = {}
@@ -177,10 +178,10 @@ class Sweep:
         known = []
         if self.done:
             text += ["largest deviation of position (runs that reached their end)", "largest deviation of angle",
-                     "power of a leg (below 0 the leg brakes)"]
+                     "largest drive force of a leg, pushing or pulling", "largest speed of a leg", "power of a leg (below 0 the leg brakes)"]
             keys = ", ".join(f"{path}={{{path}}}" for path in self.keys["keys"])
             for which in ("least", "greatest"):
-                known += [Line(f"{which} {{{which} {d}}}, run {{run}}: {keys}", units.name, True) for d in ("length", "angle", "power")]
+                known += [Line(f"{which} {{{which} {d}}}, run {{run}}: {keys}", units.name, True) for d in ("length", "angle", "force", "speed", "power")]
         return known + [Line(x, units.name) for x in text]
 
     def facts(self):
