@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "support/kernel.h"
+#include "support/lanes.h"
 #include "support/machines.h"
 #include "support/suite.h"
 
@@ -21,17 +22,6 @@ void choose_lanes_4(int count, const double *a, const double *b, double (*out)[4
 void choose_lanes_8(int count, const double *a, const double *b, double (*out)[4]);
 
 enum { POSES = 256 };
-
-/* Whether the processor has the registers of so many lanes. */
-static int has_lanes(int width) {
-#if defined(__x86_64__)
-    if (width == 8)
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-               __builtin_cpu_supports("avx512vl");
-    if (width == 4) return __builtin_cpu_supports("avx2");
-#endif
-    return width > 0;
-}
 
 START_TEST(lanes_give_the_bits_of_one) {
     static double state[POSES][24], acceleration[POSES][12];

@@ -8,6 +8,7 @@
 #include "pose/pose_machines.h"
 #include "pose/soma.h"
 #include "pose/start_system.h"
+#include "support/lanes.h"
 #include "support/suite.h"
 
 static gough_pose pose[GOUGH_POSES];
@@ -262,17 +263,6 @@ START_TEST(stored_roots_are_forty_roots) {
     }
 }
 END_TEST
-
-/* whether the processor has the registers of so many lanes */
-static int has_lanes(int width) {
-#if defined(__x86_64__)
-    if (width == 8)
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-               __builtin_cpu_supports("avx512vl");
-    if (width == 4) return __builtin_cpu_supports("avx2");
-#endif
-    return width > 0;
-}
 
 START_TEST(paths_have_the_same_bits_in_all_lanes) {
     static path_end one[PATHS], many[PATHS];

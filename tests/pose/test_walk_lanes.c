@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "pose/pose_machines.h"
+#include "support/lanes.h"
 #include "support/suite.h"
 #include "support/walks.h"
 
@@ -13,17 +14,6 @@ void walk_lanes_4(int count, const double (*in)[WALK_NUMBERS], double (*out)[WAL
 void walk_lanes_8(int count, const double (*in)[WALK_NUMBERS], double (*out)[WALK_RESULTS]);
 
 enum { WAYS = 512 };
-
-/* whether the processor has the registers of so many lanes */
-static int has_lanes(int width) {
-#if defined(__x86_64__)
-    if (width == 8)
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-               __builtin_cpu_supports("avx512vl");
-    if (width == 4) return __builtin_cpu_supports("avx2");
-#endif
-    return width > 0;
-}
 
 /* a way from home to a random pose, lengths in units of 1 */
 static void random_way(dice *d, int n, double in[WALK_NUMBERS]) {
