@@ -22,7 +22,7 @@ open='^(ended|set)\..*'
 hold() {
     local section=$1
     shift
-    cat "$@" | jq 'if type == "object" then del(.format) else . end' | jq -r "$keys" | sed -E "s/^(last|multiplier_modes\[\])\..*//" | grep -vE "$open|^$" | sort -u >printed
+    cat "$@" | jq 'if type == "object" then del(.format) else . end' | jq -r "$keys" | sed -E "s/^(last|multiplier_modes\[\])\..*//; s/^(pose\.resolution)\.(per_length|count|length_error|joints)\./\1.*./" | grep -vE "$open|^$" | sort -u >printed
     documented "$section" | sort -u >listed
     [[ -s printed && -s listed ]] || fail "$section: no keys"
     local key
