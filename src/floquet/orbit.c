@@ -6,8 +6,8 @@
 #include <lapacke.h>
 #include <string.h>
 
+#include "control/program_lack.h"
 #include "kernel/real.h"
-#include "plant/keeps_program.h"
 #include "plant/state.h"
 
 enum { N = GOUGH_LINEAR, MOST_STEPS = 15 };

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "base/limits.h"
+#include "control/program_lack.h"
 #include "linear/linear.h"
-#include "plant/keeps_program.h"
 
 /* Newton's steps, in base radii and radians. The first must not leave the branch it comes from; each next is at most half of
  * the one before, until rounding is reached. */

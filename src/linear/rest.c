@@ -5,13 +5,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "control/program_lack.h"
 #include "linear/equilibrium.h"
 #include "linear/linear.h"
 #include "linear/mode.h"
 #include "linear/symmetric.h"
 #include "linear/verdict.h"
 #include "plant/can_move.h"
-#include "plant/keeps_program.h"
 #include "program/program_valid.h"
 
 enum { WORK = 512 };

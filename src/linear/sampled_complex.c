@@ -3,8 +3,9 @@
 #define NUMBER_COMPLEX
 #include "linear/sampled.h"
 
+#include "control/sampler_numbers.h"
+#include "drive/drive_numbers.h"
 #include "linear/displace.h"
-#include "plant/loop_numbers.h"
 
 /* a controller that measures lengths themselves */
 static sampler sampler_of(const gough_control *control) {

@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "base/quantity.h"
+#include "drive/actuators_check.h"
 #include "gough/model.h"
 #include "kernel/legs.h"
 #include "kernel/principal.h"
 #include "kernel/real.h"
-#include "plant/actuators_check.h"
 #include "plant/limits_check.h"
 
 /* Relative sizes below which a length or a moment counts as none. Geometry is given with a few

@@ -5,6 +5,8 @@
 
 #include "base/assert.h"
 #include "base/limits.h"
+#include "control/sampler_numbers.h"
+#include "drive/drive_numbers.h"
 #include "gough/random.h"
 #include "gough/simulate.h"
 #include "kernel/known_load.h"
@@ -12,7 +14,6 @@
 #include "plant/forward.h"
 #include "plant/hexapod.h"
 #include "plant/inverse.h"
-#include "plant/loop_numbers.h"
 #include "plant/program_motion.h"
 #include "plant/state.h"
 #include "system/limit_set.h"

@@ -7,10 +7,10 @@
 #include <string.h>
 
 #include "base/assert.h"
+#include "control/program_lack.h"
 #include "floquet/loads.h"
 #include "linear/linear.h"
 #include "plant/can_move.h"
-#include "plant/keeps_program.h"
 
 /* the curve goes on above the G named by this factor */
 static const double beyond = 5;

@@ -5,10 +5,10 @@
 #include <string.h>
 
 #include "base/quantity.h"
+#include "control/program_lack.h"
 #include "linear/equilibrium.h"
 #include "linear/linear.h"
 #include "plant/can_move.h"
-#include "plant/keeps_program.h"
 #include "program/program_valid.h"
 #include "tune/tune.h"
 

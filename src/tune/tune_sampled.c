@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "base/quantity.h"
+#include "control/program_lack.h"
 #include "linear/sampled.h"
-#include "plant/keeps_program.h"
 #include "tune/tune.h"
 
 enum { WORK = 8 * SAMPLED_ROWS, MOST_STEPS = 100, GRID = 40 };

@@ -3,7 +3,7 @@
 # parts add theirs there alone.
 set -euo pipefail
 cd "${SOURCE:-$(dirname "$0")/../..}"
-rooms=(src/plant src/integrate src/system src/run src/batch src/linear src/floquet src/map src/tune web/core)
+rooms=(src/drive src/plant src/control src/integrate src/system src/run src/batch src/linear src/floquet src/map src/tune web/core)
 digits='\[(12|24)\]|< *(12|24) *;|, *(12|24)\)'
 failed=0
 while IFS=: read -r file line text; do

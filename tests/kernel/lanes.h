@@ -1,6 +1,6 @@
 /* One right-hand side and one inverse dynamics of many poses over the number type of the including file: the same texts, plain
  * arrays of double outside. Poses come in blocks of NUMBER_WIDTH. */
-#include "kernel/law.h"
+#include "control/law.h"
 #include "plant/forward.h"
 #include "plant/hexapod.h"
 #include "plant/inverse.h"

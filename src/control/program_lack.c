@@ -1,28 +1,7 @@
-/* Whether a loop moves as its program does, (law-5): the feed-forward is that of the machine as it is, dry friction left out.
- * Theory: docs/theory/control.md. */
-#include "plant/keeps_program.h"
+/* What keeps a loop from moving as its program does, (law-5), in words. Theory: docs/theory/control.md. */
+#include "control/program_lack.h"
 
 #include <stdio.h>
-
-enum { LEGS_LACK, FRICTION_LACKS, LOADS_LACK, LACKS };
-
-/* what the machine has and the feed-forward ignores; returns how much of it */
-static int find(const gough_machine *machine, const gough_control *control, bool moving,
-                bool lacks[LACKS]) {
-    bool viscous = false;
-
-    for (int v = 0; v < GOUGH_LEGS; v++) viscous |= machine->platform.friction.viscous[v] > 0;
-    lacks[LEGS_LACK] = control->ignores_legs && machine->platform.legs_have_mass;
-    lacks[FRICTION_LACKS] = control->ignores_friction && viscous && moving;
-    lacks[LOADS_LACK] = control->ignores_external && machine->externals > 0;
-    return lacks[LEGS_LACK] + lacks[FRICTION_LACKS] + lacks[LOADS_LACK];
-}
-
-bool gough_keeps_program(const gough_machine *machine, const gough_control *control, bool moving) {
-    bool lacks[LACKS];
-
-    return control->feedforward && find(machine, control, moving, lacks) == 0;
-}
 
 /* "a, b and c" of those that are so */
 static void list(const char *const word[LACKS], const bool lacks[LACKS], int count,
@@ -49,7 +28,7 @@ program_lack program_lack_of(const gough_machine *machine, const gough_control *
                                            "control.model.external"};
     program_lack lack = {"without feed-forward", "control.feedforward to program"};
     bool lacks[LACKS];
-    const int count = find(machine, control, moving, lacks);
+    const int count = control_lacks(machine, control, moving, lacks);
 
     if (!control->feedforward) return lack;
     const char *const named[LACKS] = {

@@ -1,6 +1,6 @@
 /* The checks of the drives of the legs. */
-#ifndef GOUGH_PLANT_ACTUATORS_CHECK_H
-#define GOUGH_PLANT_ACTUATORS_CHECK_H
+#ifndef GOUGH_DRIVE_ACTUATORS_CHECK_H
+#define GOUGH_DRIVE_ACTUATORS_CHECK_H
 
 #include "gough/model.h"
 

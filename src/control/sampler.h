@@ -1,10 +1,10 @@
 /* One sample of a controller: lengths measured, errors, their rates, the command. Text over the number type. Theory:
  * docs/theory/loop.md. */
-#ifndef GOUGH_KERNEL_SAMPLER_H
-#define GOUGH_KERNEL_SAMPLER_H
+#ifndef GOUGH_CONTROL_SAMPLER_H
+#define GOUGH_CONTROL_SAMPLER_H
 
-#include "kernel/drive.h"
-#include "kernel/law.h"
+#include "control/law.h"
+#include "drive/drive.h"
 
 /* (loop-1): numbers of the controller that are the same in all legs */
 typedef struct {

@@ -1,5 +1,5 @@
 /* The checks of the drives of the legs, (act-1): numbers that can be, one kind and one order for all six. */
-#include "plant/actuators_check.h"
+#include "drive/actuators_check.h"
 
 #include <math.h>
 

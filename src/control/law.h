@@ -1,6 +1,6 @@
 /* The control law. Theory: docs/theory/control.md. */
-#ifndef GOUGH_KERNEL_LAW_H
-#define GOUGH_KERNEL_LAW_H
+#ifndef GOUGH_CONTROL_LAW_H
+#define GOUGH_CONTROL_LAW_H
 
 #include "kernel/legs.h"
 

@@ -1,6 +1,6 @@
 /* The drive of a leg: what it makes of its command. Text over the number type. Theory: docs/theory/loop.md. */
-#ifndef GOUGH_KERNEL_DRIVE_H
-#define GOUGH_KERNEL_DRIVE_H
+#ifndef GOUGH_DRIVE_DRIVE_H
+#define GOUGH_DRIVE_DRIVE_H
 
 #include "kernel/number.h"
 
