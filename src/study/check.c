@@ -235,6 +235,8 @@ static void check_numeric(study_messages *messages, study_node *node, const goug
     const bool rows = node->kind == STUDY_LIST && node->first && node->first->kind == STUDY_LIST;
     char rule[STUDY_RULE];
     const gough_bound bound = study_units_bound(node, key, rule);
+    gough_key own = *key; /* in the units of the study */
+    own.bound = bound;
     if (shape == GOUGH_SHAPE_WHOLE) {
         check_whole(messages, node, &key->bound);
     } else if (shape == GOUGH_SHAPE_NUMBER ||
@@ -242,11 +244,11 @@ static void check_numeric(study_messages *messages, study_node *node, const goug
                            shape == GOUGH_SHAPE_GAINS))) {
         study_check_number(messages, node, &bound);
     } else if (shape == GOUGH_SHAPE_PAIR_OR_SIX) {
-        check_pairs(messages, node, key);
+        check_pairs(messages, node, &own);
     } else if (shape == GOUGH_SHAPE_RANGE) {
-        check_range(messages, node, key, phrase);
+        check_range(messages, node, &own, phrase);
     } else if (shape == GOUGH_SHAPE_RANGE_OR_SIX) {
-        check_ranges(messages, node, key);
+        check_ranges(messages, node, &own);
     } else if (shape == GOUGH_SHAPE_POINTS) {
         check_rows(messages, node, GOUGH_LEGS, false, phrase);
     } else if (shape == GOUGH_SHAPE_GAINS && rows) {

@@ -72,4 +72,21 @@ run check millimetres.yaml --set platform.legs.stroke='[-200, 300]'
 [[ $(grep 'length limits' "$out" | grep -o ' to ' | wc -l) == 1 ]] || fail "six equal strokes: $(grep 'length limits' "$out")"
 run forces millimetres.yaml --set platform.legs.stroke='[-200, 300]'
 [[ $(grep -c 'mm available' "$out") == 1 ]] || fail "six equal strokes: $(grep available "$out")"
+
+# ---- both ends of a stroke, and ranges of angles ----
+run check millimetres.yaml --set platform.legs.stroke='[-200, 300]' --json
+jq -e '[.home_length, .limits.legs.length] | transpose | length == 6 and all(.[]; (.[1][0] - .[0] + 200 | fabs) < 1e-9 and (.[1][1] - .[0] - 300 | fabs) < 1e-9)' "$out" >/dev/null ||
+    fail "a stroke of -200 to 300 mm: $(jq -c '[.home_length, .limits.legs.length]' "$out")"
+machine m 1 | sed 's/half_angle: 10/half_angle: 0.17/; s/half_angle: 12/half_angle: 0.2/; s/{length: m}/{angle: rad}/' >radians.yaml
+for limits in 'roll: 3.2' 'roll: [-3.2, 1]' 'pitch: [-1, 1.6]'; do
+    run check radians.yaml --set "platform.limits={$limits}"
+    expect_code 2 "limits of $limits rad"
+    grep -q 'must be from -[0-9]* to [0-9]* degrees ([0-9.]* rad), found' "$err" || fail "limits of $limits rad: $(head -1 "$err")"
+done
+run check radians.yaml --set 'platform.limits={roll: [-3.1, 3.1], pitch: 1.5}'
+expect_code 0 "limits below 180 and 90 degrees: $(head -1 "$err")"
+run check radians.yaml --set 'platform.joints={base_swing: [3.2, 1, 1, 1, 1, 1]}'
+expect_code 2 "a swing of 3.2 rad"
+run check radians.yaml --set 'units={angle: arcsec}' --set platform.base.half_angle=36000 --set platform.top.half_angle=43200 --set 'platform.limits={roll: 648000, pitch: [-100000, 324000]}'
+expect_code 0 "limits in arcsec: $(head -1 "$err")"
 finish
