@@ -94,6 +94,17 @@ class Case:
                 self.near(f"{verb} text {name}", number.value, value, slack, number.half)
         return rest
 
+    def deviations(self, run, rest, units):
+        """Deviations that are said to be below the accuracy of the run, which is rounded up to a digit; and that others are not."""
+        for name, noise in verbs.noise_of(self.meaning, units).items():
+            bound = rest.pop(f"{name}_below", None)
+            value, slack = units.of(run.facts()[name])
+            if bound is None:
+                self.same(f"simulate text {name} below its accuracy", value + slack < noise, False)
+                continue
+            self.same(f"simulate text accuracy of {name}", noise * 0.999999 <= bound[0].value <= 2.000001 * noise, True)
+            self.same(f"simulate text {name} below {bound[0]}", value - slack <= noise, True)
+
     def tree_of(self, verb, got, wanted, units, path=""):
         """JSON against what it should be: the same keys, each number near."""
         if isinstance(wanted, facts.Skip):
@@ -167,7 +178,7 @@ class Case:
         self.tree_of(run.verb, data, run.json() | {"units": units.name}, units)
         done = self.run(run.verb, name, *options, *table, allowed=status)
         lines, wanted = run.limit_lines(units)
-        known = verbs.summary_lines(self.meaning, units, run.simulated, title) + run.end_lines(units) + lines
+        known = verbs.summary_lines(self.meaning, units, run.simulated, title, done.stdout) + run.end_lines(units) + lines
         known += [printed.Line("table table.csv", units.name)] + verbs.rows_lines(units)
         rest = self.text(run.verb, done.stdout, known, run.facts() | wanted, units)
         self.sentence(run, data["end"]["message"], done.stderr, units)
@@ -175,6 +186,7 @@ class Case:
             self.condition_time(run, rest.pop("condition_time")[0], units)
             if run.simulated:
                 self.near("simulate text drift", rest.pop("drift")[0].value, 0.0, 1e-6)
+                self.deviations(run, rest, units)
             run.compare_rows(self, rest.pop("records", []), units)
             for name in list(rest):
                 if name in run.nearest:

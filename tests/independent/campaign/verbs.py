@@ -1,5 +1,6 @@
 """What each verb prints, line by line and key by key, beside what facts.py and mechanics.py say it should."""
 import math
+import re
 
 import facts as f
 import limits
@@ -258,7 +259,24 @@ class Check:
 
 # ---- forces and simulate --------------------------------------------------------------------------------------------
 
-def summary_lines(meaning, units, simulated, title):
+def deviation_line(said):
+    """The line of deviations: each is a number, or the bound below which it is only an error of the run."""
+    parts = {name: f"below {{{name}_below .1 {dimension}}}" if re.search(pattern, said) else f"{{{name} .4 {dimension}}}"
+             for name, dimension, pattern in (("position", "length", r"deviation +below"), ("angle", "angle", r"deviation .* and below"))}
+    first = "" if "below" in parts["position"] else "at most "
+    second = "at most " if "below" in parts["position"] and "below" not in parts["angle"] else ""
+    return f"deviation {first}{parts['position']} and {second}{parts['angle']} from the program"
+
+
+def noise_of(meaning, units):
+    """Below what deviations are only errors of a run, in position and angle."""
+    adaptive = meaning.method == "dop853" and not meaning.step
+    share = min(max(100 * meaning.tolerance if adaptive else 0, 1e-12), 1e-6)
+    length = units.of(Q(max(meaning.machine.home.length), "length", 0))[0]
+    return {"position": share * length, "angle": share * 180 / math.pi}
+
+
+def summary_lines(meaning, units, simulated, title, said=""):
     u = units.name
     length, force, power = "length []", "force []", "power []"
     strokes = [(length, "least", "length", "length_least"), (length, "greatest", "length", "length_greatest"),
@@ -280,7 +298,7 @@ def summary_lines(meaning, units, simulated, title):
     if limited:
         text.append("stroke {stroke length} available, from {stroke_low} to {stroke_high length}")
     if simulated:
-        text += ["deviation at most {position .4 length} and {angle .4 angle} from the program",
+        text += [deviation_line(said),
                  "drift at most {drift .2} (violation of the constraints before projection)"]
     effort = [Line("steps {steps}" + rejected + "; {evaluations} evaluations of the equations of motion", u, True)
               for rejected in ("", ", and {rejected} rejected") if simulated]
