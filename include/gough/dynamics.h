@@ -229,9 +229,9 @@ GOUGH_API gough_status gough_external_wrench(const gough_machine *machine, const
 GOUGH_API gough_status gough_control_check(const gough_control *control, gough_error *error);
 
 /** Whether a loop moves as its program does where nothing disturbs it, (law-5): its feed-forward is that of the machine as it is,
- *  so that the program is a motion of the loop, about which deviations may be counted. Otherwise it moves otherwise: it sags and
- *  lags. Dry friction and losses of screws do not count, since they are left out of whatever is computed about such a motion;
- *  limits and lags of drives and the samples of a controller do not count either.
+ *  so that the program is a motion of the loop, about which deviations may be counted. If it does not, it sags and lags. Dry
+ *  friction and losses of screws do not count, since they are left out of whatever is computed about such a motion; limits and
+ *  lags of drives and the samples of a controller do not count either.
  *  @param machine  whose legs may have mass and friction, and which may have external loads
  *  @param control  what the feed-forward is, and what it ignores
  *  @param moving   whether the program moves; in a program at rest viscous friction has no force

@@ -39,30 +39,44 @@ typedef struct gough_floquet {
     double start;  /**< time at which the chosen period begins */
     double period; /**< T */
     gough_state
-        state; /**< at its beginning: the program's, or, where gough_keeps_program() is false, that of the periodic motion found */
-    double monodromy[GOUGH_LINEAR][GOUGH_LINEAR]; /**< ξ after a period from ξ before */
-    gough_multiplier multiplier[GOUGH_LINEAR];    /**< by falling magnitude */
-    double growth;                                /**< largest |μ|: growth per period */
-    double determinant;                           /**< of the monodromy matrix */
+        state; /**< at its beginning: the program's, or that of the periodic motion found, see gough_floquet_multipliers() */
+    double beyond[GOUGH_LINEAR_MOST -
+                  GOUGH_LINEAR]; /**< drives and integrals then, in the order of a deviation */
+    size_t
+        size; /**< how many numbers a deviation has and how many multipliers there are: gough_linear_size() */
+    double monodromy
+        [GOUGH_LINEAR_MOST]
+        [GOUGH_LINEAR_MOST]; /**< size × size of it: a deviation after a period from the one before. ξ, then drives and
+                                           integrals in the order of gough_linearise() */
+    gough_multiplier multiplier[GOUGH_LINEAR_MOST]; /**< by falling magnitude */
+    double growth;                                  /**< largest |μ|: growth per period */
+    double determinant; /**< of the monodromy matrix; 0 if it is below the range of numbers */
     double
-        determinant_defect; /**< |det − 1| if D = 0, else |det / exp ∫tr A − 1|, Liouville's formula */
-    double pair_defect; /**< largest |μ μ' − 1| over reciprocal pairs if D = 0; else NaN */
+        determinant_defect; /**< |det − 1| if D = 0, else |det / exp ∫tr A − 1|, Liouville's formula. NaN if drives follow so
+                                 quickly that their decay leaves no digits of it: −∫tr A over 3072 */
+    double pair_defect;     /**< largest |μ μ' − 1| over reciprocal pairs if D = 0; else NaN */
     int drifting; /**< number of deviations that grow in proportion to time: multipliers 1 without an eigenvector of their own,
                        (floquet-9) */
     bool stable;  /**< no |μ| over 1 + 1e-7, and nothing drifts */
     size_t steps; /**< number of integration steps in the period */
 } gough_floquet;
 
-/** Computes the multipliers over one period.
+/** Computes the multipliers over one period of a loop with a continuous controller.
+ *
+ *  They are those of the program if the loop keeps it: gough_keeps_program(), and drives that give at once all that is asked of
+ *  them. Otherwise they are those of the loop's own periodic motion, which is found first. In it drives lag and have limits of
+ *  force and of its rate, and integrals add up, as in a run; while a drive is at a limit, its leg has no feedback.
+ *
  *  @param period     from gough_motion_period(); NULL: it is found here
- *  @param tolerance  of the steps; 0: 1e-13
+ *  @param tolerance  of the steps; 0: 1e-13, or 1e-10 if drives lag or the controller integrates
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, at rest (use gough_stability_at_rest()), or a tolerance outside
- *  1e-15 … 1e-3; GOUGH_ERROR_NUMERICAL: the program passes a singular pose, more than 20000 steps a period, or where the loop
- *  does not keep its program, gough_keeps_program(), no periodic motion was found near it, (floquet-8); do not use @p floquet
- *  then. Dry friction and losses of screws are left out of the motion as of its deviations.
- *  It takes about 20 ms for a period with a few oscillations of the platform, and some tenths of a second or more where the
- *  motion must be found. Allocates nothing. With the default tolerance multipliers are accurate to 1e-11 of the largest; two that
- *  are equal, as on the unit circle without damping, only to the root of that. */
+ *  1e-15 … 1e-3, or a sampled controller (use gough_floquet_sampled()); GOUGH_ERROR_NUMERICAL: the program passes a singular pose,
+ *  more than 20000 steps a period (100000 if drives lag or the controller integrates), or where the loop does not keep its program no periodic motion was found near it, (floquet-8);
+ *  do not use @p floquet then. Dry friction and losses of screws are left out of the motion as of its deviations.
+ *  It takes about 20 ms for a period with a few oscillations of the platform, some tenths of a second or more where the motion
+ *  must be found, and seconds with drives that lag. Allocates nothing; needs 2 MB of stack. With the default tolerance
+ *  multipliers are accurate to 1e-11 of the largest, if drives lag or the controller integrates to 1e-8; two that are equal, as on
+ *  the unit circle without damping, only to the root of that. */
 GOUGH_API gough_status gough_floquet_multipliers(const gough_model *model,
                                                  const gough_period *period, double tolerance,
                                                  gough_floquet *floquet, gough_error *error);
@@ -87,9 +101,10 @@ typedef struct gough_sampled_floquet {
 /** Computes the multipliers of a loop with a sampled controller about the periodic motion of the sampled loop, which differs from
  *  the program as held forces do from those that the program needs, (loop-10).
  *
- *  A motion that repeats itself needs a whole number of samples in q periods of the program, (loop-11). The least q up to 16 is
- *  taken that gives one within 1e-9 of itself. If there is none, the controller's period is replaced by the nearest of which a
- *  whole number fills one period of the program, and its delay and preview change in proportion; see `adjusted` and `sampling`.
+ *  A motion that repeats itself needs a whole number of samples in q periods of the program, (loop-11). The least q up to 16
+ *  for which the number of samples is whole within a billionth of it is taken. If no q up to 16 has a whole number of samples, the
+ *  controller's period is changed: to that nearest to it of which one period of the program holds a whole number. Its delay and
+ *  preview change in proportion; see `adjusted` and `sampling`.
  *
  *  @param period  from gough_motion_period(); NULL: it is found here
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, at rest (use gough_sampled_at_rest()), a continuous controller, a period of

@@ -15,6 +15,7 @@
 #define GOUGH_LINEAR_H
 
 #include "gough/dynamics.h"
+#include "gough/units.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -44,6 +45,35 @@ GOUGH_API size_t gough_linear_size(const gough_model *model);
  *  singular pose of a program whose forces are fed forward, or a leg of zero length. Exact up to rounding. Allocates nothing. */
 GOUGH_API gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
                                        size_t size, double *matrix, gough_error *error);
+
+/** How many numbers a deviation of a model's loop has: of a continuous controller gough_linear_size(); of a sampled one those of
+ *  the platform and of the drives, then what the controller remembers, then for each sample back to the one whose command acts six
+ *  commands that wait, the latest first. */
+GOUGH_API size_t gough_deviation_size(const gough_model *model);
+
+enum { GOUGH_DEVIATION_NAME = 16 };
+
+/** What a number of a deviation is.
+ *  @param index      0 … gough_deviation_size() − 1
+ *  @param[out] name  "x", "y", "z", "rx", "ry", "rz" of ξ and "vx" … "wz" of their rates; "f1" … "f6" forces of drives that lag,
+ *                    "fdot1" … "fdot6" their rates if the lag is of second order, "i1" … "i6" integrals of the legs that have them.
+ *                    Of a sampled controller "e1" … and "edot1" … the errors of the last sample and their rates, if it finds
+ *                    rates by differences, and "u3_2" the command that leg 3 got two samples ago
+ *  @param[out] unit  of it; of a rotation, in radians, GOUGH_UNIT_NONE, and of its rate GOUGH_UNIT_RATE
+ *  @return false if the index is too large. Exact. */
+GOUGH_API bool gough_deviation_name(const gough_model *model, size_t index,
+                                    char name[GOUGH_DEVIATION_NAME], gough_unit *unit);
+
+/** The loop at rest as a matrix: of a continuous controller A of ξ̇ = A ξ, (stab-13); of a sampled one what becomes of a deviation
+ *  from just before a sample to just before the next, (loop-8). With the states of drives, integrals and the controller's memory.
+ *  @param component  as in gough_stability_at_rest()
+ *  @param size       gough_deviation_size() of the model
+ *  @param[out] matrix  size × size numbers, row by row
+ *  @return as gough_stability_at_rest() or gough_sampled_at_rest(); GOUGH_ERROR_INPUT too if the size is another. A is exact up to
+ *  rounding, the matrix of a sample accurate to 1e-14 of its largest element. Allocates nothing; needs 500 kB of stack. */
+GOUGH_API gough_status gough_matrix_at_rest(const gough_model *model,
+                                            const double component[GOUGH_COMPONENTS], size_t size,
+                                            double *matrix, gough_error *error);
 
 enum { GOUGH_MODE_NAME = 32 };
 

@@ -1,9 +1,9 @@
 /** @file map.h
  *  The stability map: which mode grows, and how fast, over stiffness and, as a second axis, amplitude, frequency, damping, or
  *  period or delay of a sampled controller. The intervals of stiffness in which a mode grows (resonance tongues, intervals below a
- *  threshold or beyond what the delay bears) are found independently of the grid; those of a sampled controller between its
- *  points. Theory: docs/theory/floquet.md, docs/theory/loop.md. The bits are the same for any number of lanes and threads. In
- *  libgough-analyse.
+ *  threshold or beyond what the delay bears) are found independently of the grid; those of sampled controllers, of drives that
+ *  lag, of integrals and of matrices of gains between its points. Theory: docs/theory/floquet.md, docs/theory/loop.md. The bits
+ *  are the same for any number of lanes and threads. In libgough-analyse.
  *
  *  A row of the map is one value of the second axis; without a second axis there is one row. If the program of a row is at rest,
  *  the row has growth rates at rest only. Numbers are in the units of the model. An error argument may be NULL.
@@ -27,7 +27,7 @@ typedef enum gough_map_axis {
     GOUGH_MAP_NONE,      /**< no second axis: one row */
     GOUGH_MAP_AMPLITUDE, /**< factor on the motion, in addition to the model's own amplitude */
     GOUGH_MAP_FREQUENCY, /**< factor on the motion's frequency, in addition to the model's own, > 0 */
-    GOUGH_MAP_DAMPING,   /**< D of all legs, in place of the model's */
+    GOUGH_MAP_DAMPING, /**< D of all legs, in place of the model's; of a matrix as with the stiffness */
     GOUGH_MAP_PERIOD, /**< T of the controller in place of the model's, > 0; delay and preview change in proportion. A
                               continuous controller becomes a sampled one without delay */
     GOUGH_MAP_DELAY /**< τ of a sampled controller, in place of the model's */
@@ -55,9 +55,11 @@ GOUGH_API double gough_map_value(const gough_map_range *range, size_t i);
 /** Options of a map; start from gough_map_options_default(). */
 typedef struct gough_map_options {
     size_t size; /**< of this struct in bytes, from gough_map_options_default(), or 0 */
-    gough_map_range stiffness; /**< G, the same in all legs, ≥ 0 */
-    gough_map_axis axis;       /**< which second axis */
-    gough_map_range second;    /**< its values; ignored for GOUGH_MAP_NONE */
+    /** G, the same in all legs, ≥ 0. Of a matrix of stiffnesses the largest on its diagonal, or in it if the diagonal is 0; the
+     *  others keep their proportion */
+    gough_map_range stiffness;
+    gough_map_axis axis;    /**< which second axis */
+    gough_map_range second; /**< its values; ignored for GOUGH_MAP_NONE */
     /** 0: all modes; else a sum of GOUGH_MAP_SWAY … GOUGH_MAP_YAW: only modes that move in nothing else count, as if the others
      *  were held */
     unsigned modes;
@@ -103,8 +105,9 @@ typedef enum gough_interval_kind {
     GOUGH_INTERVAL_PLUS, /**< resonance at μ = +1: the mode makes a whole number of oscillations in each period */
     GOUGH_INTERVAL_MINUS, /**< resonance at μ = −1: a whole number and a half of oscillations */
     GOUGH_INTERVAL_COMBINATION, /**< combination resonance of two modes, μ not real */
-    GOUGH_INTERVAL_OSCILLATION /**< of a sampled controller, μ not real where the interval begins: the delay of the forces drives
-                                    the mode, or two modes resonate. At rest, whenever the mode oscillates */
+    /** of a sampled controller, or another loop each of whose points is computed on its own, μ not real where the interval begins:
+     *  the delay of the forces drives the mode, or two modes resonate. At rest, whenever the mode oscillates */
+    GOUGH_INTERVAL_OSCILLATION
 } gough_interval_kind;
 
 /** "static", "resonance +1", "resonance -1", "combination", "oscillation". */
@@ -160,7 +163,9 @@ GOUGH_API gough_status gough_map_size(const gough_model *model, const gough_map_
 /** Computes the map. The study's disturbances are ignored.
  *
  *  With a sampled controller each point is on its own, as from gough_floquet_sampled(), or gough_sampled_at_rest() where the
- *  program rests; the period of the controller that is used is that of these functions. The kind of an interval is then that at
+ *  program rests; the period of the controller that is used is that of these functions. With drives that lag, or whose limits the
+ *  program reaches, with integrals and with matrices of gains it is so too, as from gough_floquet_multipliers() or
+ *  gough_stability_at_rest(). The kind of an interval is then that at
  *  its beginning, and one that extends below the range begins with the range. Between two neighbouring points of the grid an
  *  interval, or a gap between intervals, is found only if growth rises, or falls, towards it from both sides. Edges are accurate
  *  to 1e-7 of the greatest stiffness, or 1e-4 where the periodic motion itself ends.

@@ -327,6 +327,10 @@ typedef struct gough_leg_summary {
         saturated; /**< share of the time, 0 to 1, in which a limit of `actuators` held its drive back; NaN if unknown, as
                            from rows without the columns sat1 … sat6 and for forces along a program */
     double saturated_at; /**< time at which this was first so; NaN if never */
+    double
+        sample_error; /**< of a sampled controller the largest |l^p − l| that it found at a sample of the run, from the length as
+                           measured, with its noise and counts; NaN if unknown, as saturated, and for a continuous one */
+    double sample_error_at; /**< time of that sample; NaN likewise */
 } gough_leg_summary;
 
 /** Summary of the rows so far; fill it by gough_summary_begin(), gough_summary_add(), gough_summary_end(). For the motion

@@ -146,8 +146,9 @@ typedef struct gough_tuning {
     char unchecked[240];   /**< why at rest only, as a sentence, or empty */
     double threshold;      /**< largest threshold of G at rest with feed-forward */
     gough_mode least_mode; /**< its mode */
-    bool sampled; /**< the controller is sampled: stability is that at rest at home, from sample to
-                       sample, and damping ratios are those of the poles ln μ/T of its multipliers */
+    /** the controller is sampled: points of the curve are examined at rest at home, from sample to sample, the G named and its
+     *  margin along the program too if `periodic`. Damping ratios are those of the poles ln μ/T of the multipliers at rest */
+    bool sampled;
     double upper; /**< if so: G from which the loop at home is unstable, or above which no D gives
                        the damping ratio, with feed-forward; NaN: not sampled, or no G holds */
     double upper_frequency; /**< angular frequency of the mode that grows there, or is the least

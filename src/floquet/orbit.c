@@ -10,7 +10,7 @@
 #include "kernel/real.h"
 #include "plant/state.h"
 
-enum { N = GOUGH_LINEAR, MOST_STEPS = 15 };
+enum { MOST_STEPS = 15, MOST_CHORDS = 12 };
 
 /* Newton's step below which the state is found; and below which it may stay where rounding stops the steps from shrinking. In
  * tolerances of the stepper, in the units of ξ. */
@@ -19,6 +19,9 @@ static const double closed = 10, nearly_closed = 1e3;
 /* a first step longer than this, in the same units, could lead to another motion than the one meant; and so could later ones that
  * do not become shorter at least by this factor */
 static const double farthest = 0.5, shrinks = 0.8;
+
+/* steps by the matrix of another state are worth taking only while each is shorter than the last by this factor */
+static const double chord_shrinks = 0.3;
 
 /* The way from legs (1 + STIFFER) times as stiff and with damping 2√(GM) to those asked for: at most so many motions on it, and the
  * least progress from one to the next. */
@@ -38,7 +41,7 @@ static vector turned(vector theta, vector e) {
         e, add(scale(a, cross(theta, e)), scale(2 * half * half, cross(theta, cross(theta, e)))));
 }
 
-void orbit_change(const double y[MOTION], const double xi[N], double out[MOTION]) {
+void orbit_change(const double y[MOTION], const double xi[GOUGH_LINEAR], double out[MOTION]) {
     coordinates x = coordinates_load(y), rate = coordinates_load(y + COORDINATES);
     const vector theta = vector_load(xi + 3);
     const vector omega = add(triad_angular_velocity(&x.q, &rate.q), vector_load(xi + 9));
@@ -51,7 +54,7 @@ void orbit_change(const double y[MOTION], const double xi[N], double out[MOTION]
     coordinates_store(&rate, out + COORDINATES);
 }
 
-void orbit_difference(const double y[MOTION], const double z[MOTION], double xi[N]) {
+void orbit_difference(const double y[MOTION], const double z[MOTION], double xi[GOUGH_LINEAR]) {
     const coordinates x = coordinates_load(y), rate = coordinates_load(y + COORDINATES);
     const coordinates u = coordinates_load(z), other = coordinates_load(z + COORDINATES);
     const vector turn = add(add(cross(x.q.i, u.q.i), cross(x.q.j, u.q.j)), cross(x.q.k, u.q.k));
@@ -63,42 +66,80 @@ void orbit_difference(const double y[MOTION], const double z[MOTION], double xi[
 }
 
 /* one way round from y: what is missing to closure; false where the way ends before */
-static bool go_round(monodromy *m, const double y[MOTION], double missing[N], gough_error *error) {
-    double after[MOTION];
+static bool go_round(monodromy *m, const double y[STATE_SIZE], double missing[MONODROMY_ROWS],
+                     gough_error *error) {
+    double after[STATE_SIZE];
 
     memcpy(after, y, sizeof after);
     if (monodromy_of_motion(m, after, error) != GOUGH_OK) return false;
     orbit_difference(y, after, missing);
-    for (int i = 0; i < N; i++) missing[i] /= m->unit[i];
+    for (int i = GOUGH_LINEAR; i < m->n; i++) {
+        const int place = MOTION + m->kept[i - GOUGH_LINEAR];
+        missing[i] = after[place] - y[place];
+    }
+    for (int i = 0; i < m->n; i++) missing[i] /= m->unit[i];
     return true;
 }
 
-/* (floquet-7): Newton's step (1 − Φ) ξ = missing, in the units of m; returns its size, INFINITY where the matrix is singular */
-static double newton_step(const monodromy *m, const double missing[N], double xi[N]) {
-    double a[MONODROMY_SIZE], largest = 0;
-    lapack_int pivot[N];
+/* y ← y ⊕ ξ */
+static void change(const monodromy *m, const double xi[MONODROMY_ROWS], double y[STATE_SIZE]) {
+    orbit_change(y, xi, y);
+    for (int i = GOUGH_LINEAR; i < m->n; i++) y[MOTION + m->kept[i - GOUGH_LINEAR]] += xi[i];
+}
 
-    monodromy_product(m, a);
-    for (int i = 0; i < MONODROMY_SIZE; i++) a[i] = (i % (N + 1) == 0 ? 1 : 0) - a[i];
-    memcpy(xi, missing, sizeof(double[N]));
-    if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, N, 1, a, N, pivot, xi, N) != 0) return INFINITY;
-    for (int i = 0; i < N; i++)
+static double largest_of(const monodromy *m, const double xi[MONODROMY_ROWS]) {
+    double largest = 0;
+
+    for (int i = 0; i < m->n; i++)
         if (!(fabs(xi[i]) <= largest)) largest = fabs(xi[i]);
     return largest <= largest ? largest : INFINITY;
 }
 
+/* (floquet-7): Newton's step (1 − Φ) ξ = missing, in the units of m; returns its size, INFINITY if 1 − Φ has no inverse */
+static double newton_step(const monodromy *m, const double missing[MONODROMY_ROWS],
+                          double xi[MONODROMY_ROWS]) {
+    const int n = m->n;
+    double a[MONODROMY_SIZE];
+    lapack_int pivot[MONODROMY_ROWS];
+
+    monodromy_product(m, a);
+    for (int i = 0; i < n * n; i++) a[i] = (i % (n + 1) == 0 ? 1 : 0) - a[i];
+    memcpy(xi, missing, (size_t)n * sizeof *xi);
+    if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, a, n, pivot, xi, n) != 0) return INFINITY;
+    return largest_of(m, xi);
+}
+
+/* Further steps with the matrix found last, each of which takes a run without deviations: a small part of the work of one with
+ * them. */
+static void draw_near(monodromy *m, double before, double y[STATE_SIZE]) {
+    double missing[MONODROMY_ROWS], xi[MONODROMY_ROWS];
+
+    m->bare = true;
+    for (int step = 0; step < MOST_CHORDS && go_round(m, y, missing, NULL); step++) {
+        const double length = newton_step(m, missing, xi);
+        if (length <= closed * m->tolerance || !(length <= chord_shrinks * before)) break;
+        for (int i = 0; i < m->n; i++) xi[i] *= m->unit[i];
+        change(m, xi, y);
+        before = length;
+    }
+    m->bare = false;
+}
+
 /* Newton's method from y, each step shorter than the one before it; whether it came to a motion that closes */
-static bool close_motion(monodromy *m, double y[MOTION], gough_error *error) {
-    double missing[N], xi[N], before = farthest / shrinks;
+static bool close_motion(monodromy *m, double y[STATE_SIZE], gough_error *error) {
+    double missing[MONODROMY_ROWS], xi[MONODROMY_ROWS], before = farthest / shrinks;
 
     for (int step = 0; step < MOST_STEPS; step++) {
         double length;
         if (!go_round(m, y, missing, error)) return false;
+        /* the program itself: then 1 − Φ may well have no inverse */
+        if (m->loop.whole && largest_of(m, missing) <= m->tolerance) return true;
         length = newton_step(m, missing, xi);
         if (length <= closed * m->tolerance) return true;
         if (!(length <= shrinks * before)) return length <= nearly_closed * m->tolerance;
-        for (int i = 0; i < N; i++) xi[i] *= m->unit[i];
-        orbit_change(y, xi, y);
+        for (int i = 0; i < m->n; i++) xi[i] *= m->unit[i];
+        change(m, xi, y);
+        if (m->n > GOUGH_LINEAR) draw_near(m, length, y);
         before = length;
     }
     return false;
@@ -117,9 +158,9 @@ static gough_control eased(const monodromy *m, const gough_control *asked, doubl
 }
 
 /* from eased legs to those asked for, in steps half as long where they fail; y begins at the program */
-static bool ease(monodromy *m, const gough_control *asked, double y[MOTION]) {
+static bool ease(monodromy *m, const gough_control *asked, double y[STATE_SIZE]) {
     const double tolerance = m->tolerance;
-    double held = 1, share = 1, begin[MOTION];
+    double held = 1, share = 1, begin[STATE_SIZE];
     bool found = false;
     gough_error why;
 
@@ -144,27 +185,52 @@ static bool ease(monodromy *m, const gough_control *asked, double y[MOTION]) {
     return found && !(held > 0);
 }
 
-gough_status orbit_find(monodromy *m, double y[MOTION], gough_error *error) {
-    const gough_control *asked = m->loop.control;
+/* the state in which the program begins the period */
+static void begin_at_program(const monodromy *m, double y[STATE_SIZE]) {
     gough_acceleration acceleration;
+    gough_state state;
+
+    gough_program(m->loop.machine, m->loop.motion, m->start, &state, &acceleration);
+    monodromy_unfold(m->loop.machine, &state, y);
+    linear_complex.settle(&m->loop, m->start, y);
+}
+
+/* of a loop that would keep its program but for its drives */
+static gough_status say_drives(const monodromy *m, gough_error *error) {
+    const bool lags = m->loop.machine->platform.actuators.kind == GOUGH_ACTUATOR_LAG;
+
+    return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                      "with drives that %s no periodic motion was found near the program: %s, or "
+                      "the program excites the platform at a natural frequency; %s "
+                      "control.damping, or use %s drives",
+                      lags ? "lag" : "have limits",
+                      lags ? "the lag takes all damping from the loop"
+                           : "the limits do not leave the forces that the program needs",
+                      lags ? "reduce control.stiffness, add" : "change control.stiffness or",
+                      lags ? "faster" : "stronger");
+}
+
+gough_status orbit_find(monodromy *m, double y[STATE_SIZE], gough_error *error) {
+    const gough_control *asked = m->loop.control;
     gough_error why = {.message = ""};
     const program_lack lack = program_lack_of(m->loop.machine, asked, true);
     double stiffness = 0;
-    gough_state state;
 
     for (int v = 0; v < GOUGH_LEGS; v++) stiffness += asked->stiffness[v];
     if (!(stiffness > 0) && !asked->feedforward && !asked->coupled)
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                           "without feed-forward and stiffness the legs have no force; give "
                           "control.stiffness, or set control.feedforward to program");
-    gough_program(m->loop.machine, m->loop.motion, m->start, &state, &acceleration);
-    monodromy_unfold(m->loop.machine, &state, y);
+    begin_at_program(m, y);
     if (close_motion(m, y, &why)) return GOUGH_OK;
     if (why.status == GOUGH_ERROR_INPUT)
         return gough_fail(error, GOUGH_ERROR_INPUT, "%s", why.message);
 
-    monodromy_unfold(m->loop.machine, &state, y);
-    if (ease(m, asked, y)) return GOUGH_OK;
+    /* what drives cannot give to a program they cannot give to stiffer legs either */
+    const bool kept = gough_keeps_program(m->loop.machine, asked, true);
+    begin_at_program(m, y);
+    if (!(kept && m->n == GOUGH_LINEAR) && ease(m, asked, y)) return GOUGH_OK;
+    if (kept) return say_drives(m, error);
     return gough_fail(
         error, GOUGH_ERROR_NUMERICAL,
         "%s no periodic motion was found near the program: the legs are too weak "

@@ -6,7 +6,7 @@
 
 /* (floquet-7): finds the state y at the beginning of the period that comes back after it, with the factors of its deviations in m.
  * GOUGH_ERROR_NUMERICAL: none was found near the program. */
-gough_status orbit_find(monodromy *m, double y[MOTION], gough_error *error);
+gough_status orbit_find(monodromy *m, double y[STATE_SIZE], gough_error *error);
 
 /* the state y changed by ξ */
 void orbit_change(const double y[MOTION], const double xi[GOUGH_LINEAR], double out[MOTION]);

@@ -89,7 +89,7 @@ static void lay_out(sampled_orbit *o, const gough_model *model, const gough_peri
     sampled_layout *l = &o->layout;
 
     memset(l, 0, sizeof *l);
-    o->loop = (linear_loop){&model->machine, &model->motion, c, false, 0};
+    o->loop = (linear_loop){&model->machine, &model->motion, c, false, 0, false};
     o->start = ceil(period->start / T - slack) * T;
     l->period = T;
     l->whole = (int)whole;

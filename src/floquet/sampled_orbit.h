@@ -20,7 +20,7 @@ typedef struct {
     double start;
     double unit[SAMPLED_ROWS]; /* of a deviation's numbers */
 
-    sampled_table *table;    /* NULL: there is none */
+    sampled_table *table;    /* NULL: the motion is found without a table */
     sampled_state state;     /* the motion found, just before its first sample */
     sampled_map map;         /* of all samples about it */
     sampled_matrix factors;  /* 1 − Φ in those units, as LAPACK factors it … */

@@ -98,7 +98,7 @@ static bool settle(const linear_loop *loop, gough_state *state) {
  * springs bear. */
 static double take_up_load(const linear_loop *loop, gough_state *state) {
     gough_machine lighter = *loop->machine;
-    linear_loop part = {&lighter, loop->motion, loop->control, false, 0};
+    linear_loop part = {&lighter, loop->motion, loop->control, false, 0, false};
     double borne = 0, more = first_share;
 
     while (borne < 1 && more >= least_share) {
@@ -213,7 +213,7 @@ gough_status equilibrium_ask(const gough_model *model, const double *component, 
 
 gough_status equilibrium_find(const gough_model *model, const double *component, gough_motion *rest,
                               gough_error *error) {
-    const linear_loop loop = {&model->machine, rest, &model->control, false, 0};
+    const linear_loop loop = {&model->machine, rest, &model->control, false, 0, false};
     asked_pose asked;
     gough_status status = equilibrium_ask(model, component, rest, &asked, error);
 

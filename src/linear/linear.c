@@ -132,20 +132,12 @@ gough_status linear_refuse_states(const gough_model *model, const char *what, go
                           lags ? "drives that lag" : "a controller with an integral");
 }
 
-gough_status linear_refuse(const gough_model *model, const char *what, gough_error *error) {
-    if (!(model->control.sampling.period > 0)) return linear_refuse_states(model, what, error);
+gough_status linear_refuse_sampled(const gough_model *model, const char *what, gough_error *error) {
+    if (!(model->control.sampling.period > 0)) return GOUGH_OK;
     return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.sampling",
-                          "%s is not computed for a sampled controller; the stability at rest and "
-                          "runs are",
-                          what);
-}
-
-gough_status linear_refuse_matrices(const gough_model *model, const char *what,
-                                    gough_error *error) {
-    if (!model->control.coupled) return GOUGH_OK;
-    return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.stiffness",
-                          "%s varies one stiffness of all legs, which a matrix of gains does not "
-                          "have; give a number or six",
+                          "%s of a sampled controller is that from sample to sample "
+                          "(gough_floquet_sampled()); without control.sampling this function "
+                          "computes that of the continuous one",
                           what);
 }
 
@@ -187,7 +179,7 @@ static gough_status check_linearise(const gough_model *model, const gough_state 
 
 gough_status gough_linearise(const gough_model *model, double t, const gough_state *state,
                              size_t size, double *matrix, gough_error *error) {
-    const linear_loop loop = {&model->machine, &model->motion, &model->control, false, 0};
+    const linear_loop loop = {&model->machine, &model->motion, &model->control, false, 0, false};
     gough_status status = check_linearise(model, state, size, error);
     int kept[LINEAR_BEYOND];
     linear_matrix found;

@@ -13,6 +13,7 @@ typedef struct {
     bool
         undamped; /* without the viscous friction of the legs; the control's damping is as it says */
     double unloaded; /* the part of the external loads that is left out, 0 … 1 */
+    bool whole; /* along a motion drives lag and have limits, and integrals add up, as in a run */
 } linear_loop;
 
 /* whether the control or the legs damp, or may take energy out as matrices of gains do */
@@ -46,9 +47,16 @@ struct linear_complex {
     /* M̂ on (ρ̇, ω) in base axes of a machine whose legs have mass */
     void (*mass)(const gough_machine *machine, const gough_state *state, double mass[6][6]);
 
-    /* rates of (ρ, i, j, k) and their rates, and (stab-13) there */
-    const char *(*flow)(const linear_loop *loop, double t, const double y[MOTION],
-                        double rate[MOTION], linear_matrix matrix);
+    /* rates of (ρ, i, j, k), of their rates and, if the loop is whole, of drives and integrals; (stab-13) there, of the platform
+     * and of those of the others that are `kept`, row by row */
+    const char *(*flow)(const linear_loop *loop, double t, const double *y, double *rate,
+                        const int *kept, int size, double *matrix);
+
+    /* how many numbers its state has: MOTION, and more if the loop is whole */
+    int (*states)(const linear_loop *loop);
+
+    /* that state with the platform where y has it, drives that give what is asked of them and integrals of 0 */
+    void (*settle)(const linear_loop *loop, double t, double y[STATE_SIZE]);
 };
 
 extern const struct linear_complex linear_complex;
@@ -64,15 +72,11 @@ enum { LINEAR_BEYOND = GOUGH_LINEAR_MOST - GOUGH_LINEAR };
 int linear_beyond(const gough_machine *machine, const gough_control *control,
                   int kept[LINEAR_BEYOND]);
 
-/* Fails for a loop with states of its own, from sample to sample or in between, of which `what` cannot be computed ("the stability
- * about a program"). */
-gough_status linear_refuse(const gough_model *model, const char *what, gough_error *error);
+/* Fails for a sampled controller, for which `what` cannot be computed ("the stability about a program"). */
+gough_status linear_refuse_sampled(const gough_model *model, const char *what, gough_error *error);
 
-/* Likewise where they are those of drives or of a continuous controller. */
+/* Fails for a loop in which drives lag or a continuous controller integrates. */
 gough_status linear_refuse_states(const gough_model *model, const char *what, gough_error *error);
-
-/* Fails for matrices of gains, of which `what` would vary the stiffness. */
-gough_status linear_refuse_matrices(const gough_model *model, const char *what, gough_error *error);
 
 /* Where a loop rests: a program that stands at its equilibrium, the control that feeds forward what holds it there, its state. */
 gough_status linear_at_rest(const gough_model *model, const double component[GOUGH_COMPONENTS],

@@ -18,18 +18,23 @@ static void take_limits_off(struct system *r) {
     }
 }
 
-/* `control` is that of the loop, continuous */
-static void begin_whole(struct system *r, const linear_loop *loop, gough_control *control,
-                        const gough_simulation *options) {
+/* `control` is that of the loop, continuous; drives have their limits */
+static void begin_limited(struct system *r, const linear_loop *loop, gough_control *control,
+                          const gough_simulation *options) {
     const system_lane lane = {loop->machine, control, &undisturbed, 0, 0};
 
     *control = *loop->control;
     control->sampling.period = 0;
     system_begin(r, loop->motion, options, &lane);
     system_take_dry_friction_off(r);
-    take_limits_off(r);
     r->external_share = number_of(1) - number_of(loop->unloaded);
     for (int v = 0; v < LEGS && loop->undamped; v++) r->h.dry[v].viscous = 0;
+}
+
+static void begin_whole(struct system *r, const linear_loop *loop, gough_control *control,
+                        const gough_simulation *options) {
+    begin_limited(r, loop, control, options);
+    take_limits_off(r);
 }
 
 /* the same without states but pose and velocities: drives give at once what is asked, and nothing is integrated */
@@ -121,9 +126,40 @@ static void settle_beyond(struct system *r, double t, const coordinates *x, cons
     for (int v = 0; v < LEGS && r->traits & LAGGING; v++) y[r->drive.at + v] = asked[v];
 }
 
+/* one column of (stab-13) with states beyond pose and velocities, of which `kept` are taken: about x, rate and `beyond` */
+static void whole_column(struct system *r, double t, const coordinates *x, const coordinates *rate,
+                         const number *beyond, const int *kept, int size, int column,
+                         double *matrix) {
+    const int direction = column < GOUGH_LINEAR ? column : -1;
+    const vector omega = triad_angular_velocity(&x->q, &rate->q);
+    const vector unit = unit_vector(column % 3), none = {0, 0, 0};
+    const int kind = direction < 0 ? -1 : direction / 3;
+    coordinates there = *x, moving = *rate, a;
+    number y[STATE_SIZE], change[STATE_SIZE], out[GOUGH_LINEAR];
+
+    for (int i = MOTION; i < r->states; i++) y[i] = beyond[i - MOTION];
+    if (direction < 0)
+        y[MOTION + kept[column - GOUGH_LINEAR]] += I * imaginary_step;
+    else
+        displace(direction, &there, &moving);
+    coordinates_store(&there, y);
+    coordinates_store(&moving, y + COORDINATES);
+    system_rates(r, t, y, change);
+    a = coordinates_load(change + COORDINATES);
+    vector_store(kind == 2 ? unit : none, out);
+    vector_store(kind == 1 ? cross(omega, unit) : kind == 3 ? unit : none, out + 3);
+    vector_store(imaginary(a.rho), out + 6);
+    vector_store(imaginary(angular_velocity_of(&there, &a)), out + 9);
+    for (int i = 0; i < size; i++)
+        matrix[size * i + column] =
+            i < GOUGH_LINEAR ? creal(out[i])
+                             : cimag(change[MOTION + kept[i - GOUGH_LINEAR]]) / imaginary_step;
+}
+
 static const char *complex_whole(const linear_loop *loop, double t, const gough_state *state,
                                  const int *kept, int size, double *matrix) {
     const gough_simulation options = unstabilised();
+    number y[STATE_SIZE];
     gough_control control;
     coordinates x, rate;
     struct system r;
@@ -135,32 +171,9 @@ static const char *complex_whole(const linear_loop *loop, double t, const gough_
     } else {
         state_of_top(&r.h, state, &x, &rate);
     }
-    const vector omega = triad_angular_velocity(&x.q, &rate.q);
-    for (int column = 0; column < size; column++) {
-        const int direction = column < GOUGH_LINEAR ? column : -1;
-        const vector unit = unit_vector(column % 3), none = {0, 0, 0};
-        const int kind = direction < 0 ? -1 : direction / 3;
-        coordinates there = x, moving = rate, a;
-        number y[STATE_SIZE], change[STATE_SIZE], out[GOUGH_LINEAR];
-
-        settle_beyond(&r, t, &x, &rate, y);
-        if (direction < 0)
-            y[MOTION + kept[column - GOUGH_LINEAR]] += I * imaginary_step;
-        else
-            displace(direction, &there, &moving);
-        coordinates_store(&there, y);
-        coordinates_store(&moving, y + COORDINATES);
-        system_rates(&r, t, y, change);
-        a = coordinates_load(change + COORDINATES);
-        vector_store(kind == 2 ? unit : none, out);
-        vector_store(kind == 1 ? cross(omega, unit) : kind == 3 ? unit : none, out + 3);
-        vector_store(imaginary(a.rho), out + 6);
-        vector_store(imaginary(angular_velocity_of(&there, &a)), out + 9);
-        for (int i = 0; i < size; i++)
-            matrix[size * i + column] =
-                i < GOUGH_LINEAR ? creal(out[i])
-                                 : cimag(change[MOTION + kept[i - GOUGH_LINEAR]]) / imaginary_step;
-    }
+    settle_beyond(&r, t, &x, &rate, y);
+    for (int column = 0; column < size; column++)
+        whole_column(&r, t, &x, &rate, y + MOTION, kept, size, column, matrix);
     return r.fault.what;
 }
 
@@ -281,24 +294,66 @@ static void complex_momenta(const gough_machine *machine, const gough_state *sta
     moment[0] = creal(L.x), moment[1] = creal(L.y), moment[2] = creal(L.z);
 }
 
-static const char *complex_flow(const linear_loop *loop, double t, const double y[MOTION],
-                                double rate[MOTION], linear_matrix matrix) {
+static const char *complex_flow(const linear_loop *loop, double t, const double *y, double *rate,
+                                const int *kept, int size, double *matrix) {
     const gough_simulation options = unstabilised();
     number z[STATE_SIZE], change[STATE_SIZE];
     gough_control control;
     coordinates x, v;
     struct system r;
 
-    begin(&r, loop, &control, &options);
+    if (loop->whole)
+        begin_limited(&r, loop, &control, &options);
+    else
+        begin(&r, loop, &control, &options);
     for (int i = 0; i < r.states; i++) z[i] = y[i];
     system_rates(&r, t, z, change);
     for (int i = 0; i < r.states; i++) rate[i] = creal(change[i]);
     x = coordinates_load(z);
     v = coordinates_load(z + COORDINATES);
-    columns(&r, t, &x, &v, matrix);
+    for (int column = 0; column < size && matrix != NULL; column++)
+        whole_column(&r, t, &x, &v, z + MOTION, kept, size, column, matrix);
     return r.fault.what;
 }
 
-const struct linear_complex linear_complex = {complex_matrix,        complex_whole,   complex_along,
-                                              complex_accelerations, complex_momenta, complex_mass,
-                                              complex_flow};
+static int complex_states(const linear_loop *loop) {
+    const gough_simulation options = unstabilised();
+    gough_control control;
+    struct system r;
+
+    if (!loop->whole) return MOTION;
+    begin_whole(&r, loop, &control, &options);
+    return r.states;
+}
+
+/* rates of the program's forces, to a few digits */
+static void force_rates(struct system *r, double t, double rate[LEGS]) {
+    const double step = 1e-3 / sqrt(creal(r->drives[0].square));
+
+    for (int side = 1; side >= -1; side -= 2) {
+        const wanted *s = system_wanted(r, t + side * step);
+        for (int v = 0; v < LEGS; v++)
+            rate[v] = (side > 0 ? 0 : rate[v]) + side * creal(s->force[v]) / (2 * step);
+    }
+}
+
+static void complex_settle(const linear_loop *loop, double t, double y[STATE_SIZE]) {
+    const gough_simulation options = unstabilised();
+    number z[STATE_SIZE];
+    gough_control control;
+    coordinates x, rate;
+    struct system r;
+
+    if (!loop->whole) return;
+    begin_whole(&r, loop, &control, &options);
+    for (int i = 0; i < MOTION; i++) z[i] = y[i];
+    x = coordinates_load(z);
+    rate = coordinates_load(z + COORDINATES);
+    settle_beyond(&r, t, &x, &rate, z);
+    for (int i = MOTION; i < r.states; i++) y[i] = creal(z[i]);
+    if (r.traits & SECOND_ORDER) force_rates(&r, t, y + r.drive.at + LEGS);
+}
+
+const struct linear_complex linear_complex = {
+    complex_matrix, complex_whole, complex_along,  complex_accelerations, complex_momenta,
+    complex_mass,   complex_flow,  complex_states, complex_settle};

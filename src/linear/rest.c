@@ -85,8 +85,8 @@ static gough_status parts_of_stiffness(const at_rest *r, gough_rest *rest, gough
     const gough_control forces = {.feedforward = true},
                         springs = {.feedforward = true, .stiffness = {1, 1, 1, 1, 1, 1}};
     gough_machine weightless = *r->loop.machine;
-    const linear_loop constant = {r->loop.machine, r->loop.motion, &forces, false, 0},
-                      elastic = {&weightless, r->loop.motion, &springs, false, 1};
+    const linear_loop constant = {r->loop.machine, r->loop.motion, &forces, false, 0, false},
+                      elastic = {&weightless, r->loop.motion, &springs, false, 1, false};
     gough_status status = stiffness_of(r, &constant, NULL, rest->geometric, error);
 
     memset(weightless.gravity, 0, sizeof weightless.gravity);
@@ -341,7 +341,7 @@ gough_status gough_stability_at_rest(const gough_model *model,
                                      gough_error *error) {
     gough_control control;
     gough_motion motion;
-    at_rest r = {.loop = {&model->machine, &motion, &control, false, 0}};
+    at_rest r = {.loop = {&model->machine, &motion, &control, false, 0, false}};
     gough_status status;
 
     memset(rest, 0, sizeof *rest);

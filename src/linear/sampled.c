@@ -87,7 +87,7 @@ static void add_drives(const gough_machine *machine, double push[FREEDOMS][GOUGH
 gough_status sampled_plant_of(const gough_machine *machine, const gough_motion *motion,
                               const gough_state *state, sampled_plant *plant, gough_error *error) {
     const gough_control forces = {.feedforward = true};
-    const linear_loop constant = {machine, motion, &forces, false, 0};
+    const linear_loop constant = {machine, motion, &forces, false, 0, false};
     double push[FREEDOMS][GOUGH_LEGS];
     linear_matrix A;
     const char *wrong = linear_complex.matrix(&constant, 0, NULL, A);
@@ -113,11 +113,16 @@ static int whole_periods(double period, double delay, double *rest) {
     return (int)whole;
 }
 
-bool sampled_delay_fits(double period, double delay) {
+int sampled_waiting(double period, double delay) {
     double rest;
+    const int whole = whole_periods(period, delay, &rest);
 
+    return whole + (rest > 0);
+}
+
+bool sampled_delay_fits(double period, double delay) {
     if (!(delay / period < 2 * SAMPLED_WAITING)) return false;
-    return whole_periods(period, delay, &rest) + (rest > 0) <= SAMPLED_WAITING;
+    return sampled_waiting(period, delay) <= SAMPLED_WAITING;
 }
 
 /* x ← F x + E u over a time, (loop-7) */

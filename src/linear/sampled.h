@@ -63,8 +63,9 @@ gough_status sampled_rest_of(const gough_model *model, const double component[GO
 /* Fails for a continuous controller, and where more commands wait than may. */
 gough_status sampled_check(const gough_sampling *sampling, gough_error *error);
 
-/* Whether so many commands may wait. */
+/* Whether so many commands may wait; of each leg, how many do. */
 bool sampled_delay_fits(double period, double delay);
+int sampled_waiting(double period, double delay);
 
 /* Returns false where numbers are too large. The delay must fit. */
 bool sampled_step_of(const sampled_plant *plant, double period, double delay, sampled_step *step);

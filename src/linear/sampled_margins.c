@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "linear/gain_pattern.h"
 #include "linear/linear.h"
 #include "linear/sampled.h"
 #include "linear/symmetric.h"
@@ -12,16 +13,11 @@ enum { GRID = 72, BISECTIONS = 120, GOLDEN = 34, DAMPINGS = 16, PERIODS = 64 };
 /* above a threshold by this part of it a loop is taken to be if anything holds there */
 static const double just_above = 1e-6;
 
-/* a pattern of gains whose largest on the diagonal is 1 */
-typedef struct {
-    double own[GOUGH_LEGS], cross[GOUGH_LEGS][GOUGH_LEGS];
-} pattern;
-
 typedef struct {
     const gough_machine *machine;
     sampled_plant plant;
     gough_control control; /* as in the model */
-    pattern G, D;
+    gain_pattern G, D;
     double stiffness, damping; /* of the model: G times this is its own */
     double ratio;              /* delay over period */
     double threshold; /* least stiffness of the pattern that holds a continuous loop, or 0 */
@@ -34,35 +30,11 @@ typedef struct {
 
 /* ---- gains ----------------------------------------------------------------------------------------------------- */
 
-/* Returns its size; a pattern without gains is that of equal legs, of size 0 */
-static double pattern_of(const double own[GOUGH_LEGS], double cross[GOUGH_LEGS][GOUGH_LEGS],
-                         bool coupled, pattern *p) {
-    double size = 0;
-
-    memset(p, 0, sizeof *p);
-    for (int v = 0; v < GOUGH_LEGS; v++) size = fmax(size, fabs(own[v]));
-    for (int v = 0; v < GOUGH_LEGS && !(size > 0) && coupled; v++) {
-        for (int w = 0; w < GOUGH_LEGS; w++) size = fmax(size, fabs(cross[v][w]));
-    }
-    for (int v = 0; v < GOUGH_LEGS; v++) {
-        p->own[v] = size > 0 ? own[v] / size : 1;
-        for (int w = 0; w < GOUGH_LEGS && size > 0 && coupled; w++)
-            p->cross[v][w] = cross[v][w] / size;
-    }
-    return size;
-}
-
 static void set_gains(search *s, double stiffness, double damping) {
     gough_control *c = &s->control;
 
-    for (int v = 0; v < GOUGH_LEGS; v++) {
-        c->stiffness[v] = stiffness * s->G.own[v];
-        c->damping[v] = damping * s->D.own[v];
-        for (int w = 0; w < GOUGH_LEGS; w++) {
-            c->cross_stiffness[v][w] = stiffness * s->G.cross[v][w];
-            c->cross_damping[v][w] = damping * s->D.cross[v][w];
-        }
-    }
+    gain_pattern_spread(&s->G, stiffness, c->stiffness, c->cross_stiffness);
+    gain_pattern_spread(&s->D, damping, c->damping, c->cross_damping);
 }
 
 /* JᵀGJ of the pattern */
@@ -388,8 +360,10 @@ gough_status gough_sampled_margins_at_rest(const gough_model *model,
     status = sampled_rest_of(model, component, &s.plant, &s.control, &state, error);
     if (status != GOUGH_OK) return status;
     s.stiffness =
-        pattern_of(s.control.stiffness, s.control.cross_stiffness, s.control.coupled, &s.G);
-    s.damping = pattern_of(s.control.damping, s.control.cross_damping, s.control.coupled, &s.D);
+        gain_pattern_of(s.control.stiffness, (const double(*)[6])s.control.cross_stiffness,
+                        s.control.coupled, &s.G);
+    s.damping = gain_pattern_of(s.control.damping, (const double(*)[6])s.control.cross_damping,
+                                s.control.coupled, &s.D);
     s.ratio = s.control.sampling.delay / s.control.sampling.period;
     scales_of(&s);
     if (s.kappa > 0) find(&s, margins);

@@ -76,7 +76,7 @@ static void to_point(double K[6][6], const double c[3]) {
 static gough_status of_forces(const gough_model *model, const gough_motion *rest,
                               const gough_state *state, double K[6][6], gough_error *error) {
     const gough_control forces = {.feedforward = true};
-    const linear_loop constant = {&model->machine, rest, &forces, false, 0};
+    const linear_loop constant = {&model->machine, rest, &forces, false, 0, false};
     double mass[6][6];
     linear_matrix A;
     const char *wrong = linear_complex.matrix(&constant, 0, NULL, A);

@@ -247,16 +247,12 @@ static gough_status refuse(const gough_model *model, const gough_map_options *o,
     const bool sampled = model->control.sampling.period > 0 || o->axis == GOUGH_MAP_PERIOD;
     gough_status status = machine_can_move(&model->machine, error);
 
-    if (status == GOUGH_OK && model->control.sampling.period > 0)
-        status = gough_control_check(&model->control, error);
+    if (status == GOUGH_OK) status = gough_control_check(&model->control, error);
     if (status == GOUGH_OK && !sampled && o->axis == GOUGH_MAP_DELAY)
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.sampling",
                               "a map over the delay needs a sampled controller; give "
                               "control.sampling.period");
-    if (status == GOUGH_OK && !sampled)
-        status = linear_refuse(model, "the map of stability", error);
-    return status != GOUGH_OK ? status
-                              : linear_refuse_matrices(model, "the map of stability", error);
+    return status;
 }
 
 static gough_status prepare(const gough_model *model, const gough_map_options *given,

@@ -6,9 +6,7 @@
 #include <string.h>
 
 #include "base/assert.h"
-#include "floquet/loads.h"
 #include "gough/floquet.h"
-#include "plant/can_move.h"
 
 /* phase of the fastest mode from one sample to the next */
 static const double sample_phase = 0.15;
@@ -53,67 +51,7 @@ map_worker *map_worker_begin(const map_job *job, void *memory) {
     return w;
 }
 
-/* ---- what the row is ---- */
-
-static void set_motion(gough_motion *motion, double amplitude, double frequency) {
-    if (!motion->scaled) motion->amplitude = motion->frequency = 1;
-    motion->scaled = true;
-    motion->amplitude *= amplitude;
-    motion->frequency *= frequency;
-    motion->period /= frequency;
-}
-
-static linear_loop loop_of(const map_worker *w) {
-    return (linear_loop){&w->model.machine, &w->model.motion, &w->model.control, false, 0};
-}
-/* whether the row's loop keeps its program */
-static bool keeps_program(const map_worker *w) {
-    return gough_keeps_program(&w->model.machine, &w->model.control, !w->period.resting);
-}
-
-bool map_row_has_tables(const map_worker *w) { return !w->period.resting && !w->alone; }
-
-gough_status map_row_begin(map_worker *w, size_t index, gough_error *error) {
-    const gough_map_options *o = w->job->options;
-    const double value = o->axis == GOUGH_MAP_NONE ? 0 : gough_map_value(&o->second, index);
-    const double top = o->stiffness.to;
-    gough_control *control = &w->model.control;
-    gough_status status;
-    gough_state state;
-    gough_acceleration acceleration;
-    linear_loop loop;
-
-    w->index = index;
-    w->model = *w->job->model;
-    if (o->axis == GOUGH_MAP_AMPLITUDE) set_motion(&w->model.motion, value, 1);
-    if (o->axis == GOUGH_MAP_FREQUENCY) set_motion(&w->model.motion, 1, value);
-    for (int v = 0; v < GOUGH_LEGS && o->axis == GOUGH_MAP_DAMPING; v++)
-        control->damping[v] = value;
-    loop = loop_of(w);
-    w->alone = false;
-    w->sampled = w->job->sampled;
-    w->damped = w->sampled || linear_is_damped(&loop);
-
-    status = gough_motion_period(&w->model.motion, &w->period, error);
-    if (status != GOUGH_OK) return status;
-    if (w->period.resting) {
-        double component[GOUGH_COMPONENTS][3];
-        gough_motion_evaluate(&w->model.motion, w->period.start, component);
-        for (int c = 0; c < GOUGH_COMPONENTS; c++) w->component[c] = component[c][0];
-        return w->sampled ? map_sampled_begin(w, error) : GOUGH_OK;
-    }
-    if (w->sampled) return map_sampled_begin(w, error);
-    /* tables are of constant forces with the axes of the base, for which multipliers come in pairs */
-    w->alone = !keeps_program(w) || machine_loads_follow(&w->model.machine) ||
-               !loads_constant(&w->model.machine, &w->period);
-    if (w->alone) return loads_check(&w->model.machine, &w->period, error);
-
-    status = transition_divide(&loop, &w->period, top, &w->d, error);
-    if (status != GOUGH_OK) return status;
-    gough_program(&w->model.machine, &w->model.motion, w->period.start, &state, &acceleration);
-    symplectic_at(&w->model.machine, &state, &w->form);
-    return GOUGH_OK;
-}
+/* ---- tables ---- */
 
 size_t map_row_steps(const map_worker *w, double finer) {
     return w->d.parts * (size_t)ceil((double)w->d.steps * finer);
@@ -122,7 +60,7 @@ size_t map_row_steps(const map_worker *w, double finer) {
 /* fills a table */
 static gough_status find(map_worker *w, bool damped, double finer, transitions *t,
                          gough_error *error) {
-    const linear_loop loop = loop_of(w);
+    const linear_loop loop = map_row_loop(w);
     const gough_control damping = w->model.control;
     gough_control control = damping;
     division d = w->d;
@@ -131,7 +69,7 @@ static gough_status find(map_worker *w, bool damped, double finer, transitions *
     if (!damped) memset(control.damping, 0, sizeof control.damping);
     d.steps = map_row_steps(w, finer) / d.parts;
     return transition_find(w->job->width,
-                           &(linear_loop){loop.machine, loop.motion, &control, !damped, 0},
+                           &(linear_loop){loop.machine, loop.motion, &control, !damped, 0, false},
                            &w->period, w->job->options->stiffness.to, &d, t, w->scratch, error);
 }
 
@@ -168,7 +106,7 @@ int map_report(map_worker *w, double part) {
 }
 
 static void set_stiffness(map_worker *w, double stiffness) {
-    for (int v = 0; v < GOUGH_LEGS; v++) w->model.control.stiffness[v] = stiffness;
+    map_set_stiffness(w, stiffness, &w->model.control);
 }
 
 static int look_at_rest(void *context, double stiffness, sample *s) {
@@ -181,7 +119,7 @@ static int look_at_rest(void *context, double stiffness, sample *s) {
         sample_no_values(s, stiffness);
         return 0;
     }
-    for (int i = 0; i < GOUGH_LINEAR; i++) {
+    for (int i = 0; i < (int)rest.size; i++) {
         const gough_eigenvalue *e = &rest.eigenvalue[i];
         sample_add(s, e->value, e->value[0], i < rest.growing ? -INFINITY : INFINITY, &e->mode);
     }
@@ -199,7 +137,7 @@ static int look_along_orbit(void *context, double stiffness, sample *s) {
         sample_no_values(s, stiffness);
         return map_report(w, w->reported);
     }
-    for (int i = 0; i < GOUGH_LINEAR; i++) {
+    for (size_t i = 0; i < floquet.size; i++) {
         const gough_multiplier *m = &floquet.multiplier[i];
         sample_add(s, m->value, log(hypot(m->value[0], m->value[1])), GOUGH_GROWTH_LIMIT, &m->mode);
     }
@@ -296,7 +234,8 @@ typedef struct {
 static int put_sample(map_worker *w, void *context, size_t i, const sample *s) {
     sampling *p = context;
 
-    if (isnan(s->size)) return 0; /* no values: as if not looked at */
+    if (isnan(s->size))
+        return 0; /* it has no values: the scan goes from the one before to the one after */
     if (p->begun) {
         scan_to(&p->scan, &p->before, s);
     } else {
@@ -544,7 +483,9 @@ int map_row_find(map_worker *w, size_t index) {
         row->period = w->period;
         if (w->sampled) {
             stopped = map_sampled_find(w);
-        } else if (w->period.resting && keeps_program(w)) {
+        } else if (w->unordered) {
+            stopped = map_alone_find(w, w->period.resting ? look_at_rest : look_along_orbit);
+        } else if (w->period.resting && map_row_kept(w)) {
             stopped = find_at_rest(w);
         } else if (w->period.resting) {
             stopped = find_one_by_one(w, look_at_rest);

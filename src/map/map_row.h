@@ -4,6 +4,7 @@
 
 #include "floquet/sampled_orbit.h"
 #include "gough/map.h"
+#include "linear/gain_pattern.h"
 #include "map/scan.h"
 #include "map/transition.h"
 
@@ -31,6 +32,10 @@ typedef struct {
     double component[GOUGH_COMPONENTS]; /* where it rests, if it does */
     bool damped;
     bool sampled; /* the controller is */
+    /* it is not, but drives lag or reach limits, the controller integrates, or gains are matrices: as the stiffness rises multipliers
+     * turn in no one direction */
+    bool unordered;
+    gain_pattern stiffness; /* of matrices of gains: the axis is its size */
     sampled_orbit
         *orbit;  /* about the program then; NULL in a worker that only asks what rows are like */
     void *table; /* memory of its table */
@@ -51,6 +56,12 @@ typedef struct {
 size_t map_worker_size(const map_job *job);
 map_worker *map_worker_begin(const map_job *job, void *memory);
 
+/* the loop of the row */
+linear_loop map_row_loop(const map_worker *w);
+
+/* whether the row's loop keeps its program */
+bool map_row_kept(const map_worker *w);
+
 /* whether the row needs tables: it moves, and its stiffnesses are not looked at one by one */
 bool map_row_has_tables(const map_worker *w);
 
@@ -65,6 +76,15 @@ size_t map_sampled_table(const map_job *job);
 
 /* Its points and intervals. Returns nonzero if stopped. */
 int map_sampled_find(map_worker *w);
+
+/* the loop at a stiffness; the context is a map_worker. Returns nonzero where the work is to stop */
+typedef int map_look(void *context, double stiffness, sample *s);
+
+/* map_alone.c: points and intervals of a row by a look at each stiffness. Returns nonzero if stopped. */
+int map_alone_find(map_worker *w, map_look *look);
+
+/* The stiffness of the axis: alike in all legs, or of a matrix that keeps its pattern. */
+void map_set_stiffness(const map_worker *w, double stiffness, gough_control *control);
 
 /* Of map_row.c for map_sampled.c: one point of the grid, an interval found, progress; the last two return nonzero to stop. */
 int map_put_point(map_worker *w, void *context, size_t i, const sample *s);

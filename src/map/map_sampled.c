@@ -15,10 +15,7 @@ static const double rounding = 1e-12;
 /* A conjugate pair this close to the real axis is two real multipliers, of a machine that sways alike in two directions. */
 static const double same_real = 3e-5;
 
-/* Where a motion ends, each look beyond takes a long search for one: edges there, relative to the greatest stiffness. */
-static const double coarse_edge = 1e-4;
-
-enum { GOLDEN = 6, BUMP = 8, MOST_TABLE = 1 << 26 };
+enum { MOST_TABLE = 1 << 26 };
 
 /* ---- the controller of the row ---- */
 
@@ -67,7 +64,9 @@ gough_status map_sampled_begin(map_worker *w, gough_error *error) {
     if (status == GOUGH_OK) status = sampled_check(s, error);
     if (status != GOUGH_OK || w->period.resting) return status;
     status = sampled_orbit_begin(w->orbit, &w->model, &w->period, error);
-    if (status == GOUGH_OK && w->table != NULL && table_of(w->orbit) > 0)
+    /* the table is that of stiffnesses alike in all legs */
+    if (status == GOUGH_OK && w->table != NULL && !w->model.control.coupled &&
+        table_of(w->orbit) > 0)
         w->orbit->table = sampled_table_begin(w->orbit->samples, w->orbit->layout.n, w->table);
     return status;
 }
@@ -97,7 +96,7 @@ static int look_at_rest(void *context, double stiffness, sample *s) {
     const double unit = sqrt(machine->gravity_magnitude / machine->base_radius);
     gough_sampled_rest rest;
 
-    for (int v = 0; v < GOUGH_LEGS; v++) w->model.control.stiffness[v] = stiffness;
+    map_set_stiffness(w, stiffness, &w->model.control);
     sample_begin(s, stiffness, w->job->options->modes);
     if (gough_sampled_at_rest(&w->model, w->component, &rest, NULL) == GOUGH_OK)
         take(w, rest.multiplier, (int)rest.listed, T, rounding / T + GOUGH_GROWTH_LIMIT * unit, s);
@@ -111,7 +110,7 @@ static int look_along(void *context, double stiffness, sample *s) {
     sampled_orbit *o = w->orbit;
     gough_multiplier list[GOUGH_SAMPLED];
 
-    for (int v = 0; v < GOUGH_LEGS; v++) o->control.stiffness[v] = stiffness;
+    map_set_stiffness(w, stiffness, &o->control);
     sample_begin(s, stiffness, w->job->options->modes);
     if (sampled_orbit_find(o, NULL) == GOUGH_OK) {
         w->job->map->row[w->index].steps = o->steps;
@@ -125,119 +124,11 @@ static int look_along(void *context, double stiffness, sample *s) {
 
 /* ---- the row ---- */
 
-/* The scan of a row: what has been scanned so far, and the two points of the grid after it. */
-typedef struct {
-    scan scan;
-    sample last, middle, next;
-    int seen; /* how many of these there are */
-} way;
-
-/* the greatest least stiffness of a mode at rest, which neither period nor delay moves: below it some mode falls */
-static double threshold_of(const map_worker *w) {
-    double greatest = 0;
-    gough_rest rest;
-
-    if (gough_stability_at_rest(&w->model, w->period.resting ? w->component : NULL, &rest, NULL) !=
-        GOUGH_OK)
-        return 0;
-    for (int i = 0; i < 6; i++) {
-        if (sample_counts(&rest.threshold[i].mode, w->job->options->modes))
-            greatest = fmax(greatest, rest.threshold[i].stiffness);
-    }
-    return greatest;
-}
-
-static void scan_one(way *p, const sample *s) {
-    scan_to(&p->scan, &p->last, s);
-    p->last = *s;
-}
-
-/* Where growth has a top below the circle, or a bottom above it, at the middle one of three points: whether it crosses the circle
- * between them, by golden section. */
-static bool find_bump(way *p, sample *found) {
-    const double golden = 0.61803398874989485;
-    const double sign = p->middle.growers > 0 ? -1 : 1; /* of the quantity that has a top */
-    double a = p->last.stiffness, b = p->next.stiffness, x = b - golden * (b - a);
-    sample best = p->middle;
-
-    if ((p->last.growers > 0) != (p->middle.growers > 0) ||
-        (p->next.growers > 0) != (p->middle.growers > 0) ||
-        !(sign * (p->middle.size - p->last.size) >= 0 &&
-          sign * (p->middle.size - p->next.size) >= 0))
-        return false;
-    for (int k = 0; k < BUMP && !p->scan.stopped; k++) {
-        p->scan.stopped |= p->scan.look(p->scan.context, x, found);
-        if (isnan(found->size)) return false;
-        if ((found->growers > 0) != (p->middle.growers > 0)) return true;
-        if (sign * (found->size - best.size) > 0) {
-            if (x > best.stiffness)
-                a = best.stiffness;
-            else
-                b = best.stiffness;
-            best = *found;
-        } else if (x > best.stiffness) {
-            b = x;
-        } else {
-            a = x;
-        }
-        x = best.stiffness - a > b - best.stiffness
-                ? best.stiffness - (1 - golden) * (best.stiffness - a)
-                : best.stiffness + (1 - golden) * (b - best.stiffness);
-    }
-    return false;
-}
-
-/* a further point of the grid, by rising stiffness */
-static void put_next(way *p, const sample *s) {
-    sample bump;
-
-    if (isnan(s->size)) return; /* no values: as if not looked at */
-    switch (p->seen) {
-    case 0:
-        scan_begin(&p->scan, s);
-        p->last = *s;
-        p->seen = 1;
-        return;
-    case 1:
-        p->middle = *s;
-        p->seen = 2;
-        return;
-    }
-    p->next = *s;
-    const bool bumps = find_bump(p, &bump);
-    if (bumps && bump.stiffness < p->middle.stiffness) scan_one(p, &bump);
-    scan_one(p, &p->middle);
-    if (bumps && bump.stiffness > p->middle.stiffness) scan_one(p, &bump);
-    p->middle = *s;
-}
-
 int map_sampled_find(map_worker *w) {
-    const gough_map_range *range = &w->job->options->stiffness;
     gough_map_row *row = &w->job->map->row[w->index];
-    way p = {.seen = 0};
-    sample s;
 
     row->sampling = w->model.control.sampling.period;
     if (!w->period.resting) row->sampling = w->orbit->control.sampling.period;
     if (!w->period.resting) row->periods = w->orbit->periods;
-    p.scan = (scan){.look = w->period.resting ? look_at_rest : look_along,
-                    .found = map_put_interval,
-                    .context = w,
-                    .low = range->from,
-                    .high = range->to,
-                    .resolution = map_edge_width_slow * range->to,
-                    .edge = map_edge_width_slow * range->to,
-                    .coarse = coarse_edge * range->to,
-                    .period = w->period.resting ? 0 : w->period.period,
-                    .sweeps = GOLDEN,
-                    .sampled = true,
-                    .threshold = threshold_of(w)};
-    for (size_t i = 0; i < range->count && !p.scan.stopped; i++) {
-        if (p.scan.look(w, gough_map_value(range, i), &s)) return 1;
-        if (map_put_point(w, NULL, i, &s)) return 1;
-        put_next(&p, &s);
-    }
-    if (p.seen == 2) scan_one(&p, &p.middle);
-    if (p.seen > 0) scan_end(&p.scan, &p.last);
-    return p.scan.stopped;
+    return map_alone_find(w, w->period.resting ? look_at_rest : look_along);
 }

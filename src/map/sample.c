@@ -295,7 +295,7 @@ void sample_factors(const gough_machine *machine, const symplectic *form, double
     multipliers m;
 
     sample_begin(s, stiffness, modes);
-    if (spectrum_of_factors(factor, count, SWEEPS, &found, NULL) != GOUGH_OK) {
+    if (spectrum_of_factors(factor[0], (size_t)N * N, N, count, SWEEPS, &found, NULL) != GOUGH_OK) {
         sample_no_values(s, stiffness);
         return;
     }

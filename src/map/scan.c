@@ -71,7 +71,7 @@ static void passings(const sample *a, const sample *b, change *c) {
     }
 }
 
-/* of a sampled loop: where the largest multiplier leaves the circle, if its magnitude goes straight from one to the other */
+/* of a loop each of whose stiffnesses is on its own: where the largest multiplier leaves the circle, if it does so in proportion */
 static void count_growers(const sample *a, const sample *b, change *c) {
     c->changed = a->growers != b->growers;
     if (a->growers == 0 || b->growers == 0) c->place = a->size / (a->size - b->size);
@@ -80,7 +80,7 @@ static void count_growers(const sample *a, const sample *b, change *c) {
 static change between(const scan *s, const sample *a, const sample *b) {
     change c = {false, false, NAN};
 
-    if (s->sampled) {
+    if (s->alone) {
         count_growers(a, b, &c);
         return c;
     }
@@ -93,10 +93,10 @@ static change between(const scan *s, const sample *a, const sample *b) {
 static double division(const scan *s, const sample *a, const sample *b, const change *c,
                        int depth) {
     const double width = b->stiffness - a->stiffness,
-                 least = 0.45 * (s->sampled ? s->edge : s->resolution) / width;
+                 least = 0.45 * (s->alone ? s->edge : s->resolution) / width;
     double part = c->place;
 
-    if ((c->changed && !s->sampled) || !(part > 0 && part < 1) || depth % 4 == 3) return 0.5;
+    if ((c->changed && !s->alone) || !(part > 0 && part < 1) || depth % 4 == 3) return 0.5;
     if (part < 0.1) part = fmax(2 * part, least);
     if (part > 0.9) part = 1 - fmax(2 * (1 - part), least);
     return fmin(fmax(part, 0.02), 0.98);
@@ -109,7 +109,7 @@ static double unlike(const scan *s, const grower *a, const grower *b) {
     double sum = fabs(a->size - b->size) / (0.1 + fabs(a->size) + fabs(b->size));
 
     for (int k = 0; k < 4; k++) sum += fabs(a->mode.share[k] - b->mode.share[k]);
-    return sum + (!s->sampled && grower_kind(a) != grower_kind(b) ? 10 : 0);
+    return sum + (!s->alone && grower_kind(a) != grower_kind(b) ? 10 : 0);
 }
 
 static bool within(const scan *s, double stiffness) {
@@ -177,7 +177,7 @@ static gough_interval_kind kind_of_track(const scan *s, const track *t) {
     }
 }
 
-static gough_interval_kind kind_of_sampled(const scan *s, const track *t) {
+static gough_interval_kind kind_by_opening(const scan *s, const track *t) {
     const bool below = t->from_zero && t->from < s->threshold;
 
     if (t->opened == 0 && (below || !(s->period > 0))) return GOUGH_INTERVAL_STATIC;
@@ -198,7 +198,7 @@ static void close_track(scan *s, track *t, double to, bool cut) {
     interval.growth = s->period > 0 ? exp(t->most.size) : NAN;
     interval.rate = s->period > 0 ? t->most.size / s->period : t->most.size;
     interval.mode = t->most.mode;
-    interval.kind = s->sampled ? kind_of_sampled(s, t) : kind_of_track(s, t);
+    interval.kind = s->alone ? kind_by_opening(s, t) : kind_of_track(s, t);
     if (s->found) s->found(s->context, &interval);
 }
 

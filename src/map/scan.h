@@ -36,8 +36,8 @@ typedef struct scan {
     double period; /* T, 0 at rest */
     int sweeps;    /* of the search for the greatest growth */
     bool
-        sampled; /* multipliers turn as fast as the loop shakes: an interval is told by how it begins, not divided where its
-                   * multiplier turns through the real axis */
+        alone; /* multipliers turn as fast as the loop shakes: an interval is told by how it begins, not divided where its
+                 * multiplier turns through the real axis */
     double threshold; /* then: below it nothing holds */
 
     track active[GOUGH_LINEAR];

@@ -84,7 +84,8 @@ gough_status transition_divide(const linear_loop *loop, const gough_period *peri
     for (int i = 0; i < LOOKS; i++) {
         const double t = period->start + T * i / LOOKS;
         for (int k = 0; k < KINDS; k++) {
-            const linear_loop one = {loop->machine, loop->motion, &control[k], k != DAMPED, 0};
+            const linear_loop one = {loop->machine, loop->motion, &control[k], k != DAMPED, 0,
+                                     false};
             linear_matrix A;
             const char *wrong = linear_complex.matrix(&one, t, NULL, A);
             const gough_status status = linear_check(&one, t, NULL, A, wrong, error);
@@ -132,8 +133,8 @@ static void begin_stages(stages *s, const linear_loop *loop, const gough_period 
 
 static gough_status matrices(const stages *s, const gough_control *control, const double *t,
                              size_t count, linear_matrix *A, gough_error *error) {
-    const linear_loop loop = {s->loop->machine, s->loop->motion, control, control != &s->without,
-                              0};
+    const linear_loop loop = {
+        s->loop->machine, s->loop->motion, control, control != &s->without, 0, false};
     const char *wrong = linear_complex.along(&loop, t, count, A);
 
     return linear_check(&loop, t[0], NULL, A[0], wrong, error);

@@ -55,6 +55,7 @@ void gough_summary_begin(gough_summary *summary) {
         leg->length_min = leg->force_min = leg->power_min = INFINITY;
         leg->length_max = leg->force_max = leg->power_max = -INFINITY;
         leg->saturated = leg->saturated_at = NAN;
+        leg->sample_error = leg->sample_error_at = NAN;
     }
     summary->held_[0] = NAN;
     summary->position_deviation = summary->angle_deviation = NAN;

@@ -47,6 +47,20 @@ static inline void loop_measure(struct system *r, const loop *l, const wanted *s
     }
 }
 
+/* the largest error found by each leg, for a summary of the run */
+static inline void loop_note(const struct system *r, real t, const number error[LEGS]) {
+    gough_summary *summary = r->options->summary;
+
+    if (!summary || summary->brief_) return;
+    for (int v = 0; v < LEGS; v++) {
+        gough_leg_summary *leg = &summary->leg[v];
+        const double size = (double)real_magnitude(number_lane(error[v], 0));
+        if (size <= leg->sample_error || !real_finite(size)) continue;
+        leg->sample_error = size;
+        leg->sample_error_at = (double)t;
+    }
+}
+
 /* what the caller's own law commands in place of ours, in each lane */
 static inline void loop_ask(const struct system *r, const loop *l, real t, const wanted *s,
                             const number fed[LEGS], const number speed[LEGS], number asked[LEGS]) {

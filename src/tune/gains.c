@@ -130,7 +130,7 @@ gough_status gains_plant_find(const gough_model *model, const double *component,
                               gough_error *error) {
     const gough_control forces = {.feedforward = true};
     gough_motion rest;
-    const linear_loop constant = {&model->machine, &rest, &forces, true, 0};
+    const linear_loop constant = {&model->machine, &rest, &forces, true, 0, false};
     asked_pose asked;
     linear_matrix A;
     gough_status status = motion_check(&model->motion, error);

@@ -241,14 +241,7 @@ static gough_status find_period(tune *t, gough_error *error) {
     gough_error why = {0};
     gough_status status;
 
-    if (t->sampled) {
-        tuning->periodic = false;
-        t->period = (gough_period){.resting = true};
-        memset(&t->steady->motion, 0, sizeof t->steady->motion);
-        strcpy(tuning->unchecked, "the controller is sampled, so home was checked, from sample to "
-                                  "sample");
-        return GOUGH_OK;
-    }
+    if (t->sampled) return tune_follow_samples(t, error);
     status = gough_motion_period(&t->model->motion, &t->period, &why);
 
     if (status != GOUGH_OK && t->model->motion.period > 0)
@@ -571,7 +564,7 @@ gough_status gough_tune(const gough_model *model, const gough_simulation *simula
     tuning->found = h.found;
     if (!h.found) tuning->stiffness = 0, tuning->fails = NAN;
     tune_curve(t);
-    if (h.found && tuning->periodic && !tune_follows(t, tuning->stiffness)) {
+    if (h.found && tuning->periodic && !t->sampled && !tune_follows(t, tuning->stiffness)) {
         tuning->periodic = false;
         strcpy(tuning->unchecked, "the platform oscillates too often in one period of the program");
     }

@@ -39,8 +39,10 @@ typedef struct tune {
     bool most_steps; /* `greatest` is where runs get too long */
     bool bounded;    /* the options say where the search ends */
     bool fine;       /* all runs take small fixed steps: adaptive ones have missed something */
-    bool sampled;    /* the controller is: rest at home is looked at, from sample to sample */
-    bool edged;      /* `greatest` is where a sampled controller no longer holds the platform */
+    bool
+        sampled; /* the controller is: points are looked at at rest at home, from sample to sample … */
+    bool naming; /* … and that which is to be named along the program too, if that has a period */
+    bool edged;  /* `greatest` is where a sampled controller no longer holds the platform */
     gough_sampled_margins margins; /* where it never does */
     gough_rest rest;
 
@@ -97,6 +99,10 @@ gough_status tune_sampled_damping(const gough_model *model, double ratio, double
 /* `upper` and its mode where the controller is sampled: the G from which the loop at home is unstable, or above which no D gives
  * the ratio; NaN: none holds, and the margins of the loop tell what would. Changes the gains of `steady`. */
 gough_status tune_find_window(tune *t, gough_error *error);
+
+/* The period of the program, or rest at home in its place, with a sentence in `unchecked`: where it has no period or takes too many
+ * samples. */
+gough_status tune_follow_samples(tune *t, gough_error *error);
 
 /* ---- tune_run.c ---- */
 

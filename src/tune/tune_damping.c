@@ -80,7 +80,7 @@ static bool root(const affine *A, double guess, double ratio, double *damping) {
 static gough_status parts(const gough_model *model, double unit, affine *A, gough_error *error) {
     gough_control control = model->control;
     gough_motion motion;
-    const linear_loop loop = {&model->machine, &motion, &control, false, 0};
+    const linear_loop loop = {&model->machine, &motion, &control, false, 0, false};
     gough_status status = equilibrium_find(model, NULL, &motion, error);
 
     control_knows_all(&control);

@@ -2,14 +2,20 @@
  * for a ratio, and the stiffness from which the loop at home is no longer held. Theory: docs/theory/tuning.md. */
 #include <lapacke.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/quantity.h"
 #include "control/program_lack.h"
+#include "floquet/loads.h"
+#include "floquet/sampled_orbit.h"
 #include "linear/sampled.h"
 #include "tune/tune.h"
 
 enum { WORK = 8 * SAMPLED_ROWS, MOST_STEPS = 100, GRID = 40 };
+
+/* in the periods of a program that is followed: a look at more takes seconds */
+enum { MOST_SAMPLES = 1000 };
 
 /* of a root, relative */
 static const double precision = 1e-12;
@@ -255,4 +261,34 @@ gough_status tune_find_window(tune *t, gough_error *error) {
     /* and what could be, where no G holds */
     if (status == GOUGH_OK && !(t->tuning->upper > 0)) status = window_by_damping(t, error);
     return status;
+}
+
+/* ---- the program ---------------------------------------------------------------------------------------------------- */
+
+/* The program's period under a sampled controller. The program is followed if the samples after which the loop repeats itself are
+ * few enough, since each look takes all of them some times. */
+gough_status tune_follow_samples(tune *t, gough_error *error) {
+    gough_sampling sampling = t->model->control.sampling;
+    gough_tuning *tuning = t->tuning;
+    size_t samples = 0, periods = 0;
+    gough_status status = gough_motion_period(&t->model->motion, &t->period, NULL);
+    const bool known = status == GOUGH_OK, resting = known && t->period.resting;
+
+    if (known && !resting) (void)sampled_fit(&sampling, t->period.period, &samples, &periods);
+    tuning->periodic = known && !resting && samples <= MOST_SAMPLES;
+    if (tuning->periodic) return loads_check(&t->model->machine, &t->period, error);
+    if (samples > 0)
+        snprintf(
+            tuning->unchecked, sizeof tuning->unchecked,
+            "%zu period%s of the program %s %zu samples, and only up to %d are followed, so home "
+            "was checked, from sample to sample",
+            periods, periods == 1 ? "" : "s", periods == 1 ? "has" : "have", samples,
+            (int)MOST_SAMPLES);
+    else
+        snprintf(tuning->unchecked, sizeof tuning->unchecked,
+                 "the program %s, so home was checked, from sample to sample",
+                 resting ? "comes to rest" : "has no period");
+    t->period = (gough_period){.resting = true};
+    memset(&t->steady->motion, 0, sizeof t->steady->motion);
+    return GOUGH_OK;
 }

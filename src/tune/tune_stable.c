@@ -31,6 +31,7 @@ static void set_gains(tune *t, double stiffness, double damping) {
 }
 
 bool tune_follows(const tune *t, double stiffness) {
+    if (t->sampled) return t->naming;
     return t->period.period * t->frequency * sqrt(stiffness) <= most_followed;
 }
 
@@ -61,9 +62,24 @@ static void look_at_rest(tune *t, gough_tuning_point *point, gough_mode *mode) {
     *mode = rest->eigenvalue[0].mode;
 }
 
+static void look_along_samples(tune *t, gough_tuning_point *point, gough_mode *mode) {
+    gough_sampled_floquet floquet;
+    gough_error none;
+
+    if (gough_floquet_sampled(t->steady, &t->period, &floquet, &none) != GOUGH_OK) return;
+    point->growth = pow(floquet.growth, 1 / (double)floquet.periods);
+    point->stable = floquet.stable;
+    *mode = floquet.multiplier[0].mode;
+}
+
 static void look_along(tune *t, gough_tuning_point *point, gough_mode *mode) {
     gough_floquet floquet;
     gough_error none;
+
+    if (t->sampled) {
+        look_along_samples(t, point, mode);
+        return;
+    }
 
     if (gough_floquet_multipliers(t->steady, &t->period, 1e-9, &floquet, &none) != GOUGH_OK) return;
     point->growth = floquet.growth;
@@ -191,7 +207,7 @@ gough_status tune_growth_of(tune *t, double before, gough_tuning_point *point, s
 
     *count = 0;
     for (size_t i = 0; i < points; i++) ran |= point[i].cause == GOUGH_END_DONE;
-    if (!t->period.resting && (!keeps_program(t) || t->quiet || !ran)) {
+    if (!t->sampled && !t->period.resting && (!keeps_program(t) || t->quiet || !ran)) {
         pass_over(point, points);
         return status;
     }
@@ -285,10 +301,12 @@ gough_status tune_clear(tune *t, const gough_tuning_point *point, double *clear,
                  high = point->stiffness * (1 + margin) * (1 + past_edge);
     gough_status status = GOUGH_OK;
 
+    t->naming = t->sampled && !t->period.resting;
     if (can_map(t, low, high, 3, point->damping))
         status = clear_by_map(t, low, high, point, clear, blocked, error);
     else
         clear_by_places(t, point->stiffness, point->damping, clear, blocked);
+    t->naming = false;
     if (*clear > t->greatest) *clear = INFINITY;
     return status;
 }

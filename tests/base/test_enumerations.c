@@ -98,6 +98,18 @@ static gough_status call_sampled(void) {
     return gough_sampled_at_rest(&model, NULL, &rest, &error);
 }
 
+static gough_status call_matrix(void) {
+    const size_t size = gough_deviation_size(&model);
+    double *matrix = calloc(size * size, sizeof *matrix);
+    char name[GOUGH_DEVIATION_NAME];
+    gough_unit unit;
+
+    ck_assert(matrix != NULL && !gough_deviation_name(&model, size, name, &unit));
+    const gough_status status = gough_matrix_at_rest(&model, NULL, size, matrix, &error);
+    free(matrix);
+    return status;
+}
+
 static gough_status call_margins(void) {
     static gough_sampled_margins margins;
     return gough_sampled_margins_at_rest(&model, NULL, &margins, &error);
@@ -275,7 +287,7 @@ static const struct {
      "control.sampling.velocity",
      set_velocity,
      {call_control, call_check, call_simulate, call_forces, call_batch, call_plant, call_sampled,
-      call_margins, call_floquet_sampled, call_flat}},
+      call_margins, call_matrix, call_floquet_sampled, call_flat}},
     {"axis", NULL, set_axis, {call_map_size, call_map_find, call_map_draw}},
     {"interval", NULL, set_interval, {call_map_draw}},
     {"component", NULL, set_component, {call_low_pass, call_smooth}},

@@ -90,7 +90,7 @@ static void run_floquet(const input *in, uint64_t *h) {
     }
     hash_double(h, f.start);
     hash_double(h, f.period);
-    hash_doubles(h, &f.monodromy[0][0], GOUGH_LINEAR * GOUGH_LINEAR);
+    for (int i = 0; i < GOUGH_LINEAR; i++) hash_doubles(h, f.monodromy[i], GOUGH_LINEAR);
     for (int i = 0; i < GOUGH_LINEAR; i++) hash_doubles(h, f.multiplier[i].value, 2);
 }
 

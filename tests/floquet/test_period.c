@@ -1,4 +1,4 @@
-/* Periods of programs: found from formulas, given, scaled; and the sentences where there is none. */
+/* Periods of programs: found from formulas, given, scaled; and the sentences about programs without a period. */
 #include <stdio.h>
 #include <stdlib.h>
 

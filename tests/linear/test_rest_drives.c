@@ -210,7 +210,7 @@ static void refuses(gough_model *model, size_t size, const char *words) {
     ck_assert_msg(strstr(error.message, words) != NULL, "%s", error.message);
 }
 
-START_TEST(refuses_other_sizes_and_programs) {
+START_TEST(refuses_other_sizes_and_samples) {
     gough_model *model = new_model(2, 0.3);
     gough_floquet floquet;
     gough_error error = {0};
@@ -219,9 +219,6 @@ START_TEST(refuses_other_sizes_and_programs) {
     refuses(model, 18, "has 12 rows, not 18");
     give_lag(model, 0.05, 0, 0);
     refuses(model, 12, "has 18 rows, not 12");
-    ck_assert_int_eq(gough_floquet_multipliers(model, NULL, 0, &floquet, &error),
-                     GOUGH_ERROR_INPUT);
-    ck_assert_msg(strstr(error.message, "drives that lag") != NULL, "%s", error.message);
     model->control.sampling.period = 0.1;
     refuses(model, 18, "sampled");
     ck_assert_int_eq(gough_floquet_multipliers(model, NULL, 0, &floquet, &error),
@@ -231,9 +228,56 @@ START_TEST(refuses_other_sizes_and_programs) {
 }
 END_TEST
 
+/* The matrix at rest is that of gough_linearise() for a program that rests there; of samples its powers have the traces of the
+ * powers of the multipliers. Names are those of the numbers. */
+START_TEST(the_matrix_is_that_of_the_eigenvalues_and_of_the_multipliers) {
+    gough_model *model = new_model(2, 0.3);
+    double A[30 * 30], B[30 * 30], trace = 0, second = 0;
+    double complex sum = 0, squares = 0;
+    char name[GOUGH_DEVIATION_NAME];
+    gough_sampled_rest rest;
+    gough_error error = {0};
+    gough_unit unit;
+
+    give_lag(model, 0, 3, 0.7);
+    model->control.integral[1] = 0.4;
+    const size_t n = gough_deviation_size(model);
+    ck_assert_uint_eq(n, 25);
+    ck_assert_int_eq(gough_matrix_at_rest(model, NULL, n, A, &error), GOUGH_OK);
+    ck_assert_int_eq(gough_linearise(model, 0, NULL, n, B, &error), GOUGH_OK);
+    for (size_t i = 0; i < n * n; i++) ck_assert(fabs(A[i] - B[i]) <= 0);
+    ck_assert(gough_deviation_name(model, 24, name, &unit));
+    ck_assert_str_eq(name, "i2");
+    ck_assert(gough_deviation_name(model, 19, name, &unit) && unit == GOUGH_UNIT_FORCE_RATE);
+    ck_assert_str_eq(name, "fdot2");
+    ck_assert(!gough_deviation_name(model, 25, name, &unit));
+    ck_assert_int_eq(gough_matrix_at_rest(model, NULL, 12, A, &error), GOUGH_ERROR_INPUT);
+    ck_assert_msg(strstr(error.message, "has 25 rows, not 12") != NULL, "%s", error.message);
+
+    give_lag(model, 0.05, 0, 0);
+    model->control.integral[1] = 0;
+    model->control.sampling = (gough_sampling){.period = 0.1, .delay = 0.05};
+    ck_assert_uint_eq(gough_deviation_size(model), 24);
+    ck_assert(gough_deviation_name(model, 20, name, &unit) && unit == GOUGH_UNIT_FORCE);
+    ck_assert_str_eq(name, "u3_1");
+    ck_assert_int_eq(gough_matrix_at_rest(model, NULL, 24, A, &error), GOUGH_OK);
+    ck_assert_int_eq(gough_sampled_at_rest(model, NULL, &rest, &error), GOUGH_OK);
+    ck_assert_uint_eq(rest.listed, 24);
+    for (size_t k = 0; k < 24; k++) {
+        const double complex mu = rest.multiplier[k].value[0] + I * rest.multiplier[k].value[1];
+        sum += mu;
+        squares += mu * mu;
+        trace += A[25 * k];
+        for (size_t j = 0; j < 24; j++) second += A[24 * k + j] * A[24 * j + k];
+    }
+    ck_assert(cabs(sum - trace) <= 1e-12 && cabs(squares - second) <= 1e-12);
+    free(model);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("linear/rest_drives", 20, lag_of_first_order_in_heave,
                      lag_of_second_order_in_heave, integral_in_heave, all_modes_are_neutral_at_once,
-                     matrix_of_the_whole_loop, limits_of_the_loop,
-                     refuses_other_sizes_and_programs);
+                     matrix_of_the_whole_loop, limits_of_the_loop, refuses_other_sizes_and_samples,
+                     the_matrix_is_that_of_the_eigenvalues_and_of_the_multipliers);
 }

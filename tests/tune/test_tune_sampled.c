@@ -89,7 +89,7 @@ START_TEST(the_least_stiffness_meets_the_accuracy_and_lies_in_the_window) {
     ck_assert(t->found && t->sampled && !t->periodic);
     ck_assert(fabs(t->threshold - 0.894107) <= 1e-6 && fabs(t->upper - 12.0008) <= 1e-4);
     ck_assert_str_eq(t->upper_mode.name, "heave");
-    ck_assert(strstr(t->unchecked, "the controller is sampled") != NULL);
+    ck_assert(strstr(t->unchecked, "home was checked, from sample to sample") != NULL);
     ck_assert(t->stiffness > t->threshold && t->stiffness < t->upper);
     ck_assert(deviation(&r, t->stiffness, 0.3, 12) <= r.options.deviation);
     ck_assert(deviation(&r, t->fails * (1 - 1e-3), 0.3, 12) > r.options.deviation);
@@ -245,9 +245,97 @@ START_TEST(a_search_leaves_matrices_aside) {
 }
 END_TEST
 
+/* Drives that lag narrow the window from above, and the search knows: beyond its edges runs leave the program, between them they
+ * do not, and damping ratios count the poles of the drives. */
+START_TEST(lagging_drives_are_part_of_the_loop) {
+    request r = pushed(0.02, 0, GOUGH_VELOCITY_EXACT, 0.3), ideal = r;
+    gough_platform p = r.model->machine.platform;
+    const gough_load load = r.model->machine.load;
+    const double gravity[3] = {0, 0, -1};
+    gough_sampled_margins margins;
+    double damping;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) p.actuators.time_constant[v] = 0.04;
+    p.actuators.kind = GOUGH_ACTUATOR_LAG;
+    find(&ideal);
+    const double upper = ideal.tuning.upper;
+    ck_assert_int_eq(gough_machine_init(&r.model->machine, &p, &load, gravity, NULL), GOUGH_OK);
+    find(&r);
+    const gough_tuning *t = &r.tuning;
+    ck_assert_msg(t->found, "%s", t->reason);
+    /* D/(T/2) without the lag, D/(T/2 + T_a) with it, to first order */
+    ck_assert(fabs(upper / 30 - 1) <= 0.02 && fabs(t->upper / 6 - 1) <= 0.1);
+    set_gains(r.model, t->stiffness, 0.3);
+    ck_assert_int_eq(gough_sampled_margins_at_rest(r.model, NULL, &margins, NULL), GOUGH_OK);
+    ck_assert(fabs(margins.upper.stiffness - t->upper) <= 1e-9 * t->upper);
+    ck_assert(deviation(&r, t->stiffness, 0.3, 12) <= r.options.deviation);
+    ck_assert(deviation(&r, t->fails * (1 - 1e-3), 0.3, 12) > r.options.deviation);
+    ck_assert(deviation(&r, 0.8 * t->threshold, 0.3, 60) > 20 * r.options.deviation);
+    ck_assert(deviation(&r, 1.2 * t->upper, 0.3, 60) > 20 * r.options.deviation);
+    ck_assert(deviation(&r, 0.9 * t->upper, 0.3, 60) <= r.options.deviation);
+    r.options.damping_ratio = 0.15;
+    find(&r);
+    ck_assert_msg(t->found, "%s", t->reason);
+    set_gains(r.model, t->stiffness, t->damping);
+    ck_assert(fabs(ratio_of(r.model) - 0.15) <= 1e-7);
+    set_gains(r.model, t->upper * 1.001, 0);
+    ck_assert_int_eq(gough_damping_for_ratio(r.model, 0.15, &damping, NULL), GOUGH_ERROR_NUMERICAL);
+    drop(&r);
+}
+END_TEST
+
+/* the largest multiplier over a period of the program, with these gains */
+static double growth_along(const request *r, double stiffness, double damping) {
+    gough_model *model = malloc(sizeof *model);
+    gough_sampled_floquet f;
+    gough_error error = {0};
+
+    ck_assert(model != NULL);
+    *model = *r->model;
+    set_gains(model, stiffness, damping);
+    ck_assert_msg(gough_floquet_sampled(model, NULL, &f, &error) == GOUGH_OK, "%s", error.message);
+    free(model);
+    return f.growth;
+}
+
+/* At home this loop holds from 0.894 on. The program pumps its yaw up to 1.165: there the search has to go on, and its margin keeps
+ * clear of that. */
+START_TEST(a_program_that_pumps_a_mode_is_kept_clear_of) {
+    request r = pushed(2 * pi / 3 / 200, 0, GOUGH_VELOCITY_EXACT, 0.03);
+    const gough_tuning *t = &r.tuning;
+
+    r.model->control.sampling.preview = pi / 3 / 200;
+    set_formula(&r.model->motion.formula[GOUGH_HEAVE], "0.15*sin(3*t)");
+    for (int v = 0; v < GOUGH_LEGS; v++)
+        set_formula(&r.model->disturbance.leg_force[v], v == 0 ? "1e-6" : "0");
+    r.options.deviation = 0.05;
+    find(&r);
+    ck_assert_msg(t->found && t->periodic && *t->unchecked == '\0', "%s%s", t->reason,
+                  t->unchecked);
+    ck_assert(growth_along(&r, 1.1, 0.03) > 1.01);
+    ck_assert(t->stiffness > 1.165 / 0.98 && t->stiffness < 1.3);
+    for (int side = -1; side <= 1; side++)
+        ck_assert(growth_along(&r, t->stiffness * (1 + 0.02 * side), 0.03) <= 1 + 1e-7);
+    ck_assert_int_eq(t->binding, GOUGH_TUNING_TONGUE);
+    ck_assert_str_eq(t->mode.name, "yaw");
+    /* with ten times as many samples the program is not followed, and that is said */
+    r.model->control.sampling.period /= 10;
+    r.options.greatest = 2;
+    r.options.least = 1;
+    find(&r);
+    ck_assert(!t->periodic);
+    ck_assert_msg(strstr(t->unchecked,
+                         "1 period of the program has 2000 samples, and only up to 1000 "
+                         "are followed, so home was checked") != NULL,
+                  "%s", t->unchecked);
+    drop(&r);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN(
         "tune_sampled", 60, the_least_stiffness_meets_the_accuracy_and_lies_in_the_window,
         damping_ratios_are_those_of_the_sampled_poles, says_which_edge_is_in_the_way,
-        refuses_searches_beyond_the_window_and_a_ratio_of_zero, a_search_leaves_matrices_aside);
+        refuses_searches_beyond_the_window_and_a_ratio_of_zero, a_search_leaves_matrices_aside,
+        lagging_drives_are_part_of_the_loop, a_program_that_pumps_a_mode_is_kept_clear_of);
 }

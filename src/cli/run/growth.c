@@ -73,7 +73,8 @@ static bool grows_along(const loop *l, const gough_period *period) {
     const double periods = l->study->simulation.duration / period->period;
     gough_floquet *floquet = malloc(sizeof *floquet);
     bool told = false;
-    if (floquet && gough_keeps_program(&model->machine, &model->control, true) && periods >= 1 &&
+    if (floquet && gough_keeps_program(&model->machine, &model->control, true) &&
+        gough_linear_size(model) == GOUGH_LINEAR && periods >= 1 &&
         gough_floquet_multipliers(model, period, 1e-9, floquet, NULL) == GOUGH_OK &&
         !floquet->stable && log(floquet->growth) * periods > log(least_growth)) {
         remark(l->verb,

@@ -92,6 +92,9 @@ static const leg_quantity quantities[] = {
     {"braking_power", GOUGH_UNIT_POWER, 0, braking_power, LEG_NONE, 0, "", NULL, 5, GREATEST},
     {"saturated", GOUGH_UNIT_NONE, AT(saturated), NULL, LEG_NONE, 0, "", NULL, 3, GREATEST},
     {"saturated_at", GOUGH_UNIT_TIME, AT(saturated_at), NULL, LEG_NONE, 0, "", NULL, 6, LEAST},
+    {"sample_error", GOUGH_UNIT_LENGTH, AT(sample_error), NULL, LEG_NONE, 0, "", NULL, 5, GREATEST},
+    {"sample_error_at", GOUGH_UNIT_TIME, AT(sample_error_at), NULL, LEG_NONE, 0, "", NULL, 6,
+     LEAST},
     {"holding", GOUGH_UNIT_FORCE, 0, holds_from, LEG_JOINTS, 4, "holds at home", "from", 5, LEAST},
     {"holding", GOUGH_UNIT_FORCE, 0, holds_to, LEG_JOINTS, 5, "holds at home", "to", 5, GREATEST}};
 enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };

@@ -295,6 +295,20 @@ static void print_deviation(FILE *stream, const run_report *report) {
     fprintf(stream, "  deviation   %s and %s from the program\n", position, second);
 }
 
+/* The largest error that a sampled controller found, and the leg and time of it. */
+static void print_samples(FILE *stream, const run_report *report) {
+    const gough_leg_summary *leg = report->summary.leg;
+    int worst = 0;
+    for (int i = 1; i < GOUGH_LEGS; i++)
+        if (leg[i].sample_error > leg[worst].sample_error) worst = i;
+    if (isnan(leg[worst].sample_error)) return;
+    fprintf(stream,
+            "  samples     the controller found errors of length up to %.4g%s (leg %d at t = "
+            "%.6g%s)\n",
+            leg[worst].sample_error, unit_word(&report->units, GOUGH_UNIT_LENGTH), worst + 1,
+            leg[worst].sample_error_at, unit_word(&report->units, GOUGH_UNIT_TIME));
+}
+
 void run_report_print(FILE *stream, const run_report *report) {
     const gough_summary *s = &report->summary;
     const gough_units *unit = &report->units;
@@ -328,6 +342,7 @@ void run_report_print(FILE *stream, const run_report *report) {
                 "  drift       at most %.2g (violation of the constraints before projection)\n",
                 s->drift);
     }
+    if (report->simulated && s->rows > 0) print_samples(stream, report);
     if (report->simulated && s->rows > 0) print_saturated(stream, report);
     if (!report->study->model->machine.platform.legs_have_mass)
         fprintf(stream, "  legs        massless in this model: add %s\n",

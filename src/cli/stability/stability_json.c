@@ -20,13 +20,6 @@ static json_t *mode_object(const gough_mode *mode) {
     return object;
 }
 
-static json_t *matrix_rows(const double matrix[GOUGH_LINEAR][GOUGH_LINEAR]) {
-    json_t *rows = json_array();
-    for (int i = 0; i < GOUGH_LINEAR; i++)
-        json_array_append_new(rows, json_numbers(matrix[i], GOUGH_LINEAR));
-    return rows;
-}
-
 static json_t *pose_object(const double pose[GOUGH_COMPONENTS]) {
     json_t *object = json_object();
     for (int c = 0; c < GOUGH_COMPONENTS; c++)
@@ -83,7 +76,7 @@ static json_t *last_object(const stability_report *report) {
 static void set_program(json_t *object, const stability_report *report) {
     const gough_floquet *f = &report->floquet;
     json_t *multipliers = json_array(), *modes = json_array();
-    for (int i = 0; i < GOUGH_LINEAR && report->periodic; i++) {
+    for (size_t i = 0; report->periodic && i < f->size; i++) {
         json_array_append_new(multipliers, complex_pair(f->multiplier[i].value));
         json_array_append_new(modes, mode_object(&f->multiplier[i].mode));
     }
@@ -142,6 +135,6 @@ json_t *stability_json(const stability_report *report, const stability_matrix *m
                         sampled_view_object(&report->units, report->ends ? &report->sampled_last
                                                                          : &report->sampled_rest));
     json_object_set_new(object, "stable", json_boolean(stability_holds(report)));
-    if (matrix) json_object_set_new(object, "matrix", matrix_rows(matrix->row));
+    if (matrix) stability_matrix_set(object, matrix);
     return object;
 }

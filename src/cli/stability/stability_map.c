@@ -93,8 +93,10 @@ static const option map_option[] = {
     {.name = "sweep-stiffness",
      .value = "A:B:N[:log]",
      .read = read_map_axis,
-     .text = "compute the stability map over the stiffness G, the same in all legs: N values from "
-             "A to B in equal steps, or in equal ratios with :log"},
+     .text =
+         "compute the stability map over the stiffness G, the same in all legs, or of a matrix the "
+         "largest on its diagonal: N values from A to B in equal steps, or in equal ratios "
+         "with :log"},
     {.name = "sweep-amplitude",
      .value = "A:B:N[:log]",
      .read = read_map_axis,
@@ -106,7 +108,7 @@ static const option map_option[] = {
     {.name = "sweep-damping",
      .value = "A:B:N[:log]",
      .read = read_map_axis,
-     .text = "second axis: the damping D, the same in all legs"},
+     .text = "second axis: the damping D, of all legs as with the stiffness"},
     {.name = "sweep-period",
      .value = "A:B:N[:log]",
      .read = read_map_axis,
@@ -252,8 +254,10 @@ static gough_status find(const command_line *line, map_report *report, gough_err
     return status ? status : check_rows(report, error);
 }
 
-/* Thresholds at home; a study may have none, where home is singular or its springs carry nothing. */
+/* Thresholds at home, of stiffnesses alike in all legs. Without a rest at home, where home is singular or its springs carry
+ * nothing, and beside matrices of gains the map has no thresholds. */
 static void find_thresholds(map_report *report) {
+    if (report->study->model->control.coupled) return;
     report->rest = malloc(sizeof *report->rest);
     if (report->rest &&
         gough_stability_at_rest(report->study->model, NULL, report->rest, NULL) != GOUGH_OK) {

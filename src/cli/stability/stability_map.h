@@ -12,7 +12,7 @@ typedef struct map_report {
     gough_map_options options;
     gough_map map;
     size_t rows, own_row; /* how many, and the one nearest to the study as it stands */
-    gough_rest *rest;     /* at home; NULL: there is none */
+    gough_rest *rest;     /* at home; NULL: the loop has no rest there */
 } map_report;
 
 /* Name of the second axis: "amplitude", "frequency", "damping", "period", "delay"; NULL without one. */

@@ -23,7 +23,9 @@ static const char *second_unit(const map_report *report) {
 
 static void print_axes(FILE *stream, const map_report *report) {
     const char *axis = map_axis_name(report);
-    fprintf(stream, "Stability map over the stiffness G, the same in all legs: ");
+    fprintf(stream, "Stability map over the stiffness G, %s: ",
+            report->study->model->control.coupled ? "the largest on the diagonal of its matrix"
+                                                  : "the same in all legs");
     print_range(stream, &report->options.stiffness,
                 unit_word(&report->units, GOUGH_UNIT_STIFFNESS));
     if (axis) {
@@ -173,14 +175,15 @@ static void print_adjusted(FILE *stream, const map_report *report) {
     if (report->rows > 1)
         print_paragraph(
             stream, "", 0,
-            "%zu of %zu rows are for another period of the controller than asked, by up "
-            "to %.2g %%: the nearest of which a whole number fills the program's period.",
+            "%zu of %zu rows are for a period of the controller that differs from the one asked "
+            "for by up to %.2g %%: the period of the program must be a whole number of periods of "
+            "the controller, and these are the nearest.",
             adjusted, report->rows, 100 * most);
     else
         print_paragraph(
             stream, "", 0,
-            "The period of the controller is not the study's, but the nearest of which a "
-            "whole number fills the program's period.");
+            "The map is for a period of the controller near the study's own: the period of the "
+            "program must be a whole number of periods of the controller.");
 }
 
 static void print_share(FILE *stream, const map_report *report) {

@@ -11,6 +11,13 @@
 #include "cli/common/verb.h"
 #include "gough/gough.h"
 
+/* What is asked for of one loop. */
+struct loop_options {
+    bool posed, matrix;
+    double pose[GOUGH_COMPONENTS]; /* from home, in the study's units */
+    double at;                     /* NaN: not asked for */
+};
+
 /* Numbers are in the units of the output when they are printed; shapes have angles in radians. */
 typedef struct stability_report {
     const char *verb;
@@ -50,10 +57,24 @@ void stability_print_sampled(FILE *stream, const stability_report *report,
                              const sampled_view *view);
 void stability_print_sampled_along(FILE *stream, const stability_report *report);
 
-/* The linearised loop, ξ̇ = row · ξ. */
+/* The loop as a matrix of the numbers of a deviation: ξ̇ = A ξ, or from sample to sample. Row by row. */
 typedef struct stability_matrix {
-    double row[GOUGH_LINEAR][GOUGH_LINEAR];
+    size_t size;
+    double *number;                     /* size × size, allocated */
+    char (*name)[GOUGH_DEVIATION_NAME]; /* of rows and columns, allocated */
 } stability_matrix;
+
+/* stability_matrix.c: at rest, or about the program at the time asked for; in the units given. Freed by the caller. */
+gough_status stability_matrix_find(const struct loop_options *loop, const gough_study *study,
+                                   const gough_units *units, stability_matrix *matrix,
+                                   gough_error *error);
+void stability_matrix_print(FILE *stream, const stability_matrix *matrix);
+void stability_matrix_set(json_t *object, const stability_matrix *matrix);
+void stability_matrix_free(stability_matrix *matrix);
+
+/* A pose in the study's units as components of the run. */
+void stability_read_pose(const gough_study *study, const double pose[GOUGH_COMPONENTS],
+                         double component[GOUGH_COMPONENTS]);
 
 /* The answer as one JSON object; matrix may be NULL. */
 json_t *stability_json(const stability_report *report, const stability_matrix *matrix);
@@ -61,11 +82,7 @@ json_t *stability_json(const stability_report *report, const stability_matrix *m
 /* What gough stability is asked for. */
 typedef struct stability_line {
     command_line line;
-    struct loop_options {
-        bool posed, matrix;
-        double pose[GOUGH_COMPONENTS]; /* from home, in the study's units */
-        double at;                     /* NaN: not asked for */
-    } loop;
+    struct loop_options loop;
     struct map_options {
         axis_values stiffness, second;
         unsigned modes; /* as in gough_map_options */

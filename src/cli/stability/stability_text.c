@@ -17,6 +17,9 @@ static const double TWO_PI = 6.283185307179586477;
 /* real parts of eigenvalues below this part of the largest are rounding */
 static const double rounding = 1e-12;
 
+/* a motion this near to its program, in base radii, is the program */
+static const double same_motion = 1e-10;
+
 /* a smaller multiplier prints as 0: one period leaves nothing of the deviation in double precision */
 static const double least_multiplier = 1e-16;
 
@@ -308,19 +311,20 @@ static void print_rest(FILE *stream, const stability_report *report, const gough
 static void print_multipliers(FILE *stream, const stability_report *report) {
     enum { CELL = 16 };
     const gough_floquet *f = &report->floquet;
-    mode_value value[GOUGH_LINEAR];
+    mode_value value[GOUGH_LINEAR_MOST];
     value_group group[GOUGH_LINEAR_MOST];
-    for (int i = 0; i < GOUGH_LINEAR; i++)
+    char count[24] = "twelve";
+    for (size_t i = 0; i < f->size; i++)
         value[i] = (mode_value){{f->multiplier[i].value[0], f->multiplier[i].value[1]},
                                 &f->multiplier[i].mode};
-    const int groups = group_values(value, GOUGH_LINEAR, true, group),
-              width = name_width(group, groups);
+    const int groups = group_values(value, f->size, true, group), width = name_width(group, groups);
     const table_heading rate_heading =
         heading_of("growth", unit_word(&report->units, GOUGH_UNIT_RATE));
-    fprintf(stream, "  A small deviation is multiplied by mu in each period; conjugate pairs of "
-                    "the twelve mu are\n"
-                    "  listed once, modes are those at the period's beginning\n"
-                    "    ");
+    if (f->size > GOUGH_LINEAR) snprintf(count, sizeof count, "%zu", f->size);
+    fprintf(stream,
+            "  A small deviation is multiplied by mu in each period; conjugate pairs of the %s mu "
+            "are\n  listed once, modes are those at the period's beginning\n    ",
+            count);
     stability_pad(stream, "mode", width);
     fprintf(stream, "%*s%*s%*s   moves\n", CELL, "|mu|", CELL, "angle [deg]", CELL,
             rate_heading.text);
@@ -343,19 +347,24 @@ static void print_floquet_checks(FILE *stream, const gough_floquet *f) {
                         "Checked: without damping the product of all mu is 1 (here to %.1g) and "
                         "they come in pairs mu, 1/mu (here to %.1g); %zu steps.",
                         f->determinant_defect, f->pair_defect, f->steps);
-    else
+    else if (isfinite(f->determinant_defect))
         print_paragraph(stream, "  ", 2,
                         "Checked: the product of all mu is the exponential of the integral of the "
                         "trace (here to %.1g); %zu steps.",
                         f->determinant_defect, f->steps);
+    else
+        print_paragraph(stream, "  ", 2,
+                        "The product of all mu is too small to be checked: the drives follow their "
+                        "commands too quickly; %zu steps.",
+                        f->steps);
 }
 
 /* a drift and rounding together look like growth this slow */
 static const double near_one = 1e-4;
 
 static const gough_mode *nearest_one(const gough_floquet *f) {
-    int nearest = 0;
-    for (int i = 1; i < GOUGH_LINEAR; i++) {
+    size_t nearest = 0;
+    for (size_t i = 1; i < f->size; i++) {
         const double *best = f->multiplier[nearest].value, *value = f->multiplier[i].value;
         if (hypot(value[0] - 1, value[1]) < hypot(best[0] - 1, best[1])) nearest = i;
     }
@@ -388,6 +397,23 @@ static void print_floquet_verdict(FILE *stream, const stability_report *report) 
                 "  Bounded: nothing grows, but without damping (D = 0) nothing dies out.\n");
 }
 
+/* Of a loop that does not move as its program does, as drives that lag cannot. */
+static void print_own_motion(FILE *stream, const stability_report *report) {
+    const gough_model *model = report->study->model;
+    const bool kept = gough_keeps_program(&model->machine, &model->control, true),
+               lags = model->machine.platform.actuators.kind == GOUGH_ACTUATOR_LAG;
+    const char *how = kept ? "With drives that lag" : words_of_feed(model, true).text;
+    const bool limited = kept && !lags && report->sag > same_motion * report->arm;
+    if (kept && !lags && !limited) return;
+    print_paragraph(stream, "  ", 2,
+                    "%s the loop has a periodic motion of its own%s, %.4g%s from the program "
+                    "when the period begins. The multipliers are those of this motion; a run "
+                    "that starts far from it may not reach it.",
+                    limited ? "With the limits of its drives" : how,
+                    leaves_out_friction(model) ? " (computed without dry friction)" : "",
+                    report->sag, unit_word(&report->units, GOUGH_UNIT_LENGTH));
+}
+
 static void print_program(FILE *stream, const stability_report *report) {
     const gough_units *unit = &report->units;
     const gough_motion *motion = &report->study->model->motion;
@@ -400,15 +426,7 @@ static void print_program(FILE *stream, const stability_report *report) {
         fprintf(stream, ", from t = %.4g%s on", report->floquet.start,
                 unit_word(unit, GOUGH_UNIT_TIME));
     fprintf(stream, "\n");
-    const gough_model *model = report->study->model;
-    if (!gough_keeps_program(&model->machine, &model->control, true))
-        print_paragraph(stream, "  ", 2,
-                        "%s the loop has a periodic motion of its own%s, %.4g%s from the program "
-                        "when the period begins. The multipliers are those of this motion; a run "
-                        "that starts far from it may not reach it.",
-                        words_of_feed(model, true).text,
-                        leaves_out_friction(model) ? " (computed without dry friction)" : "",
-                        report->sag, unit_word(unit, GOUGH_UNIT_LENGTH));
+    print_own_motion(stream, report);
     print_multipliers(stream, report);
     print_floquet_checks(stream, &report->floquet);
     print_floquet_verdict(stream, report);

@@ -37,8 +37,8 @@ static const option loop_option[] = {
     {.name = "matrix",
      .read = read_flag,
      .at = offsetof(struct loop_options, matrix),
-     .text = "print only the matrix of the linearised loop at rest, as CSV; with --json, add it to "
-             "the object"},
+     .text = "print only the matrix of the linearised loop at rest, as CSV: of rates, or from "
+             "sample to sample if the controller is sampled; with --json, add it to the object"},
     {.name = "at",
      .value = "T",
      .read = read_time,
@@ -69,16 +69,6 @@ static const group_use groups[] = {
 
 /* ---- units ------------------------------------------------------------------------------------------------------- */
 
-/* ξ is (δr, δθ, δv, δω): powers of length and of time in each part. */
-static void scale_matrix(double matrix[GOUGH_LINEAR][GOUGH_LINEAR], const gough_units *u) {
-    const double unit[4] = {gough_unit_size(u, GOUGH_UNIT_LENGTH), 1.0,
-                            gough_unit_size(u, GOUGH_UNIT_SPEED),
-                            gough_unit_size(u, GOUGH_UNIT_RATE)},
-                 rate = gough_unit_factor(u, GOUGH_UNIT_RATE);
-    for (int i = 0; i < GOUGH_LINEAR; i++)
-        for (int j = 0; j < GOUGH_LINEAR; j++) matrix[i][j] *= unit[j / 3] / unit[i / 3] * rate;
-}
-
 /* A shift in lengths beside a rotation in radians; which of them is 1 stays so. */
 static void scale_mode(gough_mode *mode, const gough_units *u) {
     double lead = 0;
@@ -99,7 +89,6 @@ static const scaled_member eigenvalue_members[] = {SCALED(gough_eigenvalue, valu
 static const scaled_member threshold_members[] = {SCALED(gough_threshold, stiffness, STIFFNESS)};
 
 static void scale_rest(gough_rest *rest, const gough_units *u) {
-    scale_matrix(rest->matrix, u);
     SCALE(rest, rest_members, u);
     for (size_t i = 0; i < rest->size; i++) {
         SCALE(&rest->eigenvalue[i], eigenvalue_members, u);
@@ -150,7 +139,8 @@ void stability_scale(stability_report *report) {
         scale_mode(&report->along.multiplier[i].mode, u);
     if (!report->periodic) return;
     SCALE(report, floquet_members, u);
-    for (int i = 0; i < GOUGH_LINEAR; i++) scale_mode(&report->floquet.multiplier[i].mode, u);
+    for (size_t i = 0; i < report->floquet.size; i++)
+        scale_mode(&report->floquet.multiplier[i].mode, u);
 }
 
 bool stability_holds(const stability_report *report) {
@@ -164,16 +154,15 @@ bool stability_holds(const stability_report *report) {
 /* ---- finding ----------------------------------------------------------------------------------------------------- */
 
 static bool is_damped(const gough_model *model) {
-    bool damped = model->control.coupled;
+    bool damped = model->control.coupled || gough_linear_size(model) > GOUGH_LINEAR;
     for (int i = 0; i < GOUGH_LEGS; i++)
         damped = damped || model->control.damping[i] > 0 ||
                  model->machine.platform.friction.viscous[i] > 0;
     return damped;
 }
 
-/* A pose in the study's units as components of the run. */
-static void read_components(const gough_study *study, const double pose[GOUGH_COMPONENTS],
-                            double component[GOUGH_COMPONENTS]) {
+void stability_read_pose(const gough_study *study, const double pose[GOUGH_COMPONENTS],
+                         double component[GOUGH_COMPONENTS]) {
     for (int c = 0; c < GOUGH_COMPONENTS; c++)
         component[c] = gough_unit_read(&study->units, component_unit(c), pose[c]);
 }
@@ -232,7 +221,7 @@ static gough_status find_about_program(stability_report *report, gough_error *er
     }
     report->ends = find_last_pose(report->study, report->period.start, report->last_pose);
     if (!report->ends) return GOUGH_OK;
-    read_components(report->study, report->last_pose, component);
+    stability_read_pose(report->study, report->last_pose, component);
     status = find_sampled(report, component, &report->sampled_last, error);
     if (status) return status;
     return gough_stability_at_rest(model, component, &report->last, error);
@@ -254,48 +243,10 @@ gough_status stability_find(stability_report *report, gough_error *error) {
                    cause.message);
     }
     if (status) return status;
-    read_components(report->study, report->pose, component);
+    stability_read_pose(report->study, report->pose, component);
     status = find_sampled(report, component, &report->sampled_rest, error);
     if (status) return status;
     return gough_stability_at_rest(report->study->model, component, &report->rest, error);
-}
-
-/* ---- the matrix -------------------------------------------------------------------------------------------------- */
-
-/* At rest, or about the program at a time. */
-static gough_status find_matrix(const struct loop_options *loop, const gough_study *study,
-                                const gough_units *units, stability_matrix *matrix,
-                                gough_error *error) {
-    double component[GOUGH_COMPONENTS];
-    gough_rest *rest = NULL;
-    gough_status status;
-    if (study->model->control.sampling.period > 0 ||
-        gough_linear_size(study->model) != GOUGH_LINEAR)
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "--matrix prints the twelve rows of a loop whose controller is "
-                          "continuous and whose drives follow at once; this one has states of its "
-                          "own");
-    if (isfinite(loop->at)) {
-        status =
-            gough_linearise(study->model, gough_unit_read(&study->units, GOUGH_UNIT_TIME, loop->at),
-                            NULL, GOUGH_LINEAR, matrix->row[0], error);
-    } else {
-        rest = malloc(sizeof *rest);
-        if (!rest) return gough_fail(error, GOUGH_ERROR_FILE, "out of memory");
-        read_components(study, loop->pose, component);
-        status = gough_stability_at_rest(study->model, component, rest, error);
-        if (!status) memcpy(matrix->row, rest->matrix, sizeof matrix->row);
-        free(rest);
-    }
-    if (!status) scale_matrix(matrix->row, units);
-    return status;
-}
-
-static void print_matrix(const stability_matrix *matrix) {
-    printf("x,y,z,rx,ry,rz,vx,vy,vz,wx,wy,wz\n");
-    for (int i = 0; i < GOUGH_LINEAR; i++)
-        for (int j = 0; j < GOUGH_LINEAR; j++)
-            printf("%.17g%c", matrix->row[i][j], j + 1 < GOUGH_LINEAR ? ',' : '\n');
 }
 
 /* ---- the verb ---------------------------------------------------------------------------------------------------- */
@@ -304,26 +255,28 @@ static gough_status answer(const stability_line *asked, stability_report *report
     const command_line *line = &asked->line;
     const bool wanted = asked->loop.matrix;
     gough_error error = {0};
-    stability_matrix matrix = {{{0}}};
+    stability_matrix matrix = {0};
     gough_status status =
         gough_units_of_study(report->study, line->dimensionless, &report->units, &error);
     if (!status && wanted)
-        status = find_matrix(&asked->loop, report->study, &report->units, &matrix, &error);
+        status =
+            stability_matrix_find(&asked->loop, report->study, &report->units, &matrix, &error);
     if (!status && wanted && !line->json) {
-        print_matrix(&matrix);
+        stability_matrix_print(stdout, &matrix);
+        stability_matrix_free(&matrix);
         return GOUGH_OK;
     }
     if (!status) status = stability_find(report, &error);
     if (status) {
         complain_of(line->verb, report->study, &error);
-        return status;
+    } else {
+        stability_scale(report);
+        if (line->json && json_print(stability_json(report, wanted ? &matrix : NULL)))
+            status = GOUGH_ERROR_FILE;
+        if (!line->json && !line->quiet) stability_print(stdout, report);
     }
-    stability_scale(report);
-    if (line->json)
-        return json_print(stability_json(report, wanted ? &matrix : NULL)) ? GOUGH_ERROR_FILE
-                                                                           : GOUGH_OK;
-    if (!line->quiet) stability_print(stdout, report);
-    return GOUGH_OK;
+    stability_matrix_free(&matrix);
+    return status;
 }
 
 static gough_status answer_alone(const stability_line *asked, const gough_study *study) {

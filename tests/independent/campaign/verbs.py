@@ -371,7 +371,7 @@ class Run:
                 "joint_load": {"top": leg["force_peak"], "base": leg["force_peak"]}, "side_load": Q(0, "force", 0),
                 "friction_loss": Q(0, "energy", 0), "returned_energy": leg["returned"],
                 "braking_power": Q(max(0.0, -leg["power_least"].value), "power", leg["power_least"].slack),
-                "saturated": Q(0, None, 0) if self.verb == "simulate" else None, "saturated_at": None, "holding": [hold, hold]}
+                "saturated": Q(0, None, 0) if self.verb == "simulate" else None, "saturated_at": None, "sample_error": None, "sample_error_at": None, "holding": [hold, hold]}
 
     def json(self):
         return {"verb": self.verb, "title": self.meaning.tree.get("title", ""),
