@@ -68,15 +68,15 @@ typedef struct gough_floquet {
  *  force and of its rate, and integrals add up, as in a run; while a drive is at a limit, its leg has no feedback.
  *
  *  @param period     from gough_motion_period(); NULL: it is found here
- *  @param tolerance  of the steps; 0: 1e-13, or 1e-10 if drives lag or the controller integrates
+ *  @param tolerance  of the steps; 0: 1e-13, or 1e-10 of a loop with states (drives that lag, integrals)
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT: not periodic, at rest (use gough_stability_at_rest()), or a tolerance outside
  *  1e-15 … 1e-3, or a sampled controller (use gough_floquet_sampled()); GOUGH_ERROR_NUMERICAL: the program passes a singular pose,
- *  more than 20000 steps a period (100000 if drives lag or the controller integrates), or where the loop does not keep its program no periodic motion was found near it, (floquet-8);
+ *  over 20000 steps a period (100000 with states), or no motion of a loop off its program was found near it, (floquet-8);
  *  do not use @p floquet then. Dry friction and losses of screws are left out of the motion as of its deviations.
  *  It takes about 20 ms for a period with a few oscillations of the platform, some tenths of a second or more where the motion
  *  must be found, and seconds with drives that lag. Allocates nothing; needs 2 MB of stack. With the default tolerance
- *  multipliers are accurate to 1e-11 of the largest, if drives lag or the controller integrates to 1e-8; two that are equal, as on
- *  the unit circle without damping, only to the root of that. */
+ *  multipliers are accurate to 1e-11 of the largest, of a loop with states to 1e-8; two that are equal, as on the unit circle
+ *  without damping, only to the root of that. */
 GOUGH_API gough_status gough_floquet_multipliers(const gough_model *model,
                                                  const gough_period *period, double tolerance,
                                                  gough_floquet *floquet, gough_error *error);

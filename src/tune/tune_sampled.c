@@ -270,19 +270,19 @@ gough_status tune_find_window(tune *t, gough_error *error) {
 gough_status tune_follow_samples(tune *t, gough_error *error) {
     gough_sampling sampling = t->model->control.sampling;
     gough_tuning *tuning = t->tuning;
-    size_t samples = 0, periods = 0;
+    size_t count = 0, periods = 0;
     gough_status status = gough_motion_period(&t->model->motion, &t->period, NULL);
     const bool known = status == GOUGH_OK, resting = known && t->period.resting;
 
-    if (known && !resting) (void)sampled_fit(&sampling, t->period.period, &samples, &periods);
-    tuning->periodic = known && !resting && samples <= MOST_SAMPLES;
+    if (known && !resting) (void)sampled_fit(&sampling, t->period.period, &count, &periods);
+    tuning->periodic = known && !resting && count <= MOST_SAMPLES;
     if (tuning->periodic) return loads_check(&t->model->machine, &t->period, error);
-    if (samples > 0)
+    if (count > 0)
         snprintf(
             tuning->unchecked, sizeof tuning->unchecked,
             "%zu period%s of the program %s %zu samples, and only up to %d are followed, so home "
             "was checked, from sample to sample",
-            periods, periods == 1 ? "" : "s", periods == 1 ? "has" : "have", samples,
+            periods, periods == 1 ? "" : "s", periods == 1 ? "has" : "have", count,
             (int)MOST_SAMPLES);
     else
         snprintf(tuning->unchecked, sizeof tuning->unchecked,

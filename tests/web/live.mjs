@@ -153,6 +153,29 @@ test("begins with the study's period and delay, and a period that is too long sh
   await page.close();
 });
 
+// The simulator at 1000 samples a second, whose drives lag and have a greatest force: by its own gains it stands, with a delay
+// that the slider makes longer it shakes until a leg is too fast, and the period's slider changes the samples that a row counts.
+test("sliders of period and delay move a sampled loop whose drives lag and saturate", async () => {
+  const page = await live(example("sampled-flight-simulator"));
+  const slide = async (name, part) => {
+    await byName(page, `live-${name}`).evaluate((slider, share) => {
+      slider.value = String(Number(slider.min) + share * (Number(slider.max) - Number(slider.min)));
+      slider.dispatchEvent(new Event("input", { bubbles: true }));
+    }, part);
+    return Number(await byName(page, `live-${name}-number`).inputValue());
+  };
+  await reach(page, 0.5);
+  assert.ok((await off(page)) < 2e-3, `${await off(page)} off`);
+  const period = await slide("period", 0.3);
+  assert.ok(period > 0 && period < 0.01, `${period}`);
+  await reach(page, 1);
+  const delay = await slide("delay", 0.85);
+  assert.ok(delay > 0.02, `${delay}`);
+  await byName(page, "fallen").waitFor({ state: "visible", timeout: limit(120000) });
+  assert.deepEqual(page.said, []);
+  await page.close();
+});
+
 test("the slider does what the number does", async () => {
   const page = await live(example("paper-feedback"));
   await byName(page, "live-stiffness").evaluate((slider) => {
