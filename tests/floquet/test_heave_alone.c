@@ -1,7 +1,7 @@
-/* What becomes of the sampled heave of the paper near its resonance with the program, where the library finds no periodic motion near
- * the program: runs of one equation, written here for itself, in which nothing but heave moves. (On six axes the platform falls in
- * other modes at these stiffnesses before heave has settled.) Where the library finds a motion it is the one that these runs settle
- * into. */
+/* What becomes of the sampled heave of the paper near its resonance with the program, where the library finds no periodic motion
+ * near the program: runs of one equation, written here for itself, in which nothing but heave moves. (On six axes it falls
+ * in other modes at these stiffnesses before heave has settled.) Where the library finds a motion it is the one that these runs
+ * settle into. */
 #include "gough/floquet.h"
 #include "support/machines.h"
 #include "support/suite.h"
