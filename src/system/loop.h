@@ -98,6 +98,7 @@ static inline void loop_look(struct system *r, loop *l, real t, const legs *g) {
     }
     s = system_wanted(r, t);
     loop_measure(r, l, s, g, error, rate, speed);
+    loop_note(r, t, error);
     if (l->fresh) sampler_begin(&l->rule, error, rate, &l->memory);
     l->fresh = 0;
     asked = l->queue[l->clock.sample % LOOP_QUEUE];

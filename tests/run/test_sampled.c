@@ -414,9 +414,59 @@ START_TEST(summaries_count_how_long_drives_are_held) {
 }
 END_TEST
 
+/* l^p − m at the latest sample before a row; with rows as often as samples each is seen */
+typedef struct {
+    double most[6], at[6];
+} found_errors;
+
+static void note_error(void *context, const gough_sample *sample, double command[GOUGH_LEGS]) {
+    found_errors *f = context;
+
+    (void)command;
+    for (int v = 0; v < 6; v++) {
+        const double error = fabs(sample->program_length[v] - sample->length[v]);
+        if (!(error > f->most[v])) continue;
+        f->most[v] = error;
+        f->at[v] = sample->time;
+    }
+}
+
+/* the largest error that the controller finds is that which the caller's law is shown, with noise and counts */
+START_TEST(summaries_have_the_largest_error_of_a_sample) {
+    gough_model *model = model_of(30, 3);
+    gough_simulation s = fixed(GOUGH_DOP853, 0);
+    found_errors seen = {{0}, {0}};
+    gough_summary sum;
+    gough_end end;
+
+    model->control.sampling = (gough_sampling){.period = 0.02,
+                                               .delay = 0.01,
+                                               .velocity = GOUGH_VELOCITY_DIFFERENCE,
+                                               .resolution = 1e-4,
+                                               .noise = 1e-4};
+    s.output_step = s.duration;
+    s.law = note_error;
+    s.law_context = &seen;
+    s.summary = &sum;
+    ck_assert(gough_simulate(model, &s, NULL, NULL, &end, NULL) == GOUGH_OK);
+    for (int v = 0; v < 6; v++) {
+        ck_assert_msg(fabs(sum.leg[v].sample_error - seen.most[v]) <= 1e-15 && seen.most[v] > 1e-5,
+                      "leg %d: %.17g, not %.17g", v + 1, sum.leg[v].sample_error, seen.most[v]);
+        ck_assert(fabs(sum.leg[v].sample_error_at - seen.at[v]) <= 0);
+    }
+    model->control.sampling = (gough_sampling){.period = 0};
+    s.law = NULL;
+    ck_assert(gough_simulate(model, &s, NULL, NULL, &end, NULL) == GOUGH_OK);
+    for (int v = 0; v < 6; v++)
+        ck_assert(isnan(sum.leg[v].sample_error) && isnan(sum.leg[v].sample_error_at));
+    free(model);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("sampled", 60, a_short_period_is_nearly_continuous,
                      the_callers_law_may_be_the_librarys, the_callers_law_counts,
                      a_plant_moves_as_a_run, a_plant_ends_and_refuses, rows_show_what_holds_a_drive,
-                     work_is_what_energy_gains, summaries_count_how_long_drives_are_held);
+                     work_is_what_energy_gains, summaries_count_how_long_drives_are_held,
+                     summaries_have_the_largest_error_of_a_sample);
 }

@@ -248,6 +248,64 @@ START_TEST(one_mode_has_the_gains_of_its_closed_form) {
 }
 END_TEST
 
+static double determinant(double A[N][N]) {
+    double det = 1;
+
+    for (int k = 0; k < N; k++) {
+        int p = k;
+        for (int i = k + 1; i < N; i++)
+            if (fabs(A[i][k]) > fabs(A[p][k])) p = i;
+        for (int j = 0; j < N; j++) {
+            const double keep = A[k][j];
+            A[k][j] = A[p][j], A[p][j] = keep;
+        }
+        det *= p == k ? A[k][k] : -A[k][k];
+        for (int i = k + 1; i < N; i++) {
+            const double part = A[i][k] / A[k][k];
+            for (int j = k; j < N; j++) A[i][j] -= part * A[k][j];
+        }
+    }
+    return det;
+}
+
+/* Poles that are mirrored have the product of those they mirror: on all six axes det(JᵀGJ + K_geo) = det(−K_geo). For a mode by itself
+ * that is twice its threshold. */
+START_TEST(without_weights_the_stiffness_left_is_that_which_was_lacking) {
+    for (int skew = 0; skew < 2; skew++) {
+        static gough_model model;
+        double J[N][N], resisting[N][N], lacking[N][N];
+        gough_gains gains;
+        gough_rest rest;
+
+        memset(&model, 0, sizeof model);
+        paper_machine(&model.machine);
+        if (skew) {
+            gough_platform p = model.machine.platform;
+            const gough_load load = {.mass = 1.3,
+                                     .inertia = {{0.11, 0.01, 0}, {0.01, 0.14, 0}, {0, 0, 0.2}}};
+            const double gravity[3] = {0, 0, -1};
+            ck_assert(gough_machine_init(&model.machine, &p, &load, gravity, NULL) == GOUGH_OK);
+        }
+        model.control.feedforward = true;
+        ck_assert_int_eq(gough_stability_at_rest(&model, NULL, &rest, NULL), GOUGH_OK);
+        ck_assert_int_eq(rest.growing, 6);
+        ck_assert_int_eq(gough_gains_by_lqr(&model, NULL, 0, 0, &gains, NULL), GOUGH_OK);
+        gough_jacobian(&model.machine, &rest.state, J);
+        for (int i = 0; i < N; i++) {
+            for (int j = 0; j < N; j++) {
+                lacking[i][j] = -rest.geometric[i][j];
+                resisting[i][j] = rest.geometric[i][j];
+                for (int v = 0; v < N; v++)
+                    for (int w = 0; w < N; w++)
+                        resisting[i][j] += J[v][i] * gains.stiffness[v][w] * J[w][j];
+            }
+        }
+        const double left = determinant(resisting), lacked = determinant(lacking);
+        ck_assert_msg(fabs(left - lacked) <= 1e-9 * lacked, "%.15g, not %.15g", left, lacked);
+    }
+}
+END_TEST
+
 START_TEST(without_weights_growth_is_mirrored) {
     static const double pattern[2][N] = {{1, 1, 1, 1, 1, 1}, {1, -1, 1, -1, 1, -1}};
     static const char *const name[2] = {"heave", "yaw"};
@@ -466,6 +524,7 @@ int main(void) {
     return SUITE_RUN("gains", 60, every_displacement_comes_back_as_one_oscillator,
                      the_linearised_loop_is_six_equal_oscillators,
                      one_mode_has_the_gains_of_its_closed_form, without_weights_growth_is_mirrored,
+                     without_weights_the_stiffness_left_is_that_which_was_lacking,
                      gains_of_least_cost_obey_kalmans_identity,
                      a_control_takes_the_gains_as_they_are,
                      what_resists_a_displacement_is_the_mass_times_the_square_of_the_frequency,
