@@ -32,8 +32,8 @@ typedef struct {
     double component[GOUGH_COMPONENTS]; /* where it rests, if it does */
     bool damped;
     bool sampled; /* the controller is */
-    /* it is not, but drives lag or reach limits, the controller integrates, or gains are matrices: as the stiffness rises multipliers
-     * turn in no one direction */
+    /* it is not, but drives lag or reach limits, the controller integrates, or gains are matrices: as the stiffness rises
+     * multipliers turn in no one direction */
     bool unordered;
     gain_pattern stiffness; /* of matrices of gains: the axis is its size */
     sampled_orbit

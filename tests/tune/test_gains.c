@@ -268,8 +268,8 @@ static double determinant(double A[N][N]) {
     return det;
 }
 
-/* Poles that are mirrored have the product of those they mirror: on all six axes det(JᵀGJ + K_geo) = det(−K_geo). For a mode by itself
- * that is twice its threshold. */
+/* Poles that are mirrored have the product of those they mirror: on all six axes det(JᵀGJ + K_geo) = det(−K_geo). For a mode by
+ * itself that is twice its threshold. */
 START_TEST(without_weights_the_stiffness_left_is_that_which_was_lacking) {
     for (int skew = 0; skew < 2; skew++) {
         static gough_model model;
