@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_SECTIONS = 11 };
+enum { MOST_SECTIONS = 12 };
 
 int bench_lanes(int width) { return 1 << width; }
 
@@ -69,8 +69,8 @@ static void say_usage(FILE *where) {
     fputs("bench [--quick] [--json] [--only=SECTION] [--gough=COMMAND]\n"
           "  --quick   short runs: shows that all works, the times mean little\n"
           "  --json    the table for machines\n"
-          "  --only    kernels, steps, loop, precision, mujoco, solvers, threads, map, pose or "
-          "process\n"
+          "  --only    kernels, steps, loop, precision, mujoco, solvers, threads, map, pose, "
+          "workspace or process\n"
           "  --gough   the command whose processes are timed\n",
           where);
 }
@@ -114,6 +114,7 @@ int main(int count, char **text) {
         &section_threads,
         &section_map,
         &section_pose,
+        &section_workspace,
         &section_process,
         &section_claims,
     };

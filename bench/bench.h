@@ -43,7 +43,7 @@ typedef struct {
 } bench_section;
 
 extern const bench_section section_kernels, section_steps, section_loop, section_precision,
-    section_threads, section_map, section_pose, section_process, section_claims;
+    section_threads, section_map, section_pose, section_workspace, section_process, section_claims;
 #if defined(BENCH_PEERS)
 extern const bench_section section_mujoco, section_solvers;
 #endif

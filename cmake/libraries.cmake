@@ -9,7 +9,7 @@ gough_edition(GOUGH_EDITION ${GOUGH_HEADERS} ${GOUGH_HEADER_TABLES})
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${GOUGH_HEADERS} ${GOUGH_HEADER_TABLES})
 configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/gough/version.h @ONLY)
 file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
-    src/base/*.c src/kernel/*.c src/drive/*.c src/program/*.c src/plant/*.c src/control/*.c src/model/*.c src/pose/*.c src/integrate/*.c src/run/*.c src/batch/*.c)
+    src/base/*.c src/kernel/*.c src/drive/*.c src/program/*.c src/plant/*.c src/control/*.c src/model/*.c src/pose/*.c src/workspace/*.c src/integrate/*.c src/run/*.c src/batch/*.c)
 file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/linear/*.c src/floquet/*.c src/map/*.c src/tune/*.c)
 # The core does not show its inner functions: what the others need of them is compiled into them again.
 list(APPEND GOUGH_ANALYSE_SOURCES ${PROJECT_SOURCE_DIR}/src/program/appointments.c ${PROJECT_SOURCE_DIR}/src/base/crew.c
@@ -55,6 +55,10 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
 else()
     list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "track_lanes_[48]\\.c$")
 endif()
+
+# And for boxes of poses, of which a search tests many.
+file(GLOB workspace_sources src/workspace/*.c)
+set_source_files_properties(${workspace_sources} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 
 # gough_room_libraries(SUFFIX [FLAGS…]): the static libraries gough_core<SUFFIX>, gough_analyse<SUFFIX> and gough_files<SUFFIX>.
 # A library with a suffix compiles only the scalar instances of the texts and those of 2 lanes; the others (4 and 8 lanes, quadruple and

@@ -49,6 +49,7 @@ webassembly | libclang-rt-14-dev-wasm32 | ls "$(clang -print-resource-dir)"/lib/
 test      | check            | pkg-config --exists check
 test      | hdf5-tools       | command -v h5dump
 test      | jq               | command -v jq
+test      | libmpfi-dev      | test -e /usr/include/mpfi.h
 test      | locales          | test -e /usr/share/i18n/locales/de_DE
 test      | man-db           | command -v man
 test      | netcdf-bin       | command -v ncdump

@@ -60,7 +60,8 @@ enum gough_part {
     GOUGH_PART_CONTROL = 16,    /**< the control law */
     GOUGH_PART_INITIAL = 32,    /**< where runs start */
     GOUGH_PART_SIMULATION = 64, /**< how they are run */
-    GOUGH_PART_EXTERNAL = 128   /**< the external loads */
+    GOUGH_PART_EXTERNAL = 128,  /**< the external loads */
+    GOUGH_PART_WORKSPACE = 256  /**< demands on all poses */
 };
 
 /** The struct that contains a field. */

@@ -5,6 +5,7 @@
 #define GOUGH_GOUGH_H
 
 #include "gough/batch.h"
+#include "gough/demands.h"
 #include "gough/dynamics.h"
 #include "gough/fields.h"
 #include "gough/floquet.h"
@@ -25,5 +26,6 @@
 #include "gough/tune.h"
 #include "gough/units.h"
 #include "gough/version.h"
+#include "gough/workspace.h"
 
 #endif

@@ -18,6 +18,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "gough/demands.h"
 #include "gough/status.h"
 
 #ifdef __cplusplus
@@ -73,19 +74,18 @@ GOUGH_API const char *gough_component_name(int component);
 
 /** Limits of each leg, from 1 to 6. Zero-filled: none of these. Of pairs the first number is the least, the second the greatest. */
 typedef struct gough_leg_limits {
-    double length[GOUGH_LEGS]
-                 [2]; /**< between the joints, >= 0; {0, 0}: length_min and length_max of
-                                       the platform */
-    double stroke[GOUGH_LEGS][2]; /**< the same from the length at home, in place of length; {0, 0}:
-                                       none */
+    /** Between the joints, >= 0; {0, 0}: length_min and length_max of the platform. */
+    double length[GOUGH_LEGS][2];
+    double stroke[GOUGH_LEGS][2]; /**< from the length at home, in place of length; {0, 0}: none */
     double speed[GOUGH_LEGS];     /**< greatest |leg rate|; 0: speed_max of the platform */
-    double force[GOUGH_LEGS][2]; /**< drive force; a leg that only pulls has {−1500, 0}; {0, 0}: as
-                                       max_force has it */
+    /** Drive force; a leg that only pulls has {−1500, 0}; {0, 0}: as max_force has it. */
+    double force[GOUGH_LEGS][2];
     double max_force[GOUGH_LEGS];    /**< greatest |drive force|; 0: force_max of the platform */
     double acceleration[GOUGH_LEGS]; /**< greatest |second derivative of the length|; 0: no limit */
     double base_swing[GOUGH_LEGS];   /**< greatest angle of the leg from its direction at home, in
                                           base axes, at most π; 0: no limit */
     double top_swing[GOUGH_LEGS];    /**< the same in the axes of the top */
+    double diameter[GOUGH_LEGS]; /**< for the clearance of legs in workspace.h only; 0: a line */
 } gough_leg_limits;
 
 /** Limits of the platform: of a point of the top, and of its rotation. A pair for each gough_component; {0, 0}: no limit. */
@@ -133,9 +133,8 @@ typedef struct gough_platform {
     double base[GOUGH_LEGS][3]; /**< base joints, base frame */
     double top[GOUGH_LEGS][3];  /**< top joints, top frame; leg n joins base[n] and top[n] */
     double height;              /**< z of the top frame's origin at home */
-    double
-        base_radius; /**< R_b, the unit of length of the dimensionless form; 0: mean distance of the base joints
-                                     from their centroid */
+    /** R_b, the unit of length of the dimensionless form; 0: mean distance of the base joints from their centroid. */
+    double base_radius;
     double length_min; /**< least length of all legs; 0: no limit */
     double length_max; /**< greatest length of all legs; INFINITY: no limit */
     double speed_max;  /**< greatest |leg rate| of all legs; INFINITY: no limit */
@@ -144,8 +143,8 @@ typedef struct gough_platform {
     gough_leg_part cylinder;           /**< hangs on the base joint */
     gough_leg_part piston;             /**< hangs on the top joint */
     double reflected_mass[GOUGH_LEGS]; /**< what rotor, screw and oil weigh along the leg, >= 0 */
-    bool legs_have_mass; /**< use the equations of legs with mass, even if all of it is 0; set by
-                                gough_machine_init() where some is not */
+    /** Use the equations of legs with mass, even if it is 0; set by gough_machine_init() where some is not. */
+    bool legs_have_mass;
     gough_friction friction;      /**< of the legs */
     gough_actuators actuators;    /**< drives of the legs */
     gough_leg_limits legs;        /**< limits of single legs */
@@ -296,8 +295,7 @@ typedef struct gough_external {
     gough_formula moment[3]; /**< a couple, besides the force, along the same axes */
     double at[3];            /**< the point on which the force acts, top frame */
     bool at_given; /**< false: the force acts at the centre of mass, and `at` is not used */
-    bool
-        turns; /**< the axes are those of the top, with which the load turns; false: those of the base */
+    bool turns; /**< the axes are those of the top, with which it turns; false: those of the base */
 } gough_external;
 
 /** Gives a machine its external loads. Everything that computes forces or motion of the machine counts with them, but not the
@@ -437,11 +435,9 @@ typedef enum gough_motion_kind {
 typedef struct gough_motion {
     gough_motion_kind kind; /**< which of the fields below are used */
     double about[3];        /**< the point whose motion is given, in the top frame */
-    gough_formula
-        formula[GOUGH_COMPONENTS]; /**< lengths; angles, which `angle_unit` converts to radians */
-    double
-        angle_unit; /**< factor from the formulas' angles to radians; 0 means 1. (π/180 for study files;
-                                                  applied to formulas only: moves and samples are in radians) */
+    gough_formula formula[GOUGH_COMPONENTS]; /**< lengths; angles, to be converted by angle_unit */
+    /** Factor from the formulas' angles to radians; 0 means 1. (π/180 for study files; moves and samples are in radians.) */
+    double angle_unit;
     const gough_move *move; /**< in the caller's memory, in order of time, not overlapping */
     size_t moves;           /**< number of moves */
     gough_samples samples;  /**< prepared by gough_samples_prepare() */
@@ -478,6 +474,7 @@ typedef struct gough_limits {
     double acceleration[GOUGH_LEGS];  /**< of the length */
     double base_swing[GOUGH_LEGS];    /**< radians */
     double top_swing[GOUGH_LEGS];     /**< radians */
+    double diameter[GOUGH_LEGS];      /**< 0: a line */
     double pose[GOUGH_COMPONENTS][2]; /**< −INFINITY and INFINITY: none, as for those below */
     double rate[GOUGH_COMPONENTS][2]; /**< velocity of the point and angular velocity */
     double second_rate[GOUGH_COMPONENTS]
@@ -561,9 +558,8 @@ typedef struct gough_noise {
 /** Forces unknown to the controller (law-2): formulas in t, and noise. Zero-filled: none. */
 typedef struct gough_disturbance {
     gough_formula leg_force[GOUGH_LEGS]; /**< added to each leg */
-    gough_formula
-        vertical_force; /**< errors of the leg forces whose resultant, in the program's pose, is this force along the base z
-                                              axis through the centre of mass */
+    /** Errors of leg forces with this resultant in the program's pose: along z of the base, through the centre of mass. */
+    gough_formula vertical_force;
     gough_formula force[3];  /**< on the load at its centre of mass, base axes */
     gough_formula moment[3]; /**< on the load, base axes */
     gough_noise noise;       /**< random part */
@@ -587,6 +583,7 @@ typedef struct gough_model {
     gough_control control;         /**< the control law */
     gough_disturbance disturbance; /**< forces unknown to the controller */
     gough_initial initial;         /**< where a run starts */
+    gough_workspace workspace;     /**< demands on all poses */
 } gough_model;
 
 #ifdef __cplusplus

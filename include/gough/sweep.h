@@ -112,7 +112,8 @@ enum {
     GOUGH_SWEEP_CONTROL = GOUGH_PART_CONTROL,         /**< the control law */
     GOUGH_SWEEP_INITIAL = GOUGH_PART_INITIAL,         /**< where runs start */
     GOUGH_SWEEP_SIMULATION = GOUGH_PART_SIMULATION,   /**< how they are run */
-    GOUGH_SWEEP_EXTERNAL = GOUGH_PART_EXTERNAL        /**< the external loads */
+    GOUGH_SWEEP_EXTERNAL = GOUGH_PART_EXTERNAL,       /**< the external loads */
+    GOUGH_SWEEP_WORKSPACE = GOUGH_PART_WORKSPACE      /**< demands on all poses */
 };
 
 /** The flags of one key, or of all together for @p key at or beyond the last. */

@@ -9,6 +9,7 @@
 #include "gough/sweep.h"
 #include "gough/text.h"
 #include "gough/tune.h"
+#include "gough/workspace.h"
 
 #define SIZE_OF(name)                                                                              \
     { #name, sizeof(name) }
@@ -21,7 +22,10 @@ static const struct {
     SIZE_OF(gough_actuators),
     SIZE_OF(gough_batch_options),
     SIZE_OF(gough_batch_run),
+    SIZE_OF(gough_binding),
     SIZE_OF(gough_bound),
+    SIZE_OF(gough_box),
+    SIZE_OF(gough_certificate),
     SIZE_OF(gough_column_info),
     SIZE_OF(gough_control),
     SIZE_OF(gough_control_memory),
@@ -30,8 +34,10 @@ static const struct {
     SIZE_OF(gough_eigenvalue),
     SIZE_OF(gough_end),
     SIZE_OF(gough_end_words),
+    SIZE_OF(gough_envelope),
     SIZE_OF(gough_error),
     SIZE_OF(gough_external),
+    SIZE_OF(gough_extreme),
     SIZE_OF(gough_field),
     SIZE_OF(gough_figure),
     SIZE_OF(gough_floquet),
@@ -44,6 +50,7 @@ static const struct {
     SIZE_OF(gough_leg_part),
     SIZE_OF(gough_friction),
     SIZE_OF(gough_limits),
+    SIZE_OF(gough_largest_box),
     SIZE_OF(gough_load),
     SIZE_OF(gough_machine),
     SIZE_OF(gough_map),
@@ -69,6 +76,8 @@ static const struct {
     SIZE_OF(gough_pose_certificate),
     SIZE_OF(gough_pose_single),
     SIZE_OF(gough_poses),
+    SIZE_OF(gough_ray),
+    SIZE_OF(gough_reach),
     SIZE_OF(gough_record),
     SIZE_OF(gough_record_column),
     SIZE_OF(gough_remark),
@@ -100,12 +109,15 @@ static const struct {
     SIZE_OF(gough_table),
     SIZE_OF(gough_threshold),
     SIZE_OF(gough_tolerances),
+    SIZE_OF(gough_travel),
     SIZE_OF(gough_tuning),
     SIZE_OF(gough_tuning_exception),
     SIZE_OF(gough_tuning_options),
     SIZE_OF(gough_tuning_point),
     SIZE_OF(gough_units),
     SIZE_OF(gough_unwrapping),
+    SIZE_OF(gough_volume),
+    SIZE_OF(gough_workspace),
     SIZE_OF(gough_wrench),
 };
 

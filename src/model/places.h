@@ -61,6 +61,7 @@ const gough_place *gough_places(size_t *count);
 #define SIMULATION(m) PLACE(GOUGH_PART_SIMULATION, GOUGH_OWNER_SIMULATION, gough_simulation, m)
 #define MOVE(m) PLACE(GOUGH_PART_MOTION, GOUGH_OWNER_MOVE, gough_move, m)
 #define EXTERNAL(m) PLACE(GOUGH_PART_EXTERNAL, GOUGH_OWNER_EXTERNAL, gough_external, m)
+#define WORKSPACE(m) PLACE(GOUGH_PART_WORKSPACE, GOUGH_OWNER_MODEL, gough_model, workspace.m)
 #define FILE_ONLY(p) .part = GOUGH_PART_##p
 #define GIVEN(m) .given = offsetof(gough_model, m)
 #define MOVE_GIVEN(m) .given = offsetof(gough_move, m)

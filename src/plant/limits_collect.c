@@ -32,6 +32,7 @@ static void collect_leg(const gough_machine *machine, int v, gough_limits *l) {
     l->acceleration[v] = leg->acceleration[v] > 0 ? leg->acceleration[v] : INFINITY;
     l->base_swing[v] = leg->base_swing[v] > 0 ? leg->base_swing[v] : INFINITY;
     l->top_swing[v] = leg->top_swing[v] > 0 ? leg->top_swing[v] : INFINITY;
+    l->diameter[v] = leg->diameter[v];
 }
 
 static void collect_components(const double given[GOUGH_COMPONENTS][2],
@@ -123,6 +124,7 @@ static gough_status check_leg(const gough_leg_limits *leg, int v, double home, g
     } one[] = {{leg->speed[v], INFINITY, "platform.legs.max_speed"},
                {leg->max_force[v], INFINITY, "platform.legs.max_force"},
                {leg->acceleration[v], INFINITY, "platform.legs.max_acceleration"},
+               {leg->diameter[v], INFINITY, "platform.legs.diameter"},
                {leg->base_swing[v], HALF_TURN, "platform.joints.base_swing"},
                {leg->top_swing[v], HALF_TURN, "platform.joints.top_swing"}};
     gough_status status = check_length(leg, v, home, error);

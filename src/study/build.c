@@ -338,7 +338,7 @@ void study_model_rebuild(study_build *build, unsigned parts) {
     if (parts & GOUGH_PART_EXTERNAL)
         read_external(build, study_node_child(build->root, "external"));
     if (parts & (GOUGH_PART_EXTERNAL | GOUGH_PART_MACHINE)) set_external(build);
-    const unsigned simple[] = {GOUGH_PART_DISTURBANCE, GOUGH_PART_INITIAL};
+    const unsigned simple[] = {GOUGH_PART_DISTURBANCE, GOUGH_PART_INITIAL, GOUGH_PART_WORKSPACE};
     for (size_t i = 0; i < sizeof simple / sizeof simple[0]; i++) {
         if (!(parts & simple[i])) continue;
         study_part_reset(build->study, simple[i]);
@@ -358,5 +358,5 @@ void study_model_build(study_build *build) {
     build->study->dimensionless = build->study->units.dimensionless;
     study_model_rebuild(build, GOUGH_PART_MACHINE | GOUGH_PART_MOTION | GOUGH_PART_DISTURBANCE |
                                    GOUGH_PART_CONTROL | GOUGH_PART_INITIAL | GOUGH_PART_SIMULATION |
-                                   GOUGH_PART_EXTERNAL);
+                                   GOUGH_PART_EXTERNAL | GOUGH_PART_WORKSPACE);
 }

@@ -234,6 +234,55 @@ static gough_status call_machine(void) {
                               model.machine.gravity, &error);
 }
 
+/* a reach of the model with its order of angles, whatever that is */
+static const gough_reach *reach_of_order(void) {
+    static gough_model right;
+    static gough_reach reach;
+    right = model;
+    right.motion.order = GOUGH_ZYX;
+    ck_assert_int_eq(gough_reach_init(&reach, sizeof reach, &right, NULL), GOUGH_OK);
+    reach.order = model.motion.order;
+    return &reach;
+}
+static const gough_box small_box = {{-0.01, 0, 0, 0, 0, 0}, {0.01, 0, 0, 0, 0, 0}};
+
+static gough_status call_reach(void) {
+    gough_reach reach;
+    return gough_reach_init(&reach, sizeof reach, &model, &error);
+}
+
+static gough_status call_certify(void) {
+    gough_certificate found;
+    return gough_box_certify(reach_of_order(), &small_box, &found, &error);
+}
+
+static gough_status call_travel(void) {
+    gough_travel travel;
+    return gough_workspace_travel(reach_of_order(), component, &travel, &error);
+}
+
+static gough_status call_ray(void) {
+    const double home[GOUGH_COMPONENTS] = {0, 0, 0, 0, 0, 0};
+    gough_ray ray;
+    return gough_workspace_ray(reach_of_order(), home, small_box.greatest, &ray, &error);
+}
+
+static gough_status call_largest(void) {
+    gough_largest_box largest;
+    return gough_workspace_box(reach_of_order(), &small_box, &largest, &error);
+}
+
+static gough_status call_envelope(void) {
+    gough_envelope envelope;
+    return gough_workspace_envelope(reach_of_order(), &small_box, &envelope, &error);
+}
+
+static gough_status call_volume(void) {
+    const double level[3] = {0, 0, 0};
+    gough_volume volume;
+    return gough_workspace_volume(reach_of_order(), level, &volume, &error);
+}
+
 /* ---- the values ------------------------------------------------------------------------------------------------------ */
 
 static void set_method(int value) { simulation.method = (gough_method)value; }
@@ -282,6 +331,10 @@ static const struct {
      {call_check, call_simulate, call_forces, call_batch, call_range, call_period, call_linearise,
       call_rest, call_stiffness, call_floquet, call_tune, call_damping, call_poles, call_lqr,
       call_flat}},
+    {"order of a workspace",
+     "motion.order",
+     set_order,
+     {call_reach, call_certify, call_travel, call_ray, call_largest, call_envelope, call_volume}},
     {"drive", "actuators.kind", set_drive, {call_machine, call_flat}},
     {"velocity",
      "control.sampling.velocity",
@@ -290,7 +343,7 @@ static const struct {
       call_margins, call_matrix, call_floquet_sampled, call_flat}},
     {"axis", NULL, set_axis, {call_map_size, call_map_find, call_map_draw}},
     {"interval", NULL, set_interval, {call_map_draw}},
-    {"component", NULL, set_component, {call_low_pass, call_smooth}},
+    {"component", NULL, set_component, {call_low_pass, call_smooth, call_travel}},
 };
 
 START_TEST(every_function_refuses_what_is_outside_an_enumeration) {
@@ -340,6 +393,11 @@ START_TEST(functions_without_a_status_give_what_is_not_finite) {
                       isnan(s.rotation[c][0]) && isnan(s.angular_velocity[c]) &&
                       isnan(a.angular[c]));
 
+        begin();
+        set_order(outside[i]);
+        ck_assert_int_eq(gough_box_test(reach_of_order(), &small_box, NULL), GOUGH_UNDECIDED);
+        begin();
+        set_motion(outside[i]);
         ck_assert_uint_eq(gough_linear_size(&model), GOUGH_LINEAR);
         ck_assert_int_eq(gough_map_size(&model, &axes, &bytes, NULL), GOUGH_OK);
         void *memory = room(bytes);
@@ -361,6 +419,8 @@ START_TEST(names_of_what_is_outside_are_harmless) {
         double number = 7;
         ck_assert_str_eq(gough_cause_name((gough_cause)value), "unknown");
         ck_assert_str_eq(gough_cause_words((gough_cause)value), "the run ends");
+        ck_assert_str_eq(gough_bind_name((gough_bind)value), "unknown");
+        ck_assert_str_eq(gough_worst_name((gough_worst)value), "unknown");
         ck_assert_str_eq(gough_completeness_name((gough_completeness)value), "unknown");
         ck_assert_str_eq(gough_interval_kind_name((gough_interval_kind)value), "unknown");
         ck_assert_str_eq(gough_tuning_binding_name((gough_tuning_binding)value), "unknown");

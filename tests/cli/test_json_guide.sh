@@ -59,6 +59,10 @@ printf 't,l1,l2,l3,l4,l5,l6\n0,%s\n1,%s\n' "$lengths" 0.4,0.2,0.4,0.2,0.4,0.2 >l
 json pose-3.json pose own-machine.yaml --samples lengths.csv -o poses.csv
 hold '## pose' pose-1.json pose-2.json pose-3.json
 
+json space-1.json workspace own-machine.yaml
+json space-2.json workspace own-machine.yaml --set 'workspace.box={heave: 0.01}' --set 'workspace.velocity=[0, 0, 0.1]'
+hold '## workspace' space-1.json space-2.json
+
 json run-1.json forces own-machine.yaml
 json run-2.json forces own-machine.yaml --set platform.legs.max_speed=0.05
 json run-3.json simulate own-machine.yaml --set platform.legs.max_speed=0.05

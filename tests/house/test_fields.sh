@@ -6,7 +6,7 @@ cd "${SOURCE:-$(dirname "$0")/../..}"
 command -v perl >/dev/null || { echo "skipped: no perl"; exit 77; }
 perl -0777 -e '
     my @structs = (    # struct, place in the table, members that are no input: other structs, memory of the caller, derived numbers, sizes
-        ["gough_model", "", "machine motion control disturbance initial"],
+        ["gough_model", "", "machine motion control disturbance initial workspace"],
         ["gough_machine", "MACHINE(", "platform load base_radius gravity_magnitude principal_axes second_moments home_length home_condition breakaway smoothing_speed external externals"],
         ["gough_platform", "MACHINE(platform.", "cylinder piston friction actuators legs limits tolerances"],
         ["gough_leg_part", "MACHINE(platform.cylinder.", ""],
@@ -26,9 +26,10 @@ perl -0777 -e '
         ["gough_disturbance", "DISTURBANCE(", "noise"],
         ["gough_noise", "DISTURBANCE(noise.", ""],
         ["gough_initial", "INITIAL(", ""],
+        ["gough_workspace", "WORKSPACE(", ""],
         ["gough_simulation", "SIMULATION(", "size law law_context summary statistics"]);
     my ($headers, $table) = ("", "");
-    for my $file ("include/gough/model.h", "include/gough/simulate.h") { open F, "<", $file or die; $headers .= <F> }
+    for my $file ("include/gough/model.h", "include/gough/demands.h", "include/gough/simulate.h") { open F, "<", $file or die; $headers .= <F> }
     open F, "<", "src/model/fields.def" or die;
     $table = <F>;
     s{/\*.*?\*/}{}gs for $headers, $table;

@@ -298,19 +298,13 @@ START_TEST(every_member_is_of_the_part_that_its_key_names) {
     static const struct {
         const char *section;
         unsigned part;
-    } sections[] = {{"platform", GOUGH_PART_MACHINE},
-                    {"actuators", GOUGH_PART_MACHINE},
-                    {"pose", GOUGH_PART_MACHINE},
-                    {"load", GOUGH_PART_MACHINE},
-                    {"gravity", GOUGH_PART_MACHINE},
-                    {"external", GOUGH_PART_EXTERNAL},
-                    {"motion", GOUGH_PART_MOTION},
-                    {"disturbance", GOUGH_PART_DISTURBANCE},
-                    {"control", GOUGH_PART_CONTROL},
-                    {"initial", GOUGH_PART_INITIAL},
-                    {"simulation", GOUGH_PART_SIMULATION},
-                    {"title", GOUGH_PART_NONE},
-                    {"units", GOUGH_PART_NONE},
+    } sections[] = {{"platform", GOUGH_PART_MACHINE},    {"actuators", GOUGH_PART_MACHINE},
+                    {"pose", GOUGH_PART_MACHINE},        {"load", GOUGH_PART_MACHINE},
+                    {"gravity", GOUGH_PART_MACHINE},     {"external", GOUGH_PART_EXTERNAL},
+                    {"motion", GOUGH_PART_MOTION},       {"disturbance", GOUGH_PART_DISTURBANCE},
+                    {"control", GOUGH_PART_CONTROL},     {"initial", GOUGH_PART_INITIAL},
+                    {"workspace", GOUGH_PART_WORKSPACE}, {"simulation", GOUGH_PART_SIMULATION},
+                    {"title", GOUGH_PART_NONE},          {"units", GOUGH_PART_NONE},
                     {"sweep", GOUGH_PART_NONE}};
     size_t count;
     const gough_field *field = gough_fields(&count);
