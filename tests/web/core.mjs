@@ -311,8 +311,8 @@ test("a delay holds commands back as the study does", () =>
 test("sets period and delay where drives lag and saturate", () =>
   assertSameEnd(
     all.replace("damping: 2", "damping: 2, sampling: {period: 0.03125}") +
-      "actuators: {kind: lag, time_constant: 0.02, max_force: 0.4}\n",
-    { set: { period: 0.0390625, delay: 0.0234375 } }, "control.sampling.period=0.0390625", "control.sampling.delay=0.0234375"));
+      "actuators: {kind: lag, time_constant: 0.02, max_force: 0.6}\n",
+    { set: { period: 0.015625, delay: 0.0078125 } }, "control.sampling.period=0.015625", "control.sampling.delay=0.0078125"));
 test("an edge of the window is one live: too long a period shakes the platform off, a shorter one takes it back", async () => {
   const core = await coreOf(machine + "control: {stiffness: 20, damping: 2}\n" + stepped("dop853"));
   core.push(0.01, 0, 0);
