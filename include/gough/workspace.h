@@ -210,9 +210,9 @@ typedef struct gough_envelope {
  *
  *  Bounds are certified, with errors of rounding enclosed. They are drawn nearer until bound and sampled value differ by less
  *  than 1 % (of push and pull: of the larger of both; lengths: 0.01 %; swing: or 0.1 degrees; clearance: or 0.1 % of the least
- *  length), or until the search has tested its share of most_tests. In a large box, clearance, condition and singular value often
- *  stay 10 % to 30 % apart; forces do with velocities in more than one component.
- */
+ *  length), or until the search has tested its share of most_tests. In a large box they stay apart: condition and singular value
+ *  often by 10 % to 30 %, forces that all combinations of accelerations or several velocities ask for by half and more, and the
+ *  bound of a clearance is often 0. */
 GOUGH_API gough_status gough_workspace_envelope(const gough_reach *reach, const gough_box *box,
                                                 gough_envelope *envelope, gough_error *error);
 
@@ -231,8 +231,9 @@ typedef struct gough_volume {
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT if an angle is not finite; GOUGH_ERROR_NUMERICAL with a sentence if no limit bounds the
  *          positions.
  *
- *  The proved bounds differ by less than 20 % of the greatest unless most_tests is too small. An exact value is accurate to
- *  about six digits if no singular pose lies among the positions; another to about two. */
+ *  Where only lengths, swing and components limit poses, the proved bounds differ by less than 20 % of the greatest unless
+ *  most_tests is too small; with limits of forces, speeds or clearances they stay farther apart. An exact value is accurate to
+ *  about six digits, another to about two. */
 GOUGH_API gough_status gough_workspace_volume(const gough_reach *reach, const double orientation[3],
                                               gough_volume *volume, gough_error *error);
 

@@ -145,13 +145,66 @@ static pieces allowed_on(const space *s, const vector centre[LEGS], double x, do
     return p;
 }
 
-/* the sign of the determinant at a pose is that at home */
-static bool is_home_side(const space *s, const double pose[GOUGH_COMPONENTS]) {
+/* the determinant at a pose times the lengths of the legs, positive on the side of home */
+static double side_of(const space *s, const double pose[GOUGH_COMPONENTS]) {
     gough_box one;
     box_view view;
     memcpy(one.least, pose, sizeof one.least), memcpy(one.greatest, pose, sizeof one.greatest);
     box_view_of(s, &one, &view);
-    return legs_determinant(&s->h, &view.x, &view.g).determinant * s->reach->side > 0;
+    double value = legs_determinant(&s->h, &view.x, &view.g).determinant * s->reach->side;
+    for (int v = 0; v < LEGS; v++) value *= view.g.length[v];
+    return value;
+}
+
+/* a cubic on [−1, 1] by its values at −1, −1/3, 1/3, 1 */
+static void cubic_through(const double f[4], double c[4]) {
+    const double even = f[0] + f[3], odd = f[3] - f[0], inner = f[1] + f[2], slope = f[2] - f[1];
+    c[0] = (9 * inner - even) / 16;
+    c[1] = (27 * slope - odd) / 16;
+    c[2] = 9 * (even - inner) / 16;
+    c[3] = 9 * (odd - 3 * slope) / 16;
+}
+
+static double cubic_at(const double c[4], double x) {
+    return ((c[3] * x + c[2]) * x + c[1]) * x + c[0];
+}
+
+/* how much of an interval in which a cubic rises or falls throughout is above 0 */
+static double above_zero(const double c[4], double low, double high) {
+    const bool starts = cubic_at(c, low) > 0, ends = cubic_at(c, high) > 0;
+    double one = low, two = high;
+    if (starts == ends) return starts ? high - low : 0;
+    for (int n = 0; n < 60; n++) {
+        const double middle = 0.5 * (one + two);
+        if ((cubic_at(c, middle) > 0) == starts)
+            one = middle;
+        else
+            two = middle;
+    }
+    return starts ? two - low : high - one;
+}
+
+/* (space-17): how much of a piece of a line is on the side of home: the determinant times the lengths is a cubic of the height */
+static double on_home_side(const space *s, double pose[GOUGH_COMPONENTS], const double end[2]) {
+    const double middle = 0.5 * (end[0] + end[1]), half = 0.5 * (end[1] - end[0]);
+    double f[4], c[4], turn[4] = {-1, -1, -1, 1}, sum = 0;
+    for (int n = 0; n < 4; n++) {
+        pose[2] = middle + half * (2.0 * n / 3 - 1);
+        f[n] = side_of(s, pose);
+    }
+    cubic_through(f, c);
+    /* between the ends and where it turns it rises or falls */
+    const double under = c[2] * c[2] - 3 * c[1] * c[3];
+    if (under > 0) {
+        const double q = -(c[2] + copysign(sqrt(under), c[2]));
+        const double one = q / (3 * c[3]), two = c[1] / q;
+        turn[1] = fmin(fmax(fmin(one, two), -1), 1);
+        turn[2] = fmin(fmax(fmax(one, two), -1), 1);
+    }
+    for (int n = 0; n < 3; n++) {
+        if (turn[n] < turn[n + 1]) sum += above_zero(c, turn[n], turn[n + 1]);
+    }
+    return sum * half;
 }
 
 static double volume_of_lines(const space *s, const double orientation[3], const double least[3],
@@ -164,13 +217,9 @@ static double volume_of_lines(const space *s, const double orientation[3], const
             const double x = least[0] + (i + 0.5) * dx, y = least[1] + (k + 0.5) * dy;
             const pieces p = allowed_on(s, centre, x, y, least[2], greatest[2]);
             for (int n = 0; n < p.count; n++) {
-                const double pose[GOUGH_COMPONENTS] = {x,
-                                                       y,
-                                                       0.5 * (p.end[n][0] + p.end[n][1]),
-                                                       orientation[0],
-                                                       orientation[1],
-                                                       orientation[2]};
-                if (is_home_side(s, pose)) row += p.end[n][1] - p.end[n][0];
+                double pose[GOUGH_COMPONENTS] = {
+                    x, y, 0, orientation[0], orientation[1], orientation[2]};
+                row += on_home_side(s, pose, p.end[n]);
             }
         }
         sum += row;

@@ -57,7 +57,8 @@ grep -q 'heave .*0.01 .*the platform.s limit of heave' out || fail "limit of the
 grep -q 'volume.* m^3$' out || fail "no cubic metres: $(cat out)"
 run workspace own.yaml --set 'platform.legs.max_force=14' --json
 jq -e '[.travel[] | .least, .greatest | .limit] | any(. == "push" or . == "pull")' out >/dev/null || fail "forces: $(jq -c .travel out)"
-run workspace own.yaml --set 'platform.legs.length=[0.01, 3]' --set platform.legs.max_force= --json
+run workspace own.yaml --set 'platform.legs.length=[0.01, 0.5]' --set platform.legs.max_force= --json
+jq -e '.volume | .exact and .bounds[0] < .value and .value < .bounds[1]' out >/dev/null || fail "volume beside singular poses: $(jq -c .volume out)"
 jq -e '.travel.yaw.greatest | .limit == "singular" and .end < 90.0001 and .end > 89.99' out >/dev/null || fail "yaw to the singular pose: $(jq -c .travel.yaw out)"
 
 # units of the study, a point far from the joints, the other order of angles

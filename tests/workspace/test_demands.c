@@ -1,5 +1,6 @@
 /* Motions and loads asked for over boxes of poses, with legs that have mass: forces, rates and accelerations of the legs by
  * gough_inverse_dynamics() and gough_leg_kinematics() at single poses; clearance by points of the legs; volumes by chance.
+ * Label: standard.
  * Sanitized: campaign: it evaluates a million poses. */
 #include <stdio.h>
 
