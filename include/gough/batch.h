@@ -65,7 +65,7 @@ typedef struct gough_batch_options {
     size_t size; /**< of this struct in bytes, from gough_batch_options_default(), or 0 */
     int lanes; /**< 0: as many as the processor has; else 1, 2, 4 or 8 (more than it has is an error) */
     int threads; /**< 0: one per processor that the process may use */
-    bool sizing; /**< fill gough_outcome.sizing, for about a fifth more time */
+    bool sizing; /**< fill gough_outcome.sizing, for about a third more time */
     bool
         forces; /**< inverse dynamics along the program, as gough_forces(), in place of motion. Runs go one by one. Deviations and
                       drift of outcomes are NaN, and a limit that is exceeded does not end a run: the first one is its cause */
