@@ -42,12 +42,12 @@ while IFS= read -r line; do
     claim "printed: $line" grep -qxF -- "$line" forces.txt
 done < <(sed -n '/^```text$/,/^```$/p' "$readme" | sed '1d;$d')
 claim 'the table has both parts' same "$rows" 16
-median() { awk -v row="$1" -v field="$2" 'index($0, row) == 1 { rest = substr($0, length(row) + 1); split(rest, f, " "); print f[field]; exit }' "$SOURCE/docs/guide/benchmarks.md"; }
+median() { awk -v row="$1" -v field="$2" '{ gsub(/ +/, " ") } index($0, row " ") == 1 { rest = substr($0, length(row) + 1); split(rest, f, " "); print f[field]; exit }' "$SOURCE/docs/guide/benchmarks.md"; }
 speed=$(grep -A2 '^- \*\*Speed' "$readme")
 claim 'steps of the widest lanes' grep -qF "takes $(median 'RK4, the widest lanes, million steps/s' 2) million RK4 steps a second with eight" <<<"$speed"
 claim 'steps against MuJoCo' grep -qF ", $(median "RK4 steps in lanes against MuJoCo's tendons, times" 2 | cut -d. -f1) times as many as MuJoCo" <<<"$speed"
-claim 'one pose' grep -qF "takes $(median 'inverse dynamics, pivoting      1' 1) ns for one pose" <<<"$speed"
-claim 'eight poses' grep -qF "$(median 'inverse dynamics, pivoting      8' 1) ns for each of eight" <<<"$speed"
+claim 'one pose' grep -qF "takes $(median 'inverse dynamics, pivoting 1' 1) ns for one pose" <<<"$speed"
+claim 'eight poses' grep -qF "$(median 'inverse dynamics, pivoting 8' 1) ns for each of eight" <<<"$speed"
 
 for document in "$SOURCE"/*.md "$SOURCE"/docs/*/*.md; do
     document=${document#"$SOURCE"/}
