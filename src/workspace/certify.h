@@ -13,7 +13,7 @@ judge pose_judge(const space *s, const double pose[GOUGH_COMPONENTS]);
 /* the side over which joints move most; −1 if none moves them by this part of the machine's size */
 int box_widest_side(const space *s, const box_view *view, double no_side);
 
-/* what is said of a box that is none */
+/* the sentence for a box whose numbers are not finite or in the wrong order */
 gough_status box_refuse(gough_error *error);
 
 /* whether a reach has an order of angles; what is said of one that has none, and of a home pose that exceeds a limit */

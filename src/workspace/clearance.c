@@ -38,7 +38,7 @@ static double least_along(const space *s, const box_view *view, vector e, int v,
 /* One leg over the box: its point nearest to another, of which `part` is where at the centre, and its vector. */
 typedef struct side {
     affine_vector at, leg;
-    bool inner; /* the point is none of its ends */
+    bool inner; /* the point lies between its ends */
     double part;
 } side;
 

@@ -100,7 +100,7 @@ for name in force speed ${sizing//,/ }; do
 done
 [[ $(jq -c '.position_deviation.greatest' out) == '{"value":null,"run":null}' ]] || fail "JSON: a deviation of forces"
 jq -e 'has("side_load")' out >/dev/null || fail "JSON lacks side_load"
-"$GOUGH" sweep study.yaml -q --json | jq -e 'has("side_load") | not' >/dev/null || fail "JSON has side_load although nobody asked for it"
+"$GOUGH" sweep study.yaml -q --json | jq -e 'has("side_load") | not' >/dev/null || fail "JSON has side_load without --sizing"
 if command -v h5dump >/dev/null; then
     "$GOUGH" sweep study.yaml -q --forces --sizing -o forces.h5
     for pair in side_load:N friction_loss:J length_least:mm swing_top:degree; do

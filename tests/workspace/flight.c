@@ -150,3 +150,19 @@ double flight_distance(const gough_model *model, const double c[GOUGH_COMPONENTS
     }
     return sqrt(least);
 }
+
+double flight_over(const gough_reach *reach, const flight_load *load) {
+    const gough_limits *l = &reach->limits;
+    double worst = -INFINITY;
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        const double part[] = {load->force[v] / l->force[v][1] - 1,
+                               load->force[v] / l->force[v][0] - 1,
+                               fabs(load->rate[v]) / l->speed[v] - 1,
+                               fabs(load->second_rate[v]) / l->acceleration[v] - 1};
+        for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
+            if (!isfinite(part[i])) return INFINITY;
+            worst = fmax(worst, part[i]);
+        }
+    }
+    return worst;
+}

@@ -28,6 +28,9 @@ typedef struct flight_load {
 void flight_draw(const gough_model *model, const double component[GOUGH_COMPONENTS], bool ends,
                  dice *d, flight_load *load);
 
+/* by how much a motion exceeds the limits of the legs, in parts of them; INFINITY where a number is not finite */
+double flight_over(const gough_reach *reach, const flight_load *load);
+
 /* a pose of a box, at random or at one of its corners */
 void flight_pick(const gough_box *box, bool corner, dice *d, double pose[GOUGH_COMPONENTS]);
 

@@ -7,19 +7,6 @@
 #include "support/suite.h"
 #include "workspace/flight.h"
 
-/* by how much a drawn motion exceeds the limits of the legs, in parts of them */
-static double over(const gough_reach *reach, const flight_load *load) {
-    const gough_limits *l = &reach->limits;
-    double worst = -INFINITY;
-    for (int v = 0; v < GOUGH_LEGS; v++) {
-        worst = fmax(worst, load->force[v] / l->force[v][1] - 1);
-        worst = fmax(worst, load->force[v] / l->force[v][0] - 1);
-        worst = fmax(worst, fabs(load->rate[v]) / l->speed[v] - 1);
-        worst = fmax(worst, fabs(load->second_rate[v]) / l->acceleration[v] - 1);
-    }
-    return worst;
-}
-
 /* of boxes that are inside, no motion drawn exceeds a limit */
 START_TEST(motions_of_tested_boxes_keep_the_limits) {
     gough_model *model = malloc(sizeof *model);
@@ -42,8 +29,8 @@ START_TEST(motions_of_tested_boxes_keep_the_limits) {
             flight_load load;
             flight_pick(&box, i % 2, &d, pose);
             flight_draw(model, pose, i % 4 < 2, &d, &load);
-            ck_assert_msg(over(&reach, &load) <= 1e-10, "box %d of seed 41: %g", n,
-                          over(&reach, &load));
+            ck_assert_msg(flight_over(&reach, &load) <= 1e-10, "box %d of seed 41: %g", n,
+                          flight_over(&reach, &load));
             ck_assert(flight_excess(model, &reach, pose) <= 1e-10);
         }
     }
@@ -114,7 +101,8 @@ START_TEST(certified_box_survives_its_motions) {
         gough_state s;
         flight_pick(&largest.box, n % 2, &d, pose);
         flight_draw(model, pose, n % 4 < 2, &d, &load);
-        ck_assert_msg(over(&reach, &load) <= 1e-10 && flight_excess(model, &reach, pose) <= 1e-10,
+        ck_assert_msg(flight_over(&reach, &load) <= 1e-10 &&
+                          flight_excess(model, &reach, pose) <= 1e-10,
                       "pose %d of seed 43", n);
         flight_state(model, pose, &s);
         gough_leg_kinematics(&model->machine, &s, NULL, length, NULL, NULL);

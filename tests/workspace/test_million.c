@@ -8,18 +8,6 @@
 
 enum { SHAPES = 4, DRAWS = 250000 };
 
-static double over(const gough_reach *reach, const flight_load *load) {
-    const gough_limits *l = &reach->limits;
-    double worst = -INFINITY;
-    for (int v = 0; v < GOUGH_LEGS; v++) {
-        worst = fmax(worst, load->force[v] / l->force[v][1] - 1);
-        worst = fmax(worst, load->force[v] / l->force[v][0] - 1);
-        worst = fmax(worst, fabs(load->rate[v]) / l->speed[v] - 1);
-        worst = fmax(worst, fabs(load->second_rate[v]) / l->acceleration[v] - 1);
-    }
-    return worst;
-}
-
 START_TEST(certified_boxes_survive_a_million_motions) {
     gough_model *model = malloc(sizeof *model);
     dice d = {51};
@@ -43,7 +31,7 @@ START_TEST(certified_boxes_survive_a_million_motions) {
             flight_load load;
             flight_pick(&largest.box, n % 2, &d, pose);
             flight_draw(model, pose, n % 4 < 2, &d, &load);
-            ck_assert_msg(over(&reach, &load) <= 1e-10 &&
+            ck_assert_msg(flight_over(&reach, &load) <= 1e-10 &&
                               flight_excess(model, &reach, pose) <= 1e-10,
                           "shape %d, pose %d of seed 51", shape, n);
         }

@@ -21,7 +21,7 @@ typedef struct workspace_answer {
     gough_largest_box box;
     gough_envelope envelope; /* over workspace.box, else over the largest box */
     gough_volume volume;
-    gough_error no_envelope, no_volume; /* why there is none; empty if there is */
+    gough_error no_envelope, no_volume; /* why they were not found; empty where they were */
     size_t tests;                       /* of all searches */
     gough_error error;
     gough_status status;
