@@ -1,5 +1,6 @@
 # Three libraries: the core (rooms base to batch: no dependency but the C library and libquadmath); over it the analysis of
-# stability (linear to tune: LAPACK); over both files and figures (study to page). Each is compiled once, as position-independent
+# stability and the search for designs (linear to design: LAPACK, NLopt); over both files and figures (study to page). Each is
+# compiled once, as position-independent
 # code with only GOUGH_API visible, and serves as a static library (command, tests) and as a shared one (installed).
 file(GLOB GOUGH_HEADERS CONFIGURE_DEPENDS include/gough/*.h)
 file(GLOB GOUGH_HEADER_TABLES CONFIGURE_DEPENDS include/gough/*.def)
@@ -10,7 +11,7 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${GOUGH_HEADERS} 
 configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/gough/version.h @ONLY)
 file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
     src/base/*.c src/kernel/*.c src/drive/*.c src/program/*.c src/plant/*.c src/control/*.c src/model/*.c src/pose/*.c src/workspace/*.c src/integrate/*.c src/run/*.c src/batch/*.c)
-file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/linear/*.c src/floquet/*.c src/map/*.c src/tune/*.c)
+file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/linear/*.c src/floquet/*.c src/map/*.c src/tune/*.c src/design/*.c)
 # The core does not show its inner functions: what the others need of them is compiled into them again.
 list(APPEND GOUGH_ANALYSE_SOURCES ${PROJECT_SOURCE_DIR}/src/program/appointments.c ${PROJECT_SOURCE_DIR}/src/base/crew.c
     ${PROJECT_SOURCE_DIR}/src/control/program_lack.c)
@@ -84,10 +85,10 @@ function(gough_room_libraries suffix)
         endif()
         set_target_properties(gough_${part}${suffix} PROPERTIES LINKER_LANGUAGE C)
     endforeach()
-    target_link_libraries(gough_analyse_objects${suffix} PRIVATE PkgConfig::LAPACKE)
+    target_link_libraries(gough_analyse_objects${suffix} PRIVATE PkgConfig::LAPACKE PkgConfig::NLOPT)
     target_link_libraries(gough_files_objects${suffix} PRIVATE PkgConfig::LIBFYAML PkgConfig::HDF5)
     target_link_libraries(gough_core${suffix} PUBLIC gough_flags ${ARGN} ${GOUGH_MATH})
-    target_link_libraries(gough_analyse${suffix} PUBLIC gough_core${suffix} PRIVATE PkgConfig::LAPACKE)
+    target_link_libraries(gough_analyse${suffix} PUBLIC gough_core${suffix} PRIVATE PkgConfig::LAPACKE PkgConfig::NLOPT)
     target_link_libraries(gough_files${suffix} PUBLIC gough_analyse${suffix} PRIVATE PkgConfig::LIBFYAML PkgConfig::HDF5)
 endfunction()
 
@@ -117,6 +118,6 @@ foreach(library gough_shared gough_analyse_shared gough_files_shared)
 endforeach()
 target_link_libraries(gough_shared PRIVATE $<BUILD_INTERFACE:gough_flags> ${GOUGH_MATH})
 target_link_libraries(gough_analyse_shared PUBLIC gough_shared
-    PRIVATE $<BUILD_INTERFACE:gough_flags> $<BUILD_INTERFACE:PkgConfig::LAPACKE> ${GOUGH_MATH})
+    PRIVATE $<BUILD_INTERFACE:gough_flags> $<BUILD_INTERFACE:PkgConfig::LAPACKE> $<BUILD_INTERFACE:PkgConfig::NLOPT> ${GOUGH_MATH})
 target_link_libraries(gough_files_shared PUBLIC gough_analyse_shared
     PRIVATE $<BUILD_INTERFACE:gough_flags> $<BUILD_INTERFACE:PkgConfig::LIBFYAML> $<BUILD_INTERFACE:PkgConfig::HDF5> ${GOUGH_MATH})

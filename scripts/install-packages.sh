@@ -39,6 +39,7 @@ libraries | libfyaml-dev     | pkg-config --exists libfyaml
 libraries | libhdf5-dev      | pkg-config --exists hdf5-serial
 libraries | libjansson-dev   | pkg-config --exists jansson
 libraries | liblapacke-dev   | pkg-config --exists lapacke
+libraries | libnlopt-dev     | pkg-config --exists nlopt
 figures   | gnuplot-nox      | command -v gnuplot
 bundler   | nodejs           | command -v node
 bundler   | npm              | command -v npm

@@ -44,6 +44,8 @@ typedef enum gough_shape {
     GOUGH_SHAPE_SMOOTH,         /**< likewise */
     GOUGH_SHAPE_UNITS,          /**< likewise */
     GOUGH_SHAPE_SWEPT,          /**< a mapping of paths to the values they take */
+    GOUGH_SHAPE_VARIED,         /**< a mapping of paths to two numbers, the least first */
+    GOUGH_SHAPE_AIMS,           /**< one of the words in the range, or a mapping */
     GOUGH_SHAPE_DRIVES,         /**< a mapping for all legs, or one for each */
     GOUGH_SHAPE_RANGE_OR_SIX,   /**< as GOUGH_SHAPE_RANGE for all legs, or one for each */
     GOUGH_SHAPE_GAINS /**< as GOUGH_SHAPE_NUMBER_OR_SIX, or a matrix of six rows of any six

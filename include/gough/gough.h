@@ -6,6 +6,7 @@
 
 #include "gough/batch.h"
 #include "gough/demands.h"
+#include "gough/design.h"
 #include "gough/dynamics.h"
 #include "gough/fields.h"
 #include "gough/floquet.h"

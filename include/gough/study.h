@@ -8,6 +8,7 @@
 #ifndef GOUGH_STUDY_H
 #define GOUGH_STUDY_H
 
+#include "gough/design.h"
 #include "gough/fields.h"
 #include "gough/model.h"
 #include "gough/simulate.h"
@@ -139,6 +140,52 @@ typedef gough_field gough_key;
 
 /** The table of keys in the order of the guide; @p count receives their number. They are the first of gough_fields(). */
 GOUGH_API const gough_key *gough_study_keys(size_t *count);
+
+/* ---- designs ------------------------------------------------------------------------------------------------- */
+
+/** A study with its section `design`, as read. Opaque; for one thread at a time. */
+typedef struct gough_design_study gough_design_study;
+
+/** One key that varies. */
+typedef struct gough_design_key {
+    const char *path; /**< "platform.top.radius" */
+    const char *unit; /**< as in the table of keys: "length", "angle [degrees]", "" … */
+    double least;     /**< in the units of the study file */
+    double greatest;  /**< likewise */
+    double start;     /**< the study's own value */
+} gough_design_key;
+
+/** Reads a study and its section `design`; parameters, messages and status as gough_study_parse(). A study without that section
+ *  or without workspace.box is an error, and so is a key that the study does not give or that belongs to the requirement.
+ *  @param[out] design  set on GOUGH_OK only; free with gough_design_study_free() */
+GOUGH_API gough_status gough_design_study_parse(const char *name, const char *text, size_t length,
+                                                const gough_setting *settings, size_t setting_count,
+                                                gough_design_study **design, char **messages);
+
+/** Frees it; NULL is allowed. */
+GOUGH_API void gough_design_study_free(gough_design_study *design);
+
+/** The study as written. */
+GOUGH_API const gough_study *gough_design_study_own(const gough_design_study *design);
+
+/** The keys that vary, in the order of the file, which is also the order of the request's numbers. */
+GOUGH_API const gough_design_key *gough_design_study_keys(const gough_design_study *design,
+                                                          size_t *count);
+
+/** The request of the study. Its numbers are in the units of the file; its maker keeps models in the memory of @p design.
+ *  @param size  sizeof(gough_design_request)
+ *  @return as gough_platform_init() */
+GOUGH_API gough_status gough_design_study_request(gough_design_study *design,
+                                                  gough_design_request *request, size_t size);
+
+/** The text of the file with other values of the keys that vary; everything else, comments included, stays as it is. Values that
+ *  settings gave are written too.
+ *  @param value      one for each key, in the units of the file
+ *  @param[out] text  terminated, in the memory of @p design; NULL unless GOUGH_OK is returned
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT with a sentence if a setting changed a part of the file that cannot be written so;
+ *          GOUGH_ERROR_FILE if out of memory. The text reads back as the same numbers, exactly. */
+GOUGH_API gough_status gough_design_study_text(gough_design_study *design, const double *value,
+                                               const char **text, gough_error *error);
 
 #ifdef __cplusplus
 }

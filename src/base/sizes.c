@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "gough/batch.h"
+#include "gough/design.h"
 #include "gough/pose.h"
 #include "gough/report.h"
 #include "gough/sweep.h"
@@ -19,6 +20,7 @@ static const struct {
     size_t size;
 } sizes[] = {
     SIZE_OF(gough_acceleration),
+    SIZE_OF(gough_active),
     SIZE_OF(gough_actuators),
     SIZE_OF(gough_batch_options),
     SIZE_OF(gough_batch_run),
@@ -30,6 +32,9 @@ static const struct {
     SIZE_OF(gough_control),
     SIZE_OF(gough_control_memory),
     SIZE_OF(gough_crossing),
+    SIZE_OF(gough_design_key),
+    SIZE_OF(gough_design_request),
+    SIZE_OF(gough_design_result),
     SIZE_OF(gough_disturbance),
     SIZE_OF(gough_eigenvalue),
     SIZE_OF(gough_end),

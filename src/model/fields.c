@@ -30,6 +30,8 @@
 #define TYPE_UNITS "choice or mapping"
 #define TYPE_WHOLE "whole number"
 #define TYPE_SWEPT "mapping of paths"
+#define TYPE_VARIED "mapping of paths"
+#define TYPE_AIMS "choice or mapping"
 
 #define BOUND(text, rule, least, greatest, open)                                                   \
     .range = text, .bound = {rule, least, greatest, open}
@@ -49,8 +51,12 @@
     BOUND(">= 0 as a number", "0 or greater, downwards (or a vector [x, y, z])", 0, INFINITY, false)
 #define BOUND_SEED                                                                                 \
     BOUND("0 to 9007199254740992", "a whole number from 0 to 9007199254740992", 0, 0x1p53, false)
+#define BOUND_SEED_32                                                                              \
+    BOUND("0 to 4294967295", "a whole number from 0 to 4294967295", 0, 4294967295, false)
 #define BOUND_RUNS BOUND("1 to 100000000", "a whole number from 1 to 100000000", 1, 1e8, false)
 #define BOUND_STEPS BOUND("2 to 100000000", "a whole number from 2 to 100000000", 2, 1e8, false)
+#define BOUND_EVALUATIONS                                                                          \
+    BOUND("10 to 1000000", "a whole number from 10 to 1000000", 10, 1e6, false)
 #define BOUND_UNITS WORDS("si, dimensionless")
 #define BOUND_LENGTHS WORDS(WORDS_OF(LENGTHS))
 #define BOUND_FORCES WORDS(WORDS_OF(FORCES))
@@ -70,6 +76,7 @@
 #define BOUND_SMOOTH WORDS("rounding, none")
 #define BOUND_COMBINE WORDS("product, zip")
 #define BOUND_SCALE WORDS("lin, log")
+#define BOUND_AIMS WORDS("force, stroke, speed, footprint")
 
 /* ---- the table ---- */
 

@@ -226,6 +226,22 @@ static void check_swept(study_messages *messages, study_node *node) {
     }
 }
 
+/* Between which numbers each path varies; whether there is such a path is found with the plan. */
+static void check_varied(study_messages *messages, study_node *node) {
+    static const gough_bound any = {"", -INFINITY, INFINITY, false};
+    if (node->kind != STUDY_MAPPING || node->count == 0) {
+        study_say_shape(messages, node, study_shape_phrase(GOUGH_SHAPE_VARIED));
+        return;
+    }
+    for (study_node *varied = node->first; varied; varied = varied->next) {
+        const study_node *first = study_node_child(node, varied->key->text);
+        if (first != varied)
+            say_duplicate(messages, varied, first);
+        else
+            check_limits(messages, varied, &any, "a list of two numbers");
+    }
+}
+
 /* A number, a list of numbers, or lists of them. */
 static void check_numeric(study_messages *messages, study_node *node, const gough_key *key) {
     static const gough_bound any = {"", -INFINITY, INFINITY, false};
@@ -297,6 +313,7 @@ static void check_value(study_messages *messages, study_node *node, const gough_
     case GOUGH_SHAPE_CONSTRAINTS:
     case GOUGH_SHAPE_SMOOTH:
     case GOUGH_SHAPE_UNITS:
+    case GOUGH_SHAPE_AIMS:
         check_mapping_or_word(messages, node, key);
         break;
     case GOUGH_SHAPE_MOVES:
@@ -320,6 +337,9 @@ static void check_value(study_messages *messages, study_node *node, const gough_
         break;
     case GOUGH_SHAPE_SWEPT:
         check_swept(messages, node);
+        break;
+    case GOUGH_SHAPE_VARIED:
+        check_varied(messages, node);
         break;
     case GOUGH_SHAPE_FORMULA:
         study_check_formula(messages, node);

@@ -44,6 +44,9 @@ const char *study_shape_phrase(gough_shape shape) {
         [GOUGH_SHAPE_UNITS] = "si, dimensionless or a mapping such as {length: mm, force: N}",
         [GOUGH_SHAPE_WHOLE] = "a whole number",
         [GOUGH_SHAPE_SWEPT] = "a mapping such as {control.stiffness: [10, 20, 50]}",
+        [GOUGH_SHAPE_VARIED] = "a mapping such as {platform.top.radius: [0.8, 1.9]}",
+        [GOUGH_SHAPE_AIMS] =
+            "force, stroke, speed, footprint or a mapping such as {force: 1, stroke: 0.5}",
     };
     return phrases[shape];
 }

@@ -34,16 +34,18 @@ static size_t swept_end(const study_source *source, size_t begin, size_t end) {
     return end;
 }
 
-static bool is_sweep_keys(const study_node *node) {
-    return node->key && strcmp(node->key->text, "keys") == 0 && node->parent->key &&
-           strcmp(node->parent->key->text, "sweep") == 0 && !node->parent->parent->parent;
+/* Whether the node is that of `name` in a section of the study. */
+static bool is_keys(const study_node *node, const char *section, const char *name) {
+    return node->key && strcmp(node->key->text, name) == 0 && node->parent->key &&
+           strcmp(node->parent->key->text, section) == 0 && !node->parent->parent->parent;
 }
 
-/* The next part of a path as a node that can be a key; below sweep.keys that is a whole path. */
+/* The next part of a path as a node that can be a key; below sweep.keys and design.vary that is a whole path. */
 static study_node *next_part(study_arena *arena, const study_source *source, size_t *at, size_t end,
                              const study_node *parent) {
     const size_t begin = *at;
-    if (is_sweep_keys(parent)) *at = swept_end(source, begin, end);
+    if (is_keys(parent, "sweep", "keys")) *at = swept_end(source, begin, end);
+    if (is_keys(parent, "design", "vary")) *at = end;
     while (*at < end && source->text[*at] != '.') ++*at;
     study_node *part = study_node_new(arena, STUDY_SCALAR, (study_place){source, begin});
     if (!part) return NULL;

@@ -15,6 +15,11 @@ typedef struct study_memory {
     study_arena places;
 } study_memory;
 
+/* Copies of a text and its settings that live as long as the arena, which is exhausted where there is no memory for them. */
+gough_setting *study_input_copy(study_arena *arena, const char *name, const char *text,
+                                size_t length, const gough_setting *settings, size_t count,
+                                study_source *source);
+
 /* The guarded, parsed and checked tree of a text that outlives it, settings applied; NULL where there is none. What is wrong
  * is said. */
 study_node *study_tree_read(study_messages *messages, const study_source *source,

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "study/check.h"
+#include "study/design_plan.h"
 #include "study/overrides.h"
 #include "study/read.h"
 #include "study/source.h"
@@ -89,6 +90,21 @@ static void build_study(study_messages *messages, const study_node *root, gough_
     if (!study->title || (build.samples_path && !study->samples)) messages->arena->exhausted = true;
 }
 
+gough_setting *study_input_copy(study_arena *arena, const char *name, const char *text,
+                                size_t length, const gough_setting *settings, size_t count,
+                                study_source *source) {
+    const char *own_name = study_arena_copy(arena, name, strlen(name));
+    const char *own_text = study_arena_copy(arena, text, length);
+    gough_setting *own = study_arena_take(arena, (count + 1) * sizeof *own);
+    if (arena->exhausted) return NULL;
+    *source = (study_source){own_name, own_text, length, 0, false};
+    for (size_t i = 0; i < count; i++) {
+        own[i].key = study_arena_copy(arena, settings[i].key, strlen(settings[i].key));
+        own[i].value = study_arena_copy(arena, settings[i].value, strlen(settings[i].value));
+    }
+    return own;
+}
+
 study_node *study_tree_read(study_messages *messages, const study_source *source,
                             const gough_setting *settings, size_t setting_count) {
     study_node *root = read_tree(messages, source);
@@ -113,9 +129,11 @@ gough_study *study_from_tree(study_messages *messages, study_node *root,
 static gough_study *read_study(study_messages *messages, const study_source *source,
                                const gough_setting *settings, size_t setting_count) {
     study_plan plan;
+    study_design design;
     study_node *root = study_tree_read(messages, source, settings, setting_count);
     if (!root) return NULL;
     study_plan_make(messages, root, &plan);
+    study_design_make(messages, root, &design);
     gough_study *study = study_from_tree(messages, root, source);
     if (study) study->swept = study_node_child(root, "sweep") != NULL;
     return study;

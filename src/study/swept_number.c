@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/chosen_units.h"
 #include "study/sweep_plan.h"
 #include "study/swept_number.h"
 #include "study/value.h"
@@ -51,7 +52,7 @@ static makeup makeup_of(gough_shape shape) {
 
 static bool is_mapping(gough_shape shape) {
     return shape == GOUGH_SHAPE_MAPPING || shape == GOUGH_SHAPE_CONSTRAINTS ||
-           shape == GOUGH_SHAPE_SMOOTH || shape == GOUGH_SHAPE_UNITS ||
+           shape == GOUGH_SHAPE_SMOOTH || shape == GOUGH_SHAPE_UNITS || shape == GOUGH_SHAPE_AIMS ||
            shape == GOUGH_SHAPE_MOVES || shape == GOUGH_SHAPE_LOADS || shape == GOUGH_SHAPE_DRIVES;
 }
 
@@ -72,6 +73,11 @@ static size_t number_of(const char *part) {
     return (size_t)strtol(part, NULL, 10);
 }
 
+/* Whether a path is in one of the sections that make numbers vary. */
+static bool is_section(const char *path) {
+    return strncmp(path, "sweep", 5) == 0 || strncmp(path, "design", 6) == 0;
+}
+
 /* The paths that can vary, without those of lists' elements. */
 static const char *nearest_path(study_arena *arena, const char *path) {
     size_t keys, count = 0;
@@ -79,8 +85,7 @@ static const char *nearest_path(study_arena *arena, const char *path) {
     const char **known = study_arena_take(arena, keys * sizeof *known);
     for (size_t i = 0; known && i < keys; i++) {
         const makeup made = makeup_of(key[i].shape);
-        if ((made.number || made.formula) && strncmp(key[i].path, "sweep.", 6) != 0)
-            known[count++] = key[i].path;
+        if ((made.number || made.formula) && !is_section(key[i].path)) known[count++] = key[i].path;
     }
     return study_nearest(path, known, count);
 }
@@ -190,13 +195,29 @@ static bool check_place(study_messages *messages, study_node *root, study_node *
     return false;
 }
 
+/* The bound of a key in the units of the study. */
+static const gough_bound *bound_of(study_arena *arena, const study_node *node,
+                                   const gough_key *key) {
+    gough_bound *bound = study_arena_take(arena, sizeof *bound);
+    char *rule = study_arena_take(arena, STUDY_RULE);
+    if (!bound || !rule) return &key->bound;
+    *bound = study_units_bound(node, key, rule);
+    return bound;
+}
+
+study_node *study_node_named(study_arena *arena, study_node *root, const char *path) {
+    char *rest = study_arena_copy(arena, path, strlen(path)), *missing = NULL;
+    study_node *node = rest ? walk_tree(root, &rest, &missing) : NULL;
+    return missing ? NULL : node;
+}
+
 bool study_target_find(study_messages *messages, study_node *root, study_axis *axis) {
     const char *path = axis->key.path;
     char *copy = study_arena_copy(messages->arena, path, strlen(path)), *rest = copy;
     if (!copy) return false;
     static const gough_bound any = {"", -INFINITY, INFINITY, false};
     const gough_key *key = walk_keys(&rest);
-    if (!key || strncmp(path, "sweep", 5) == 0) return say_unknown(messages, axis->node, path);
+    if (!key || is_section(path)) return say_unknown(messages, axis->node, path);
     const makeup made = makeup_of(key->shape);
     size_t depth;
     if (!made.number && !made.formula) return say_no_number(messages, axis->node, path, key, &made);
@@ -204,7 +225,7 @@ bool study_target_find(study_messages *messages, study_node *root, study_axis *a
     if (depth == 0 && !made.alone) return say_no_number(messages, axis->node, path, key, &made);
     const bool free = (depth > 0 && key->shape == GOUGH_SHAPE_GRAVITY) ||
                       (depth == 2 && key->shape == GOUGH_SHAPE_GAINS);
-    axis->bound = made.formula ? NULL : free ? &any : &key->bound;
+    axis->bound = made.formula ? NULL : free ? &any : bound_of(messages->arena, axis->node, key);
     axis->key.unit = key->unit;
     axis->touches = key->place.part | key->place.also;
     return check_place(messages, root, axis->node, path, key, depth);

@@ -421,6 +421,8 @@ START_TEST(names_of_what_is_outside_are_harmless) {
         ck_assert_str_eq(gough_cause_words((gough_cause)value), "the run ends");
         ck_assert_str_eq(gough_bind_name((gough_bind)value), "unknown");
         ck_assert_str_eq(gough_worst_name((gough_worst)value), "unknown");
+        ck_assert_str_eq(gough_aim_name((gough_aim)value), "unknown");
+        ck_assert_str_eq(gough_active_name((gough_active_kind)value), "unknown");
         ck_assert_str_eq(gough_completeness_name((gough_completeness)value), "unknown");
         ck_assert_str_eq(gough_interval_kind_name((gough_interval_kind)value), "unknown");
         ck_assert_str_eq(gough_tuning_binding_name((gough_tuning_binding)value), "unknown");

@@ -16,7 +16,7 @@ documented() { awk -v heading="$1" '/^#/ { inside = $0 == heading } inside' "$gu
 # the keys of the JSON on standard input, elements of lists as []
 keys='paths | select(.[-1] | type == "string") | map(if type == "number" then "[]" else "." + . end) | join("") | ltrimstr(".")'
 # sections whose objects have keys of the user's making: what they hold is not listed
-open='^(ended|set)\..*'
+open='^(ended|set|keys|bounds|objective\.(minimize|aims_before|aims_after))\..*'
 
 # hold SECTION FILE…: the keys of all files together are those of the section
 hold() {
@@ -62,6 +62,11 @@ hold '## pose' pose-1.json pose-2.json pose-3.json
 json space-1.json workspace own-machine.yaml
 json space-2.json workspace own-machine.yaml --set 'workspace.box={heave: 0.01}' --set 'workspace.velocity=[0, 0, 0.1]'
 hold '## workspace' space-1.json space-2.json
+
+few=(--set 'workspace={box: {heave: 0.01}}' --set 'design={vary: {platform.height: [0.25, 0.3]}, minimize: stroke, evaluations: 20}')
+json design-1.json design own-machine.yaml "${few[@]}"
+json design-2.json design own-machine.yaml "${few[@]}" --set workspace.box.heave=0.5
+hold '## design' design-1.json design-2.json
 
 json run-1.json forces own-machine.yaml
 json run-2.json forces own-machine.yaml --set platform.legs.max_speed=0.05

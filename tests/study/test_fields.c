@@ -305,7 +305,7 @@ START_TEST(every_member_is_of_the_part_that_its_key_names) {
                     {"control", GOUGH_PART_CONTROL},     {"initial", GOUGH_PART_INITIAL},
                     {"workspace", GOUGH_PART_WORKSPACE}, {"simulation", GOUGH_PART_SIMULATION},
                     {"title", GOUGH_PART_NONE},          {"units", GOUGH_PART_NONE},
-                    {"sweep", GOUGH_PART_NONE}};
+                    {"sweep", GOUGH_PART_NONE},          {"design", GOUGH_PART_NONE}};
     size_t count;
     const gough_field *field = gough_fields(&count);
     for (size_t i = 0; i < count; i++) {

@@ -166,6 +166,22 @@ gough_status check_output(const command_line *line, const char *other) {
     return check_distinct(line);
 }
 
+gough_status check_study_output(const command_line *line) {
+    const char *path = line->outputs.count ? line->outputs.word[0] : "-";
+    if (line->outputs.count > 1) {
+        complain(line->verb, "a study is written to one file; give -o once");
+        return GOUGH_ERROR_INPUT;
+    }
+    if (strcmp(path, "-") != 0 && !ends_in(path, ".yaml") && !ends_in(path, ".yml")) {
+        complain(line->verb,
+                 "-o needs a name that ends in .yaml or .yml, or - for standard output; '%s' does "
+                 "not",
+                 path);
+        return GOUGH_ERROR_INPUT;
+    }
+    return line->outputs.count ? check_place(line, path) : GOUGH_OK;
+}
+
 /* ---- studies ------------------------------------------------------------------------------------------------------ */
 
 /* No output is the study or its recorded motion. */
@@ -204,6 +220,17 @@ gough_status read_sweep(const command_line *line, const gough_study *study, goug
     const gough_status status =
         gough_sweep_parse(study->name, study->text, strlen(study->text), line->settings.list,
                           line->settings.count, sweep, &messages);
+    if (status == GOUGH_ERROR_FILE && !messages) complain(line->verb, "out of memory");
+    say_messages(messages);
+    return status;
+}
+
+gough_status read_design(const command_line *line, const gough_study *study,
+                         gough_design_study **design) {
+    char *messages = NULL;
+    const gough_status status =
+        gough_design_study_parse(study->name, study->text, strlen(study->text), line->settings.list,
+                                 line->settings.count, design, &messages);
     if (status == GOUGH_ERROR_FILE && !messages) complain(line->verb, "out of memory");
     say_messages(messages);
     return status;

@@ -11,6 +11,13 @@ gough_status read_study(const command_line *line, const char *path, gough_study 
 /* The sweep of a study that was read so. */
 gough_status read_sweep(const command_line *line, const gough_study *study, gough_sweep **sweep);
 
+/* The study with its section `design`, likewise. */
+gough_status read_design(const command_line *line, const gough_study *study,
+                         gough_design_study **design);
+
+/* Checks before a long run that at most one output is given, and that it can be a study: .yaml, .yml or standard output. */
+gough_status check_study_output(const command_line *line);
+
 /* Checks the outputs before a long run and refuses what would fail at its end: a file name that ends neither in .h5 nor in .csv nor
  * in `other`, a folder that does not exist, the same file twice, standard output for both a table and JSON. */
 gough_status check_output(const command_line *line, const char *other);

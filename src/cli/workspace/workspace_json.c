@@ -4,15 +4,15 @@
 #include "cli/common/json.h"
 #include "cli/workspace/workspace_verb.h"
 
-static json_t *pose_array(const workspace_answer *a, const double pose[GOUGH_COMPONENTS]) {
+json_t *workspace_pose_json(const gough_units *unit, const double pose[GOUGH_COMPONENTS]) {
     double value[GOUGH_COMPONENTS];
     for (int c = 0; c < GOUGH_COMPONENTS; c++)
-        value[c] = in_units(a->unit, component_unit(c), pose[c]);
+        value[c] = in_units(unit, component_unit(c), pose[c]);
     return json_numbers(value, GOUGH_COMPONENTS);
 }
 
 /* adds the limit, and its leg or component, to an object */
-static void set_binding(json_t *object, const gough_binding *b) {
+void workspace_set_binding(json_t *object, const gough_binding *b) {
     json_object_set_new(object, "limit", json_string(gough_bind_name(b->bind)));
     json_object_set_new(object, "leg",
                         binding_has_leg(b) ? json_integer(b->which + 1) : json_null());
@@ -28,7 +28,7 @@ static json_t *end_object(const workspace_answer *a, int c, int end) {
     json_t *object = json_object();
     json_object_set_new(object, "end",
                         json_number(in_units(a->unit, component_unit(c), t->end[end])));
-    set_binding(object, &t->binding[end]);
+    workspace_set_binding(object, &t->binding[end]);
     return object;
 }
 
@@ -49,13 +49,13 @@ static json_t *box_object(const workspace_answer *a) {
     json_object_set_new(object, "shape_given", json_boolean(a->shape_given));
     json_object_set_new(object, "scale", json_number(b->scale));
     json_object_set_new(object, "upper", json_number(b->upper));
-    json_object_set_new(object, "least", pose_array(a, b->box.least));
-    json_object_set_new(object, "greatest", pose_array(a, b->box.greatest));
+    json_object_set_new(object, "least", workspace_pose_json(a->unit, b->box.least));
+    json_object_set_new(object, "greatest", workspace_pose_json(a->unit, b->box.greatest));
     json_t *stop = json_null();
     if (b->upper < INFINITY) {
         stop = json_object();
-        set_binding(stop, &b->binding);
-        json_object_set_new(stop, "pose", pose_array(a, b->pose));
+        workspace_set_binding(stop, &b->binding);
+        json_object_set_new(stop, "pose", workspace_pose_json(a->unit, b->pose));
     }
     json_object_set_new(object, "stopped_by", stop);
     return object;
@@ -74,7 +74,7 @@ static json_t *extremes(const workspace_answer *a, bool bounds) {
     return object;
 }
 
-static json_t *envelope_object(const workspace_answer *a) {
+json_t *workspace_envelope_json(const workspace_answer *a) {
     const gough_box *box = a->shape_given ? &a->shape : &a->box.box;
     json_t *object = extremes(a, true), *legs = json_object();
     for (int i = 0; i < GOUGH_WORSTS; i++) {
@@ -82,8 +82,8 @@ static json_t *envelope_object(const workspace_answer *a) {
         json_object_set_new(legs, gough_worst_name(i),
                             leg >= 0 ? json_integer(leg + 1) : json_null());
     }
-    json_object_set_new(object, "least", pose_array(a, box->least));
-    json_object_set_new(object, "greatest", pose_array(a, box->greatest));
+    json_object_set_new(object, "least", workspace_pose_json(a->unit, box->least));
+    json_object_set_new(object, "greatest", workspace_pose_json(a->unit, box->greatest));
     json_object_set_new(object, "sampled", extremes(a, false));
     json_object_set_new(object, "legs", legs);
     return object;
@@ -116,7 +116,7 @@ int workspace_print_json(const workspace_answer *a) {
     json_object_set_new(object, "box", a->status ? json_null() : box_object(a));
     const bool bounded = !a->status && !*a->no_envelope.message,
                measured = !a->status && !*a->no_volume.message;
-    json_object_set_new(object, "envelope", bounded ? envelope_object(a) : json_null());
+    json_object_set_new(object, "envelope", bounded ? workspace_envelope_json(a) : json_null());
     json_object_set_new(object, "volume", measured ? volume_object(a) : json_null());
     json_object_set_new(object, "tests", json_integer((json_int_t)a->tests));
     json_object_set_new(object, "message",

@@ -88,13 +88,12 @@ static void print_travel(const workspace_answer *a) {
     }
 }
 
-static void print_pose(const workspace_answer *a, const double pose[GOUGH_COMPONENTS]) {
+void workspace_print_pose(const gough_units *unit, const double pose[GOUGH_COMPONENTS]) {
     const char *joint = "";
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         if (!(fabs(pose[c]) > 0)) continue;
         printf("%s%s %.6g%s", joint, gough_component_name(c),
-               in_units(a->unit, component_unit(c), pose[c]),
-               unit_word(a->unit, component_unit(c)));
+               in_units(unit, component_unit(c), pose[c]), unit_word(unit, component_unit(c)));
         joint = ", ";
     }
     printf("%s\n", *joint ? "" : "home");
@@ -117,7 +116,7 @@ static void print_box(const workspace_answer *a) {
     printf("  %-20s %.5g of the shape is not free\n", "", b->upper);
     printf("  %-20s %s, at\n", "stopped by", stop.text);
     printf("  %-20s ", "");
-    print_pose(a, b->pose);
+    workspace_print_pose(a->unit, b->pose);
 }
 
 /* the words of the table of worst values, by gough_worst */
@@ -126,7 +125,7 @@ static const char *const WORST[GOUGH_WORSTS] = {
     "leg acceleration",    "swing at the base", "swing at the top", "clearance", "condition",
     "least singular value"};
 
-static void print_envelope(const workspace_answer *a) {
+void workspace_print_envelope(const workspace_answer *a) {
     printf("\nWorst values in %s\n", a->shape_given ? "workspace.box" : "this box");
     if (*a->no_envelope.message) {
         print_paragraph(stdout, "  not bounded", 23, "%s", a->no_envelope.message);
@@ -168,6 +167,6 @@ void workspace_print(const workspace_answer *a) {
     printf("%s\n\n", units_sentence(a->study, a->unit).text);
     print_travel(a);
     print_box(a);
-    print_envelope(a);
+    workspace_print_envelope(a);
     print_volume(a);
 }

@@ -42,6 +42,14 @@ bool worst_is_asked(const workspace_answer *answer, int worst);
 /* a volume in units of the study */
 double volume_in_units(const gough_units *units, double volume);
 
+/* parts of what is printed that gough design prints too: a pose, the end of its line included; the worst values over a box, of
+ * which reach, unit, shape, envelope and no_envelope are needed; a limit that is added to an object */
+void workspace_print_pose(const gough_units *unit, const double pose[GOUGH_COMPONENTS]);
+void workspace_print_envelope(const workspace_answer *answer);
+json_t *workspace_pose_json(const gough_units *unit, const double pose[GOUGH_COMPONENTS]);
+json_t *workspace_envelope_json(const workspace_answer *answer);
+void workspace_set_binding(json_t *object, const gough_binding *binding);
+
 void workspace_print(const workspace_answer *answer);
 int workspace_print_json(const workspace_answer *answer);
 
