@@ -118,6 +118,27 @@ static char *as_sweep(const char *text, size_t length, const gough_setting *sett
     return outcome(status, messages, more);
 }
 
+/* and its text with the first number at its least */
+static char *as_design(const char *text, size_t length, const gough_setting *setting,
+                       size_t settings) {
+    gough_design_study *design = NULL;
+    char *messages = NULL, more[3000] = "";
+    gough_error error = {.message = ""};
+    gough_design_request request = gough_design_request_default();
+    gough_status status = gough_design_study_parse("./study.yaml", text, length, setting, settings,
+                                                   &design, &messages);
+    if (design) {
+        const char *written = NULL;
+        gough_design_study_request(design, &request, sizeof request);
+        request.start[0] = request.least[0];
+        const gough_status made = gough_design_study_text(design, request.start, &written, &error);
+        if (made == GOUGH_ERROR_FILE) status = made;
+        snprintf(more, sizeof more, "%d %s %s", (int)made, written ? written : "", error.message);
+    }
+    gough_design_study_free(design);
+    return outcome(status, messages, more);
+}
+
 /* Lets each call of each function fail once. */
 static void let_fail(const char *what, way *read, const char *text, size_t length,
                      const gough_setting *setting, size_t settings) {
@@ -185,6 +206,22 @@ START_TEST(memory_may_end_in_settings) {
     const gough_setting swept = {"sweep.keys.load.mess", "[1, 2]"};
     both_ways("an unknown key that varies", good_study, &swept, 1);
     both_ways("unknown", good_study, settings + 11, COUNT - 11);
+}
+END_TEST
+
+START_TEST(memory_may_end_in_designs) {
+    static const char section[] = "workspace: {box: {heave: 0.1}}\n"
+                                  "design:\n"
+                                  "  vary: {platform.height: [0.2, 1], load.mass: [5, 8]}\n"
+                                  "  minimize: {force: 1}\n";
+    const gough_setting settings[] = {{"load.mass", "7"},
+                                      {"design.vary.platform.height", "[0.2, 2]"},
+                                      {"design.vary.platform.hight", "[1, 2]"}};
+    char text[2000];
+    snprintf(text, sizeof text, "%s%s", good_study, section);
+    for (size_t count = 0; count <= 3; count++)
+        let_fail("a design", as_design, text, strlen(text), settings, count);
+    let_fail("no design", as_design, good_study, strlen(good_study), NULL, 0);
 }
 END_TEST
 
@@ -259,8 +296,8 @@ START_TEST(a_number_is_printed_without_a_locale) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("study/memory", 60, memory_may_end_in_any_study_of_the_corpus,
-                     memory_may_end_in_settings, memory_may_end_in_recorded_motion,
-                     files_that_cannot_be_read_are_named_with_the_cause,
-                     a_number_is_printed_without_a_locale);
+    return SUITE_RUN(
+        "study/memory", 60, memory_may_end_in_any_study_of_the_corpus, memory_may_end_in_settings,
+        memory_may_end_in_designs, memory_may_end_in_recorded_motion,
+        files_that_cannot_be_read_are_named_with_the_cause, a_number_is_printed_without_a_locale);
 }
