@@ -25,6 +25,7 @@ static bool copy_input(gough_design_study *design, const char *name, const char 
 }
 
 static void read_design(study_messages *messages, gough_design_study *design) {
+    study_plan sweep;
     study_node *root =
         study_tree_read(messages, &design->source, design->settings, design->setting_count);
     if (!root) return;
@@ -34,6 +35,7 @@ static void read_design(study_messages *messages, gough_design_study *design) {
                   "the study has no section `design`, such as\ndesign:\n  vary:\n    "
                   "platform.top.radius: [0.8, 1.9]\n  minimize: force");
     study_design_make(messages, root, &design->plan);
+    study_plan_make(messages, root, &sweep); /* as in reading the study without its design */
     design->study = study_from_tree(messages, root, &design->source);
     if (!design->study || messages->count) return;
     design->study->swept = study_node_child(root, "sweep") != NULL;

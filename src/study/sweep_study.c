@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/design_plan.h"
 #include "study/varied.h"
 
 struct gough_sweep {
@@ -56,6 +57,7 @@ static void try_first_run(study_messages *messages, study_node *root, const goug
 }
 
 static void read_sweep(study_messages *messages, gough_sweep *sweep) {
+    study_design design;
     study_node *root =
         study_tree_read(messages, &sweep->source, sweep->settings, sweep->setting_count);
     if (!root) return;
@@ -65,6 +67,7 @@ static void read_sweep(study_messages *messages, gough_sweep *sweep) {
                   "the study has no section `sweep`, such as\nsweep:\n  keys:\n    "
                   "control.stiffness: {from: 1, to: 1000, steps: 31, scale: log}");
     study_plan_make(messages, root, &sweep->plan);
+    study_design_make(messages, root, &design); /* as in reading the study without its sweep */
     sweep->study = study_from_tree(messages, root, &sweep->source);
     if (!sweep->study || messages->count) return;
     sweep->study->swept = true;
