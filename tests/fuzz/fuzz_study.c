@@ -6,6 +6,32 @@
 
 #include "gough/sweep.h"
 
+/* The same bytes as a design: its text with other numbers, if there is one, is a design again. */
+static void try_design(const char *text, size_t size, const gough_setting *setting, size_t settings,
+                       const gough_study *study) {
+    gough_design_study *design = NULL, *again = NULL;
+    char *messages = NULL;
+    gough_error error = {.message = ""};
+    gough_design_request request;
+    const char *written = NULL;
+    const gough_status status =
+        gough_design_study_parse("fuzz.yaml", text, size, setting, settings, &design, &messages);
+    if ((status == GOUGH_OK) != (design != NULL) || (status == GOUGH_OK) != (messages == NULL))
+        abort();
+    if (status == GOUGH_OK && !study) abort();
+    gough_study_free_messages(messages);
+    if (design) {
+        (void)gough_design_study_request(design, &request, sizeof request);
+        if (gough_design_study_text(design, request.least, &written, &error) == GOUGH_OK &&
+            gough_design_study_parse("fuzz.yaml", written, strlen(written), NULL, 0, &again,
+                                     NULL) != GOUGH_OK)
+            abort();
+        if (!written && !error.message[0]) abort();
+    }
+    gough_design_study_free(again);
+    gough_design_study_free(design);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 /* "#set key=value" at the start as a setting; false where there is none. */
@@ -56,6 +82,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         abort();
     if (messages && !strstr(messages, "error: ")) abort();
     try_sweep(text, size, &setting, settings, study);
+    try_design(text, size, &setting, settings, study);
     gough_study_free(study);
     gough_study_free_messages(messages);
     return 0;
