@@ -13,7 +13,7 @@ package=$(ls "$scratch"/gough_*.deb)
 mkdir "$scratch/unpacked"
 dpkg-deb -x "$package" "$scratch/unpacked"
 needs=$(dpkg-deb -f "$package" Depends)
-for library in libc6 libfyaml0 libhdf5 libjansson4 libquadmath0; do
+for library in libc6 libfyaml0 libhdf5 libjansson4 libnlopt0 libquadmath0; do
     [[ $needs == *$library* ]] || { echo "the package does not depend on $library: $needs"; exit 1; }
 done
 use_package "$scratch/unpacked/usr"
