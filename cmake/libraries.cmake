@@ -61,6 +61,15 @@ endif()
 file(GLOB workspace_sources src/workspace/*.c)
 set_source_files_properties(${workspace_sources} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 
+# Products of complex numbers are those of finite ones, without the calls by which C recovers infinities: twice as fast, and finite
+# numbers keep their bits but for quotients, which are scaled in another way.
+include(CheckCCompilerFlag)
+check_c_compiler_flag(-fcx-fortran-rules GOUGH_HAS_PLAIN_COMPLEX)
+if(GOUGH_HAS_PLAIN_COMPLEX)
+    file(GLOB complex_sources src/*/*_complex.c)
+    set_source_files_properties(${complex_sources} PROPERTIES COMPILE_OPTIONS "-fcx-fortran-rules")
+endif()
+
 # gough_room_libraries(SUFFIX [FLAGS…]): the static libraries gough_core<SUFFIX>, gough_analyse<SUFFIX> and gough_files<SUFFIX>.
 # A library with a suffix compiles only the scalar instances of the texts and those of 2 lanes; the others (4 and 8 lanes, quadruple and
 # complex numbers) it takes as they are from the library without. It starts at most 2 lanes by itself.

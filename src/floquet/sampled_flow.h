@@ -25,7 +25,7 @@ void sampled_begin(const linear_loop *linear, const sampled_layout *layout, doub
                    sampled_state *state);
 
 /* From the sample at t to just before the next. deviation: row by row, what becomes of each number of a deviation; NULL: not
- * wanted. Adds the steps taken. Returns what is not finite, or NULL. */
+ * wanted; not numbers if the state after is none. Adds the steps taken. Returns what of the study is not finite, or NULL. */
 const char *sampled_flow(const linear_loop *linear, const sampled_layout *layout, double t,
                          double tolerance, sampled_state *state, double *deviation, size_t *steps);
 

@@ -240,6 +240,14 @@ void sampled_begin(const linear_loop *linear, const sampled_layout *layout, doub
     for (int i = 0; i < layout->drive && i < LEGS; i++) state->y[MOTION + i] = creal(s->force[i]);
 }
 
+/* whether the platform is at a place at all: one that has fallen may have reached none */
+static bool is_somewhere(const passage *p, const complex_state *s) {
+    bool finite = true;
+
+    for (int i = 0; i < p->r.states; i++) finite = finite && real_finite(creal(s->y[i]));
+    return finite;
+}
+
 const char *sampled_flow(const linear_loop *linear, const sampled_layout *layout, double t,
                          double tolerance, sampled_state *state, double *deviation, size_t *steps) {
     complex_state after, there;
@@ -250,7 +258,10 @@ const char *sampled_flow(const linear_loop *linear, const sampled_layout *layout
     load(&p, layout, state, &after);
     pass(&p, layout, t, tolerance, parts, NULL, &after);
     *steps += (size_t)parts[1] + (layout->rest > 0 ? (size_t)parts[0] : 0);
-    for (int column = 0; deviation != NULL && column < layout->n; column++) {
+    const bool derived = deviation != NULL && is_somewhere(&p, &after);
+    for (int i = 0; i < layout->n * layout->n && deviation != NULL && !derived; i++)
+        deviation[i] = NAN;
+    for (int column = 0; derived && column < layout->n; column++) {
         load(&p, layout, state, &there);
         deviate(layout, column, &there);
         pass(&p, layout, t, 0, parts, acts(layout, column) ? NULL : &after, &there);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/limits.h"
 #include "base/quantity.h"
 #include "floquet/loads.h"
 #include "floquet/orbit.h"
@@ -137,10 +138,30 @@ static void multiply(int n, const double *a, double *product) {
     }
 }
 
+/* the determinant of a state's pose; the condition is infinite where the state is none */
+static double determinant_of(const sampled_orbit *o, const sampled_state *state,
+                             double *condition) {
+    double determinant;
+    gough_state pose;
+
+    monodromy_fold(o->loop.machine, state->y, &pose);
+    gough_conditioning(o->loop.machine, &pose, condition, &determinant);
+    return determinant;
+}
+
+/* Whether a sample has led to no singular pose and through none: beyond one the motion is none of this machine. */
+static bool has_kept_its_side(const sampled_orbit *o, const sampled_state *state, double side) {
+    double condition;
+    const double determinant = determinant_of(o, state, &condition);
+
+    return condition <= greatest_condition && determinant * side > 0;
+}
+
 /* From `state` over all samples, to where it is after them; with their matrix, if that is wanted, in the map */
 static gough_status go_round(sampled_orbit *o, bool wanted, sampled_state *state,
                              gough_error *error) {
     const int n = o->layout.n;
+    const double side = determinant_of(o, state, NULL);
     sampled_matrix one;
 
     o->map.n = n;
@@ -154,12 +175,12 @@ static gough_status go_round(sampled_orbit *o, bool wanted, sampled_state *state
             return gough_fail(error, GOUGH_ERROR_INPUT, "%s is not finite near t = %.9g" IN_TIME,
                               wrong, t);
         if (wanted) multiply(n, one, o->map.matrix);
-    }
-    for (int i = 0; i < n * n && wanted; i++) {
-        if (!isfinite(o->map.matrix[i]))
+        if (!has_kept_its_side(o, state, side))
             return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                              "the deviations grow beyond the range of numbers within one period, "
-                              "so there are no multipliers");
+                              "by t = %.9g" IN_TIME " the platform has left the program for a "
+                              "singular pose: the loop does not hold it, and there are no "
+                              "multipliers about a motion that it does not follow",
+                              t + o->layout.period);
     }
     return GOUGH_OK;
 }

@@ -67,15 +67,17 @@ done
 
 # Ctrl-C as a terminal sends it, where there is one
 if command -v script >/dev/null && script -qec true /dev/null </dev/null >/dev/null 2>&1; then
-    (sleep 3; printf '\003'; sleep 20) | TERM=dumb timeout 60 script -qec "'$GOUGH' simulate own.yaml ${long[*]} -o out/a.csv" /dev/null >said 2>&1
+    # the terminal stays open until the command has ended
+    (sleep 3; printf '\003'; for _ in $(seq 200); do [[ -e ended ]] && break; sleep 0.1; done) |
+        { TERM=dumb timeout 60 script -qec "'$GOUGH' simulate own.yaml ${long[*]} -o out/a.csv" /dev/null >said 2>&1; touch ended; }
     grep -q "gough simulate: stopped before the end; nothing was written" said || fail "Ctrl-C is answered by $(cat said)"
     [[ -z $(ls -A out) ]] || fail "Ctrl-C leaves $(ls -A out)"
 fi
 
 # writing a large table: its file has no name until it is complete
-"$GOUGH" forces own.yaml -q --set simulation.duration=3000 --set simulation.output_step=0.01 -o whole.csv
-for delay in 0.2 0.5 1 2; do
-    "$GOUGH" forces own.yaml -q --set simulation.duration=3000 --set simulation.output_step=0.01 -o out/a.csv 2>err &
+"$GOUGH" forces own.yaml -q --set simulation.duration=1000 --set simulation.output_step=0.01 -o whole.csv
+for delay in 0.1 0.2 0.4 0.8; do
+    "$GOUGH" forces own.yaml -q --set simulation.duration=1000 --set simulation.output_step=0.01 -o out/a.csv 2>err &
     pid=$!
     sleep $delay
     kill -KILL $pid 2>/dev/null

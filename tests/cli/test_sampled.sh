@@ -4,6 +4,7 @@
 # Not sanitized: the numbers are those of tests/linear, which run under sanitizers.
 # shellcheck source=tests/cli/support.sh
 source "$(dirname "$0")/support.sh"
+: "${SOURCE:?the source folder}"
 command -v jq >/dev/null || { echo "skipped: no jq"; exit 77; }
 
 cat >"$scratch/machine.yaml" <<'END'
@@ -207,4 +208,9 @@ refused 'leads from sample to sample at rest' stability "$scratch/machine.yaml" 
 refused 'more than 12 periods' stability "$scratch/machine.yaml" --set control.sampling.delay=0.7
 run check "$scratch/machine.yaml" --set control.sampling.delay=0.7
 says 'window of G not determined: '
+# ---- a loop that lets go of the program: refused where it passes a singular pose, before its period is over ----
+run stability "$SOURCE/examples/sampled-too-slow.yaml"
+expect_code 1 "stability along a program that the loop lets go"
+grep -qE 'by t = 2\.[0-9]+ s? ?the platform has left the program for a singular pose: the loop does not hold it' "$err" ||
+    fail "what becomes of the program is not said: $(cat "$err")"
 finish

@@ -63,7 +63,7 @@ test("marks stand at the centres of mass of cylinders and pistons", async () => 
 });
 
 test("forces of drives and legs are apart, and energies say whose they are", async () => {
-  const page = await open(report(heavy));
+  const page = await open(report(heavy), { webgl: false });
   const { names, rows } = table("simulate", heavy, "--joints");
   const title = (figure) => byName(page, `curve-${figure}`).locator("h3").textContent();
   const note = (figure) => byName(page, `curve-${figure}`).locator(".note").textContent();
@@ -139,7 +139,7 @@ test("a study without mass and friction has neither marks nor leg forces of thei
 });
 
 test("a switch changes the live strip from drive forces to leg forces and back", async () => {
-  const page = await open(report(heavy));
+  const page = await open(report(heavy), { webgl: false });
   await byName(page, "mode-live").click();
   await page.waitForFunction(
     () => {

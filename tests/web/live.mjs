@@ -17,9 +17,10 @@ import {
 
 after(closeAll);
 
-/** The page of a study, live. */
+/** The page of a study, live; without the scene, whose pixels take most of the time here, unless a test looks at it. */
+const SEEN = { webgl: true };
 async function live(file, options) {
-  const page = await open(report(file), options);
+  const page = await open(report(file), { webgl: false, ...options });
   await byName(page, "mode-live").click();
   await page.waitForFunction(() => window.goughPage.live.centre);
   return page;
@@ -57,7 +58,7 @@ const reach = (page, wanted) =>
   );
 
 test("below the threshold of G the platform leaves and the page says why; above it stays", async () => {
-  const page = await live(example("paper-feedback"));
+  const page = await live(example("paper-feedback"), SEEN);
   await set(page, "stiffness", 0.05);
   await set(page, "speed", 10);
   await byName(page, "fallen").waitFor({ state: "visible", timeout: limit(120000) });
@@ -205,7 +206,7 @@ test("without program forces a stiff feedback still carries the platform", async
 });
 
 test("a hand on the load moves it, an arrow shows it, and feedback takes it back", async () => {
-  const page = await live(example("paper-feedback"));
+  const page = await live(example("paper-feedback"), SEEN);
   await set(page, "stiffness", 2);
   await set(page, "damping", 1);
   await set(page, "amplitude", 0);
@@ -245,7 +246,7 @@ test("a hand on the load moves it, an arrow shows it, and feedback takes it back
 });
 
 test("runs faster than real time, and keys pause it and start it again", async () => {
-  const page = await live(flightSimulator());
+  const page = await live(flightSimulator(), SEEN);
   await page.waitForFunction(() => window.goughPage.live.ratio > 0);
   assert.ok(
     (await page.evaluate(() => window.goughPage.live.ratio)) > 3,
@@ -278,7 +279,7 @@ test("leaving the live run gives the recorded one back", async () => {
 });
 
 test("works without WebGL too, and on a phone without overflow", async () => {
-  const page = await live(example("paper-feedback"), { webgl: false, width: 360, height: 780 });
+  const page = await live(example("paper-feedback"), { width: 360, height: 780 });
   await reach(page, 0.5);
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
   assert.deepEqual(page.said, []);
