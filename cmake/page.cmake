@@ -8,10 +8,13 @@ file(MAKE_DIRECTORY ${GOUGH_PAGE_FOLDER})
 # The texts in double precision; web/core/live.c takes the place of src/run/run_double.c,
 # and without wide registers nothing is made ready side by side.
 file(GLOB GOUGH_PAGE_CORE_SOURCES CONFIGURE_DEPENDS web/core/*.c
-    src/base/*.c src/kernel/*.c src/drive/*.c src/program/*.c src/plant/*.c src/control/*.c src/model/*.c src/integrate/*.c src/run/*.c)
-list(FILTER GOUGH_PAGE_CORE_SOURCES EXCLUDE REGEX "(_quad|_complex|crew|version|(run_double|prefetch)[^/]*)\\.c$")
+    src/base/*.c src/kernel/*.c src/drive/*.c src/program/*.c src/plant/*.c src/control/*.c src/model/*.c src/integrate/*.c src/run/*.c
+    src/pose/*.c src/workspace/*.c)
+list(FILTER GOUGH_PAGE_CORE_SOURCES EXCLUDE REGEX "(_quad|_complex|crew|version|(run_double|prefetch|_lanes_[48]|pose_single)[^/]*)\\.c$")
+# long double is quadruple precision there, for the ends of poses that need it
+list(APPEND GOUGH_PAGE_CORE_SOURCES ${PROJECT_SOURCE_DIR}/src/pose/polish_quad.c)
 file(GLOB GOUGH_PAGE_CORE_HEADERS CONFIGURE_DEPENDS web/core/*.h include/gough/*.h include/gough/*.def
-    src/model/*.def src/base/*.h src/kernel/*.h src/drive/*.h src/program/*.h src/plant/*.h src/control/*.h src/model/*.h src/integrate/*.h src/system/*.h src/run/*.h)
+    src/model/*.def src/base/*.h src/kernel/*.h src/drive/*.h src/program/*.h src/plant/*.h src/control/*.h src/model/*.h src/integrate/*.h src/system/*.h src/run/*.h src/pose/*.h src/workspace/*.h)
 
 # -Oz is a tenth smaller than -Os, and about as fast here as -O3. Numbers beyond the integers saturate rather than trap; browsers that
 # know this have instructions that copy memory and extend signs, too. The stack of a module is 64 KiB unless told; runs keep their

@@ -2,7 +2,7 @@
  * its program and a push of the hand change between the steps. The texts of the library, compiled here once more; nothing of
  * the equations or the steppers is written anew. */
 #define NUMBER_DOUBLE
-#include "live.h"
+#include "reach.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -383,6 +383,8 @@ int live_begin(void) {
 }
 
 const char *live_message(void) { return live.message; }
+
+const gough_model *live_model(void) { return live.begun ? &live.model : NULL; }
 
 /* ---- settings ---- */
 

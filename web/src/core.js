@@ -23,16 +23,16 @@ export class Core {
 
   constructor(exports) {
     this.calls = exports;
-    this.columns = Array.from({ length: exports.live_columns() }, (_, i) => this.#text(exports.live_column_name(i)));
+    this.columns = Array.from({ length: exports.live_columns() }, (_, i) => this.text(exports.live_column_name(i)));
     this.place = Object.fromEntries(this.columns.map((name, i) => [name, i]));
   }
 
   // Views of the memory are taken anew for each use: when it grows, those before are void.
-  #doubles(address, count) {
+  doubles(address, count) {
     return new Float64Array(this.calls.memory.buffer, address, count);
   }
 
-  #text(address) {
+  text(address) {
     if (address === 0) return "";
     const memory = new Uint8Array(this.calls.memory.buffer);
     return new TextDecoder().decode(memory.slice(address, memory.indexOf(0, address)));
@@ -44,7 +44,7 @@ export class Core {
     this.calls.live_set_units(...chosen);
     const address = this.calls.live_input(flat.length);
     if (address === 0) throw new Error("there is not enough memory for the study");
-    this.#doubles(address, flat.length).set(flat);
+    this.doubles(address, flat.length).set(flat);
     if (this.calls.live_begin() !== 0) throw new Error(this.message);
   }
 
@@ -69,12 +69,12 @@ export class Core {
 
   // Goes on; "done" while the motion does, else the word for its end, and `message` says more.
   advance(duration, step) {
-    return this.#text(this.calls.live_cause_name(this.calls.live_advance(duration, step)));
+    return this.text(this.calls.live_cause_name(this.calls.live_advance(duration, step)));
   }
 
   // Why begin() failed or the motion ended, as a sentence; the leg that ended it, 1 … 6, or 0.
   get message() {
-    return this.#text(this.calls.live_message());
+    return this.text(this.calls.live_message());
   }
 
   get leg() {
@@ -83,18 +83,18 @@ export class Core {
 
   // The row at the present time, by place[name]; a copy, which may be handed to another thread.
   row() {
-    return this.#doubles(this.calls.live_row(), this.columns.length).slice();
+    return this.doubles(this.calls.live_row(), this.columns.length).slice();
   }
 
   // Where the program is: x, y, z of the top frame's origin, roll, pitch, yaw.
   program() {
-    return this.#doubles(this.calls.live_program(), 6).slice();
+    return this.doubles(this.calls.live_program(), 6).slice();
   }
 
   // The whole study as it came: {cause, rows, data}, the rows one after the other.
   run() {
-    const cause = this.#text(this.calls.live_cause_name(this.calls.live_run()));
+    const cause = this.text(this.calls.live_cause_name(this.calls.live_run()));
     const rows = this.calls.live_run_rows();
-    return { cause, rows, data: this.#doubles(this.calls.live_run_data(), rows * this.columns.length).slice() };
+    return { cause, rows, data: this.doubles(this.calls.live_run_data(), rows * this.columns.length).slice() };
   }
 }

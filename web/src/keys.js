@@ -35,7 +35,10 @@ function actionsOn(page) {
       keys: [" "],
       say: "space",
       does: "play or pause",
-      run: () => (page.mode === "live" ? page.live.toggle() : page.player.toggle()),
+      run: () => {
+        if (page.mode === "live") page.live.toggle();
+        else if (page.mode === "recorded") page.player.toggle();
+      },
     },
     {
       keys: ["ArrowRight"],
@@ -52,8 +55,12 @@ function actionsOn(page) {
     {
       keys: ["Home"],
       say: "home",
-      does: "to the start; live: start again",
-      run: () => (page.mode === "live" ? page.live.restart() : page.player.seek(0)),
+      does: "to the start; live: start again; reach: home",
+      run: () => {
+        if (page.mode === "live") page.live.restart();
+        else if (page.mode === "reach") page.reach.toHome();
+        else page.player.seek(0);
+      },
     },
     {
       keys: ["End"],
@@ -76,6 +83,12 @@ function actionsOn(page) {
       say: "l",
       does: "live or recorded",
       run: () => page.alone && page.setMode(page.mode === "live" ? "recorded" : "live"),
+    },
+    {
+      keys: ["w"],
+      say: "w",
+      does: "reach: all poses of six leg lengths, and where the machine can go",
+      run: () => page.alone && page.setMode(page.mode === "reach" ? "recorded" : "reach"),
     },
     { keys: ["?"], say: "?", does: "these keys", run: () => byId("keys").showModal() },
   ];

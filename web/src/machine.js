@@ -20,9 +20,11 @@ import {
   SphereGeometry,
   Vector3,
 } from "three";
-import { forceColor, LEGS, plain } from "./color.js";
+import { forceColor, GREY, LEGS, plain } from "./color.js";
 import { equalEllipsoid } from "./inertia.js";
 import { legsOf } from "./pose.js";
+import { directions, triangles } from "./reach_core.js";
+import { endWords } from "./reach_words.js";
 
 const UP = new Vector3(0, 0, 1);
 
@@ -149,6 +151,10 @@ export class Machine {
         depthWrite: false,
       }),
       ghostEdge: new LineBasicMaterial({ transparent: true, opacity: 0.8 }),
+      pose: new MeshBasicMaterial({ transparent: true, opacity: 0.13, side: DoubleSide, depthWrite: false }),
+      poseEdge: new LineBasicMaterial({ transparent: true, opacity: 0.9 }),
+      otherEdge: new LineBasicMaterial({ transparent: true, opacity: 0.9 }),
+      poseLegs: new LineBasicMaterial({ transparent: true, opacity: 0.35 }),
       path: new LineBasicMaterial({ depthTest: false, transparent: true }),
       plan: new LineDashedMaterial({
         depthTest: false,
@@ -163,6 +169,9 @@ export class Machine {
     this.buildLegs();
     this.buildGhost();
     this.buildPaths();
+    this.poses = new Group();
+    this.surface = new Group();
+    this.group.add(this.poses, this.surface);
   }
 
   withEdges(geometry, material) {
@@ -393,6 +402,57 @@ export class Machine {
     position.needsUpdate = true;
   }
 
+  /** Other poses of the same lengths as ghosts: {position, rotation, other}, other being the opposite sign of the determinant. */
+  showPoses(poses) {
+    this.poses.children.forEach((ghost) => ghost.traverse((part) => part.geometry?.dispose()));
+    this.poses.clear();
+    const geometry = plate(outline(this.machine.top, 0.075 * this.size), 0.02 * this.size, 0.07 * this.size);
+    const edges = new EdgesGeometry(geometry, 20);
+    for (const pose of poses) {
+      const { pose: face, poseEdge, otherEdge, poseLegs } = this.material;
+      const top = posed(new Group());
+      top.add(new Mesh(geometry, face), new LineSegments(edges, pose.other ? otherEdge : poseEdge));
+      top.matrix.copy(matrixOf(pose));
+      const ends = legsOf(this.machine, pose).flatMap((leg) => [...leg.base, ...leg.top]);
+      const lines = new BufferGeometry();
+      lines.setAttribute("position", new BufferAttribute(new Float32Array(ends), 3));
+      this.poses.add(top, new LineSegments(lines, poseLegs));
+    }
+  }
+
+  /** The surface that rays from a point reach, each face in the colour of the leg that ends its first ray; null for none. */
+  showSurface(surface) {
+    this.surface.children.forEach((part) => (part.geometry.dispose(), part.material.dispose()));
+    this.surface.clear();
+    if (!surface) return;
+    const { azimuths, rings, rays, point, scale } = surface;
+    const ways = directions(azimuths, rings);
+    const corner = (place) =>
+      ways[place].map((part, axis) => point[axis] + scale * rays[place].reach * part);
+    const faces = triangles(azimuths, rings);
+    const geometry = new BufferGeometry();
+    const positions = faces.flatMap((face) => face.flatMap(corner));
+    const colours = faces.flatMap(([place]) => {
+      const { leg } = endWords(rays[place]);
+      const { r, g, b } = new Color(plain(leg ? LEGS[rays[place].which] : GREY));
+      return [r, g, b, r, g, b, r, g, b];
+    });
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
+    geometry.setAttribute("color", new BufferAttribute(new Float32Array(colours), 3));
+    geometry.computeVertexNormals();
+    const skin = new MeshStandardMaterial({
+      vertexColors: true,
+      transparent: true,
+      opacity: 0.42,
+      side: DoubleSide,
+      depthWrite: false,
+      roughness: 0.8,
+    });
+    const mesh = new Mesh(geometry, skin);
+    mesh.renderOrder = 3;
+    this.surface.add(mesh);
+  }
+
   /** Colours of the theme. */
   paint(theme) {
     const accent = this.accent ? plain(this.accent) : theme.ghost;
@@ -405,6 +465,10 @@ export class Machine {
     this.material.load.color = new Color(theme.load);
     this.material.edge.color = new Color(theme.edge);
     this.material.plan.color = new Color(theme.plan);
+    this.material.pose.color = new Color(plain(GREY));
+    this.material.poseLegs.color = new Color(plain(GREY));
+    this.material.poseEdge.color = new Color(theme.side);
+    this.material.otherEdge.color = new Color(theme.other);
   }
 
   dispose() {

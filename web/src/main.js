@@ -10,12 +10,14 @@ import { bindKeys } from "./keys.js";
 import { Live } from "./live.js";
 import { compareNumbers, showNumbers } from "./numbers.js";
 import { Player } from "./player.js";
+import { Reach } from "./reach.js";
 import { ComparisonPanel, StudyPanel } from "./recorded.js";
 import { download, fileName } from "./save.js";
 import { Scene } from "./scene.js";
 import { Transport } from "./transport.js";
 
 const ALL = "all";
+const MODES = ["recorded", "live", "reach"];
 const FORCES = ["f1", "f2", "f3", "f4", "f5", "f6"];
 class Page {
   constructor({ version, studies }) {
@@ -80,6 +82,7 @@ class Page {
   choose(which) {
     this.chosen = which;
     this.live?.stop();
+    this.reach?.end();
     const { shown } = this;
     const [first] = shown;
     const playing = this.player ? this.player.playing : !calm();
@@ -114,6 +117,7 @@ class Page {
         })),
     );
     this.live = new Live(this, first);
+    this.reach = new Reach(this, first);
     byId("modes").hidden = which === ALL;
     this.setMode("recorded");
     this.player.listen(() => (this.moved = true));
@@ -178,10 +182,19 @@ class Page {
     return parts.join("");
   }
 
-  showScene() {
-    const { shown } = this;
-    const peak = Math.max(...shown.map((study) => study.peakForce));
-    this.paths = shown.map((study) => study.run.path(study.machine.center_of_mass));
+  /** The greatest force of all studies that are shown. */
+  get peak() {
+    return Math.max(...this.shown.map((study) => study.peakForce));
+  }
+
+  /** What the colours of the scene mean. */
+  showLegend() {
+    const { peak, shown } = this;
+    if (this.mode === "reach") {
+      byId("legend").replaceChildren(...this.reach.legend());
+      byId("legend").setAttribute("aria-label", byId("legend").textContent);
+      return;
+    }
     const forceUnit = unitAfter(shown[0].unit("f1")).trim();
     const whose = shown.some(({ machine }) => machine.legs_take_force)
       ? "force of a drive"
@@ -208,6 +221,11 @@ class Page {
       "aria-label",
       `Colour of a leg: blue is ${ends[0]}, pale no force, orange ${ends[1]}`,
     );
+  }
+
+  showScene() {
+    const { peak, shown } = this;
+    this.paths = shown.map((study) => study.run.path(study.machine.center_of_mass));
     if (!this.scene) return;
     this.scene.show(
       shown.map((study, index) => ({
@@ -276,6 +294,7 @@ class Page {
     this.scene?.paint();
     this.section.repaint();
     this.live?.repaint();
+    this.reach?.repaint();
   }
 
   buildSwitches() {
@@ -340,40 +359,53 @@ class Page {
   }
 
   bindModes() {
-    for (const mode of ["recorded", "live"])
+    for (const mode of MODES)
       byId(`mode-${mode}`).addEventListener("click", () => this.setMode(mode));
     byId("modes").addEventListener("keydown", (event) => {
-      if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
-      this.setMode(this.mode === "live" ? "recorded" : "live");
+      const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+      if (!step) return;
+      const place = MODES.indexOf(this.mode) + step + MODES.length;
+      this.setMode(MODES[place % MODES.length]);
       byId(`mode-${this.mode}`).focus();
     });
   }
 
   setMode(mode) {
     const live = mode === "live" && this.live.possible;
-    this.mode = live ? "live" : "recorded";
-    for (const name of ["recorded", "live"]) {
+    const reach = mode === "reach" && this.reach.possible && this.alone;
+    this.mode = live ? "live" : reach ? "reach" : "recorded";
+    for (const name of MODES) {
       byId(name).hidden = name !== this.mode;
       byId(`mode-${name}`).setAttribute("aria-selected", String(name === this.mode));
       byId(`mode-${name}`).tabIndex = name === this.mode ? 0 : -1;
     }
     byId("mode-live").disabled = !this.live.possible;
     byId("mode-live").title = "the simulation runs in this page";
+    byId("mode-reach").disabled = !this.reach.possible;
+    byId("mode-reach").title = "all poses of six leg lengths, travel of each axis, surface of the positions";
     byId("no-live").textContent = this.live.possible || !this.alone ? "" : this.live.reason;
     byId("stage").classList.toggle("live", live);
     byId("stage").classList.toggle("many", this.chosen === ALL);
     if (live && this.scene) byId("hint").textContent = "take the load and pull";
-    byId("transport").hidden = live;
+    byId("transport").hidden = live || reach;
     byId("strips").hidden = !live;
+    byId("travels").hidden = !reach;
+    byId("stage").classList.toggle("reach", reach);
+    if (!live) this.live.stop();
+    if (!reach) this.reach.stop();
     if (live) {
       this.player.pause();
       this.live.start();
+    } else if (reach) {
+      this.player.pause();
+      byId("fallen").hidden = true;
+      this.reach.start();
     } else {
-      this.live.stop();
       byId("fallen").hidden = true;
       if (this.scene) this.showScenePaths();
       this.moved = true;
     }
+    this.showLegend();
     this.scene?.resize();
   }
 
@@ -424,7 +456,7 @@ class Page {
       if (this.mode === "recorded") {
         this.player.advance(seconds);
         if (this.moved) this.show();
-      } else this.live.frame();
+      } else if (this.mode === "live") this.live.frame();
       if (this.scene?.draw(seconds) && !document.documentElement.dataset.firstPicture)
         document.documentElement.dataset.firstPicture = performance.now().toFixed(0);
       requestAnimationFrame(frame);

@@ -214,7 +214,7 @@ export class Scene {
   /** Takes the colours of the theme in force. */
   paint() {
     const theme = Object.fromEntries(
-      ["base", "top", "piston", "load", "edge", "plan", "ghost"].map((name) => [
+      ["base", "top", "piston", "load", "edge", "plan", "ghost", "side", "other"].map((name) => [
         name,
         themed(`--scene-${name}`),
       ]),

@@ -7,7 +7,7 @@ const STEPS = 1000;
 const ZERO = 0.04;
 
 export class Slider {
-  /** @param spec {id, label, unit, least, greatest, logarithmic, value, help, marks: [{value, label}]}; @param onChange(value). */
+  /** @param spec {family, id, label, unit, least, greatest, logarithmic, value, help, marks: [{value, label}]}; @param onChange(value). */
   constructor(spec, onChange) {
     this.spec = spec;
     this.onChange = onChange;
@@ -16,8 +16,8 @@ export class Slider {
       min: 0,
       max: STEPS,
       step: 1,
-      id: `live-${spec.id}`,
-      "data-testid": `live-${spec.id}`,
+      id: `${spec.family ?? "live"}-${spec.id}`,
+      "data-testid": `${spec.family ?? "live"}-${spec.id}`,
       "aria-describedby": spec.help ? `help-${spec.id}` : undefined,
     });
     this.box = element("input", {
@@ -25,7 +25,7 @@ export class Slider {
       inputmode: "decimal",
       size: 7,
       "aria-label": `${spec.label}, as a number`,
-      "data-testid": `live-${spec.id}-number`,
+      "data-testid": `${spec.family ?? "live"}-${spec.id}-number`,
       autocomplete: "off",
     });
     this.range.addEventListener("input", () =>
@@ -43,7 +43,7 @@ export class Slider {
       { class: "slider" },
       element(
         "label",
-        { for: `live-${spec.id}` },
+        { for: `${spec.family ?? "live"}-${spec.id}` },
         spec.label,
         spec.unit && element("span", { class: "unit" }, spec.unit),
       ),
@@ -87,8 +87,8 @@ export class Slider {
     this.value = value;
     this.range.value = String(Math.round(STEPS * Math.min(Math.max(this.shareOf(value), 0), 1)));
     this.range.style.setProperty("--done", `${Number(this.range.value) / 10}%`);
-    this.range.setAttribute("aria-valuetext", number(value, 4));
-    this.box.value = String(Number(value.toPrecision(4)));
+    this.range.setAttribute("aria-valuetext", number(value, this.spec.digits ?? 4));
+    this.box.value = String(Number(value.toPrecision(this.spec.digits ?? 4)));
   }
 
   take(value) {
