@@ -15,12 +15,13 @@ typedef struct outcome {
 typedef struct asker {
     const burden *b;
     const stiff *J;
-    affine D[6][6];          /* J J_c⁻¹ − 1 */
-    double size[6][6], norm; /* moduli of it, and the greatest sum over a column */
+    affine D[6][6];            /* J J_c⁻¹ − 1 */
+    double size[6][6], norm;   /* moduli of it, and the greatest sum over a column */
+    double square[6], cube[6]; /* sums over a row of the square and the cube of |D|ᵀ */
     asked_parts parts;
 } asker;
 
-/* ---- (space-13): f = u − Dᵀu + (Dᵀ)² f with u = J_c⁻ᵀ w ---- */
+/* ---- (space-13): f = u − Dᵀu + (Dᵀ)²u − (Dᵀ)³f with u = J_c⁻ᵀ w ---- */
 
 static void asker_begin(asker *a, const burden *b, const stiff *J, asked_parts parts) {
     *a = (asker){.b = b, .J = J, .parts = parts};
@@ -33,10 +34,23 @@ static void asker_begin(asker *a, const burden *b, const stiff *J, asked_parts p
             a->size[i][j] = affine_magnitude(&sum);
         }
     }
+    double sum[6];
     for (int j = 0; j < 6; j++) {
-        double sum = 0;
-        for (int i = 0; i < 6; i++) sum += a->size[i][j];
-        if (!(sum <= a->norm)) a->norm = sum;
+        sum[j] = 0;
+        for (int i = 0; i < 6; i++) sum[j] += a->size[i][j];
+        if (!(sum[j] <= a->norm)) a->norm = sum[j];
+    }
+    for (int i = 0; i < 6; i++)
+        for (int j = 0; j < 6; j++) a->square[i] += a->size[j][i] * sum[j] * (1 + 8 * ROUNDED);
+    for (int i = 0; i < 6; i++)
+        for (int j = 0; j < 6; j++) a->cube[i] += a->size[j][i] * a->square[j] * (1 + 8 * ROUNDED);
+}
+
+/* Dᵀ x */
+static void turned_by(const asker *a, const affine x[6], affine to[6]) {
+    for (int i = 0; i < 6; i++) {
+        to[i] = affine_of(0);
+        for (int j = 0; j < 6; j++) to[i] = affine_add(to[i], affine_times(a->D[j][i], x[j]));
     }
 }
 
@@ -50,16 +64,20 @@ static void solve_forces(const asker *a, const affine wrench[6], affine f[6]) {
         greatest = fmax(greatest, affine_magnitude(&u[i]));
     }
     const double most = a->norm < 1 ? greatest / (1 - a->norm) * (1 + 4 * ROUNDED) : INFINITY;
+    affine once[6], twice[6];
+    turned_by(a, u, once);
+    turned_by(a, once, twice);
     for (int i = 0; i < 6; i++) {
-        double rest = 0;
-        f[i] = u[i];
-        for (int j = 0; j < 6; j++) {
-            double twice = 0;
-            f[i] = affine_less(f[i], affine_times(a->D[j][i], u[j]));
-            for (int k = 0; k < 6; k++) twice += a->size[k][j];
-            rest += a->size[j][i] * twice;
+        /* what is left after the second term, or after the third */
+        const double two = a->square[i] * most,
+                     three = affine_magnitude(&twice[i]) + a->cube[i] * most;
+        f[i] = affine_less(u[i], once[i]);
+        if (two < three)
+            f[i].r += two * (1 + 16 * ROUNDED);
+        else {
+            f[i] = affine_add(f[i], twice[i]);
+            f[i].r += a->cube[i] * most * (1 + 16 * ROUNDED);
         }
-        f[i].r += rest * most * (1 + 16 * ROUNDED);
     }
 }
 

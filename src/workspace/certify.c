@@ -10,6 +10,10 @@ enum { WAITING = 60 * GOUGH_COMPONENTS + 1 };
 /* sides below this part of the machine's size, or of a radian, are not split */
 static const double NO_SIDE = 1e-13;
 
+/* An angle moves the joints and turns their arms besides: what is left after first order falls fastest if a side of angles counts
+ * so many times as long as the way of the joints. */
+static const double TURNS = 2;
+
 judge pose_judge(const space *s, const double pose[GOUGH_COMPONENTS]) {
     gough_box one;
     box_view view;
@@ -23,7 +27,7 @@ int box_widest_side(const space *s, const box_view *view, double no_side) {
     double most = no_side * s->size;
     int widest = -1;
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
-        const double way = view->half[c] * (c < 3 ? 1 : s->h.reach);
+        const double way = view->half[c] * (c < 3 ? 1 : TURNS * s->h.reach);
         if (way > most) most = way, widest = c;
     }
     return widest;

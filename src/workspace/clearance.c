@@ -29,8 +29,7 @@ static vector nearest(vector between, vector a, vector b, double part[2]) {
 static double least_along(const space *s, const box_view *view, vector e, int v, double sign) {
     const vector base = s->h.base[v];
     const vector top = add(base, scale(view->g.length[v], view->g.n[v]));
-    const double turn = view->turn;
-    double wide = 0.5 * norm(view->arm[v]) * turn * turn;
+    double wide = 0.5 * norm(view->arm[v]) * view->bend;
     for (int k = 0; k < GOUGH_COMPONENTS; k++) wide += fabs(dot(e, box_joint_slope(view, v, k)));
     return fmin(sign * dot(e, base), sign * dot(e, top) - wide) - 2 * view->rounding;
 }
@@ -91,8 +90,29 @@ static double apart(const space *s, const box_view *view, const affine_vector n[
     return affine_least(&distance) - over * affine_magnitude(&share);
 }
 
+/* (space-20): legs as rays from their base joints, or from their top joints, which keep their distance D: they come no nearer than
+ * D √(1 − (ε_v² + ε_w²)/(1 − c)), if they lean towards each other by ε and the cosine between them is at most c ≥ 0. */
+static double rays_apart(const box_view *view, const affine_vector n[LEGS], int v, int w,
+                         vector way, bool of_top) {
+    const double D = norm(way), u[3] = {way.x, way.y, way.z};
+    const affine_vector turned = of_top ? box_turned(view, way) : affine_still(u);
+    const affine one = affine_dot(&n[v], &turned), two = affine_dot(&n[w], &turned),
+                 cosine = affine_dot(&n[v], &n[w]);
+    const double lean_v = fmax(0, of_top ? -affine_least(&one) : affine_most(&one)) / D,
+                 lean_w = fmax(0, of_top ? affine_most(&two) : -affine_least(&two)) / D,
+                 open = 1 - fmax(0, affine_most(&cosine));
+    const double left = 1 - (lean_v * lean_v + lean_w * lean_w) / open * (1 + 16 * ROUNDED);
+    return D > 0 && open > 0 && left > 0 ? D * sqrt(left) * (1 - 4 * ROUNDED) - 4 * view->rounding
+                                         : 0;
+}
+
+/* how far leg w lies beyond leg v in a direction that is the same in all poses */
+static double apart_along(const space *s, const box_view *view, vector e, int v, int w) {
+    return least_along(s, view, e, w, 1) + least_along(s, view, e, v, -1);
+}
+
 /* From below: in any direction, legs are apart by no more than their distance; first the direction of the shortest way at the
- * centre, then one that turns with the pose. From above: the two points that are nearest at the centre, each of which moves by
+ * centre, then as rays, then a direction that turns with the pose. From above: the two points that are nearest at the centre, each of which moves by
  * its part of what its top joint moves. */
 void clearance_of(const space *s, const box_view *view, const affine_vector n[LEGS], int v, int w,
                   double enough, double bound[2]) {
@@ -106,9 +126,11 @@ void clearance_of(const space *s, const box_view *view, const affine_vector n[LE
     bound[0] = 0;
     bound[1] = distance + moved;
     if (!(distance > 0)) return;
-    const vector e = scale(1 / distance, way);
-    const double gap = least_along(s, view, e, w, 1) + least_along(s, view, e, v, -1);
-    bound[0] = fmax(0, gap);
+    bound[0] = fmax(0, apart_along(s, view, scale(1 / distance, way), v, w));
+    if (bound[0] >= enough) return;
+    bound[0] =
+        fmax(bound[0], fmax(rays_apart(view, n, v, w, between, false),
+                            rays_apart(view, n, v, w, subtract(view->arm[w], view->arm[v]), true)));
     if (bound[0] >= enough) return;
     const double fine = apart(s, view, n, v, w, part);
     if (fine > bound[0]) bound[0] = fine;

@@ -1,129 +1,28 @@
 /* Worst values over a box of poses, (space-18): gough_workspace_envelope(). Theory: docs/theory/workspace.md. */
 #define NUMBER_DOUBLE
+#include <stdint.h>
 #include <string.h>
 
-#include "workspace/ask.h"
 #include "workspace/certify.h"
-#include "workspace/clearance.h"
+#include "workspace/worst_values.h"
 
+/* boxes that wait at most; how often a side is halved at most; halvings of the steps of a climb, and of a step at most */
 enum {
-    WAITING = 60 * GOUGH_COMPONENTS + 1,
     CORNERS = 1 << GOUGH_COMPONENTS,
-    DOUBLINGS = 7,
+    WAITING = 1 << 13,
+    DEEPEST = 26,
+    FINEST = 9,
+    CLIMBS = 40,
     SHARES = 16
 };
 
 /* how far bounds may lie beyond values that are found, in parts of the value; swing in radians besides */
 static const double PART = 0.01, PART_OF_LENGTH = 1e-4, SWING = 0.1 / 57.3;
-static const double NO_SIDE = 1e-10;
-
-/* Values of which greater ones are worse: those that are worst where they are least have their sign turned. */
-typedef struct values {
-    double most[GOUGH_WORSTS]; /* no pose of the box has a worse one */
-    double sure[GOUGH_WORSTS]; /* at a single pose: one that it has */
-    int leg[GOUGH_WORSTS];
-} values;
 
 static double sign_of(int worst) {
     const bool least = worst == GOUGH_WORST_PULL || worst == GOUGH_WORST_SHORTEST ||
                        worst == GOUGH_WORST_CLEARANCE || worst == GOUGH_WORST_SINGULAR_VALUE;
     return least ? -1 : 1;
-}
-
-static void put(values *to, int worst, double most, double sure, int leg) {
-    if (!(most <= to->most[worst])) to->most[worst] = most;
-    if (sure <= to->sure[worst]) return;
-    to->sure[worst] = sure;
-    to->leg[worst] = leg;
-}
-
-/* The angle between two directions: by its cosine, and where that has no digits, near 0, by its sine. */
-static void put_angle(values *to, int worst, const affine_vector *a, const affine_vector *b,
-                      int leg) {
-    const affine cosine = affine_dot(a, b);
-    const affine_vector sine = affine_cross(a, b);
-    double square = 0, centre = 0;
-    for (int i = 0; i < 3; i++) {
-        const double most = affine_magnitude(&sine.x[i]);
-        square += most * most, centre += sine.x[i].c * sine.x[i].c;
-    }
-    double most = acos(fmin(1, fmax(-1, affine_least(&cosine))));
-    if (affine_least(&cosine) > 0)
-        most = fmin(most, asin(fmin(1, sqrt(square) * (1 + 16 * ROUNDED))));
-    put(to, worst, most * (1 + 4 * ROUNDED), atan2(sqrt(centre), cosine.c), leg);
-}
-
-static void find_lengths(const box_view *view, values *to) {
-    for (int v = 0; v < LEGS; v++) {
-        const double l = view->g.length[v];
-        double bound[2];
-        box_lengths(view, v, bound);
-        put(to, GOUGH_WORST_SHORTEST, -bound[0], -l, v);
-        put(to, GOUGH_WORST_LONGEST, bound[1], l, v);
-    }
-}
-
-static void find_swing(const space *s, const box_view *view, const affine_vector n[LEGS],
-                       values *to) {
-    for (int v = 0; v < LEGS; v++) {
-        affine_vector still, turned;
-        box_home_directions(s, view, v, &still, &turned);
-        put_angle(to, GOUGH_WORST_BASE_SWING, &n[v], &still, v);
-        put_angle(to, GOUGH_WORST_TOP_SWING, &n[v], &turned, v);
-    }
-}
-
-static void find_clearance(const space *s, const box_view *view, const affine_vector n[LEGS],
-                           values *to) {
-    const double *diameter = s->reach->limits.diameter;
-    for (int v = 0; v < LEGS; v++) {
-        for (int w = v + 1; w < LEGS; w++) {
-            const double thick = 0.5 * (diameter[v] + diameter[w]);
-            double bound[2];
-            if (clearance_is_joint(s, v, w)) continue;
-            clearance_of(s, view, n, v, w, INFINITY, bound);
-            put(to, GOUGH_WORST_CLEARANCE, thick - bound[0], thick - bound[1], v);
-        }
-    }
-}
-
-/* forces, rates and accelerations; infinite where a singular pose is not excluded */
-static void find_asked(const space *s, const box_view *view, const affine_vector n[LEGS],
-                       const stiff *J, values *to) {
-    const asked_parts parts = {true, true};
-    asked_of_leg asked[LEGS];
-    const bool regular = stiff_side(J) != 0;
-    asked_of(s, view, n, J, parts, asked);
-    for (int v = 0; v < LEGS; v++) {
-        const asked_of_leg *a = &asked[v];
-        put(to, GOUGH_WORST_PUSH, regular ? a->push.most : INFINITY, a->push.least, v);
-        put(to, GOUGH_WORST_PULL, regular ? a->pull.most : INFINITY, a->pull.least, v);
-        put(to, GOUGH_WORST_SPEED, a->speed.most, a->speed.least, v);
-        put(to, GOUGH_WORST_ACCELERATION, a->acceleration.most, a->acceleration.least, v);
-    }
-}
-
-static void find_values(const space *s, const box_view *view, unsigned wanted, values *to) {
-    const unsigned forces = 1U << GOUGH_WORST_PUSH | 1U << GOUGH_WORST_PULL |
-                            1U << GOUGH_WORST_SPEED | 1U << GOUGH_WORST_ACCELERATION;
-    const unsigned matrix = forces | 1U << GOUGH_WORST_CONDITION | 1U << GOUGH_WORST_SINGULAR_VALUE;
-    const unsigned swing = 1U << GOUGH_WORST_BASE_SWING | 1U << GOUGH_WORST_TOP_SWING;
-    affine_vector n[LEGS];
-    stiff J;
-    for (int i = 0; i < GOUGH_WORSTS; i++) {
-        to->most[i] = to->sure[i] = -INFINITY;
-        to->leg[i] = -1;
-    }
-    for (int v = 0; v < LEGS; v++) n[v] = box_direction(view, v);
-    find_lengths(view, to);
-    if (wanted & swing) find_swing(s, view, n, to);
-    if (wanted & 1U << GOUGH_WORST_CLEARANCE) find_clearance(s, view, n, to);
-    if (!(wanted & matrix)) return;
-    stiff_of(s, view, n, &J);
-    put(to, GOUGH_WORST_SINGULAR_VALUE, -J.least[0], -J.least[1], -1);
-    put(to, GOUGH_WORST_CONDITION, J.least[0] > 0 ? J.most[1] / J.least[0] : INFINITY,
-        J.most[0] / J.least[1], -1);
-    if (wanted & forces) find_asked(s, view, n, &J, to);
 }
 
 /* the values of a pose, where they are worse than those found before */
@@ -134,7 +33,7 @@ static void sample(const space *s, const double pose[GOUGH_COMPONENTS], unsigned
     values at;
     memcpy(one.least, pose, sizeof one.least), memcpy(one.greatest, pose, sizeof one.greatest);
     box_view_of(s, &one, &view);
-    find_values(s, &view, wanted, &at);
+    worst_values(s, &view, wanted, &at);
     e->tests++;
     for (int i = 0; i < GOUGH_WORSTS; i++) {
         gough_extreme *x = &e->of[i];
@@ -152,7 +51,7 @@ static double allowance(const gough_envelope *e, int worst) {
     switch (worst) {
     case GOUGH_WORST_PUSH:
     case GOUGH_WORST_PULL:
-        return PART * force;
+        return PART * fmax(own, 0.25 * force);
     case GOUGH_WORST_SHORTEST:
     case GOUGH_WORST_LONGEST:
         return PART_OF_LENGTH * own;
@@ -175,54 +74,128 @@ static void sample_corners(const space *s, const gough_box *box, gough_envelope 
     }
 }
 
-/* One value over the box, until it is nowhere worse than the worst that is found by more than an allowance; its bound
- * then. NaN: too many boxes. */
-static double bound_of(const space *s, const gough_box *box, int worst, double allowed,
-                       size_t most_tests, gough_envelope *e) {
-    gough_box waiting[WAITING] = {*box};
-    const size_t end = e->tests + most_tests;
-    double bound = -INFINITY;
-    int count = 1;
-    while (count > 0) {
-        const gough_box one = waiting[--count];
-        box_view view;
-        values at;
-        box_view_of(s, &one, &view);
-        find_values(s, &view, 1U << worst, &at);
-        e->tests++;
-        if (at.most[worst] <= e->of[worst].sampled + allowed) {
-            bound = fmax(bound, at.most[worst]);
-            continue;
+/* ---- worse poses near the worst that is found: steps along each component, halved when none leads on ---- */
+
+static bool step_from(const space *s, const gough_box *box, int worst, double part,
+                      gough_envelope *e) {
+    double start[GOUGH_COMPONENTS];
+    const double before = e->of[worst].sampled;
+    memcpy(start, e->of[worst].pose, sizeof start);
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        const double step = part * (box->greatest[c] - box->least[c]);
+        for (int way = -1; way <= 1 && step > 0; way += 2) {
+            double pose[GOUGH_COMPONENTS];
+            memcpy(pose, start, sizeof pose);
+            pose[c] = fmin(box->greatest[c], fmax(box->least[c], start[c] + way * step));
+            if (fabs(pose[c] - start[c]) > 0) sample(s, pose, 1U << worst, e);
         }
-        const int side = box_widest_side(s, &view, NO_SIDE);
-        if (side < 0 || e->tests >= end || count + 2 > WAITING) return NAN;
-        sample(s, view.centre, 1U << worst, e);
-        waiting[count] = waiting[count + 1] = one;
-        waiting[count].greatest[side] = waiting[count + 1].least[side] = view.centre[side];
-        count += 2;
     }
-    return bound;
+    return e->of[worst].sampled > before;
 }
 
-/* From a wide allowance to the one that is wanted, halved while that does not ask for too many boxes: a bound that is farther
- * off is as certain. */
-static void search(const space *s, const gough_box *box, gough_envelope *e) {
-    const size_t share = s->reach->most_tests / SHARES;
-    for (int i = 0; i < GOUGH_WORSTS; i++) {
-        e->of[i].bound = INFINITY;
-        for (int k = DOUBLINGS; k >= 0; k--) {
-            const double bound = bound_of(s, box, i, ldexp(allowance(e, i), k), share, e);
-            if (!(bound <= e->of[i].bound)) break;
-            e->of[i].bound = bound;
-        }
+static void climb(const space *s, const gough_box *box, int worst, gough_envelope *e) {
+    double part = 0.25;
+    for (int steps = 0, halvings = 0; steps < CLIMBS && halvings < FINEST; steps++) {
+        if (step_from(s, box, worst, part, e)) continue;
+        part /= 2, halvings++;
     }
+}
+
+/* ---- bounds: the box with the worst bound is split first ---- */
+
+/* A part of the box: side c is the at[c]-th of 2^depth[c] equal ones. */
+typedef struct part {
+    double most; /* bound of the value over it */
+    uint32_t at[GOUGH_COMPONENTS];
+    uint8_t depth[GOUGH_COMPONENTS];
+} part;
+
+/* the parts that wait, a heap: none is worse than the one at (i − 1)/2 */
+typedef struct heap {
+    part of[WAITING];
+    int count;
+} heap;
+
+static void heap_put(heap *h, const part *p) {
+    int i = h->count++;
+    while (i > 0 && h->of[(i - 1) / 2].most < p->most) {
+        h->of[i] = h->of[(i - 1) / 2];
+        i = (i - 1) / 2;
+    }
+    h->of[i] = *p;
+}
+
+static part heap_take(heap *h) {
+    const part top = h->of[0], last = h->of[--h->count];
+    int i = 0;
+    for (int below = 1; below < h->count; below = 2 * i + 1) {
+        if (below + 1 < h->count && h->of[below + 1].most > h->of[below].most) below++;
+        if (!(h->of[below].most > last.most)) break;
+        h->of[i] = h->of[below];
+        i = below;
+    }
+    h->of[i] = last;
+    return top;
+}
+
+/* neighbours have the same bits where they meet: twice a place at half a size is the same number */
+static double end_of(const gough_box *box, const part *p, int c, uint32_t at) {
+    if (at == (uint32_t)1 << p->depth[c]) return box->greatest[c];
+    return box->least[c] + at * ldexp(box->greatest[c] - box->least[c], -p->depth[c]);
+}
+
+static void view_part(const space *s, const gough_box *box, const part *p, box_view *view) {
+    gough_box one;
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) {
+        one.least[c] = end_of(box, p, c, p->at[c]);
+        one.greatest[c] = fmax(one.least[c], end_of(box, p, c, p->at[c] + 1));
+    }
+    box_view_of(s, &one, view);
+}
+
+/* bounds a part and lets it wait */
+static void bound_part(const space *s, const gough_box *box, int worst, part *p, heap *h,
+                       gough_envelope *e) {
+    box_view view;
+    values at;
+    view_part(s, box, p, &view);
+    worst_values(s, &view, 1U << worst, &at);
+    e->tests++;
+    /* what is not a number is no bound; and a part has no worse one than the whole */
+    if (!(at.most[worst] >= p->most)) p->most = isnan(at.most[worst]) ? p->most : at.most[worst];
+    heap_put(h, p);
+}
+
+/* Splits until no part's bound exceeds the worst value found by more than the allowance, or too many boxes were tested. */
+static void search(const space *s, const gough_box *box, int worst, size_t most_tests, heap *h,
+                   gough_envelope *e) {
+    const size_t end = e->tests + most_tests;
+    part whole = {.most = INFINITY};
+    gough_extreme *x = &e->of[worst];
+    h->count = 0;
+    bound_part(s, box, worst, &whole, h, e);
+    while (h->of[0].most > x->sampled + allowance(e, worst) && e->tests < end) {
+        part p = h->of[0];
+        box_view view;
+        view_part(s, box, &p, &view);
+        const int side = box_widest_side(s, &view, 0);
+        if (side < 0 || p.depth[side] >= DEEPEST || h->count + 1 >= WAITING) break;
+        sample(s, view.centre, 1U << worst, e);
+        (void)heap_take(h);
+        p.depth[side]++, p.at[side] *= 2;
+        part other = p;
+        other.at[side]++;
+        bound_part(s, box, worst, &p, h, e);
+        bound_part(s, box, worst, &other, h, e);
+    }
+    x->bound = fmax(h->of[0].most, x->sampled);
 }
 
 /* signs as users have them; an acceleration or speed that was not asked for is 0 */
 static gough_status finish(gough_envelope *e, gough_error *error) {
     for (int i = 0; i < GOUGH_WORSTS; i++) {
         gough_extreme *x = &e->of[i];
-        x->bound = sign_of(i) * fmax(x->bound, x->sampled);
+        x->bound = sign_of(i) * x->bound + 0.0;
         x->sampled *= sign_of(i);
         if (i == GOUGH_WORST_SINGULAR_VALUE || i == GOUGH_WORST_SHORTEST)
             x->bound = fmax(x->bound, 0);
@@ -235,6 +208,7 @@ static gough_status finish(gough_envelope *e, gough_error *error) {
 gough_status gough_workspace_envelope(const gough_reach *reach, const gough_box *box,
                                       gough_envelope *envelope, gough_error *error) {
     space s;
+    heap waiting;
     if (!box_is_box(box)) return box_refuse(error);
     if (!reach_is_valid(reach)) return reach_refuse(error);
     space_begin(&s, reach);
@@ -242,7 +216,9 @@ gough_status gough_workspace_envelope(const gough_reach *reach, const gough_box 
     for (int i = 0; i < GOUGH_WORSTS; i++)
         envelope->of[i] = (gough_extreme){.bound = -INFINITY, .sampled = -INFINITY, .leg = -1};
     sample_corners(&s, box, envelope);
-    search(&s, box, envelope);
+    for (int i = 0; i < GOUGH_WORSTS; i++) climb(&s, box, i, envelope);
+    for (int i = 0; i < GOUGH_WORSTS; i++)
+        search(&s, box, i, reach->most_tests / SHARES, &waiting, envelope);
     return finish(envelope, error);
 }
 

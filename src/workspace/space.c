@@ -72,6 +72,33 @@ static void find_axes(const space *s, box_view *view) {
     }
 }
 
+/* (space-2): along any line of the box, how fast the top turns, and how that changes. The axis of the pitch is at right angles to
+ * both others, and those have the cosine ∓ sin(pitch). */
+static void find_turn(const space *s, box_view *view) {
+    const double *w = view->half + GOUGH_ROLL;
+    const int outer = s->reach->order == GOUGH_ZYX ? 2 : 0, inner = 2 - outer;
+    const double tilt = fmin(1, fabs(sin(view->centre[GOUGH_PITCH])) + w[1]);
+    const double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2] + 2 * w[0] * w[2] * tilt;
+    const double twist = w[outer] * w[1] + w[inner] * sqrt(w[outer] * w[outer] + w[1] * w[1]);
+    view->turn = sqrt(square) * UPWARDS;
+    view->bend = (square + twist) * UPWARDS;
+}
+
+/* (space-4): l = l_c ± (Σ |n·∂q_k| + ½ (v²/l_min + |arm| β)) */
+static void find_lengths(box_view *view, int v) {
+    const double l = view->g.length[v], moved = view->moved[v],
+                 least = l - moved - 2 * view->rounding;
+    double wide = 0, slope[SIDES];
+    view->shortest[v] = least;
+    view->wide[v] = INFINITY;
+    if (!(least > 0)) return;
+    box_length_slopes(view, v, slope);
+    for (int k = 0; k < SIDES; k++) wide += fabs(slope[k]);
+    wide += 0.5 * (moved * moved / least + norm(view->arm[v]) * view->bend);
+    view->wide[v] = wide * UPWARDS + 2 * view->rounding;
+    view->shortest[v] = fmax(least, l - view->wide[v]);
+}
+
 void box_view_of(const space *s, const gough_box *box, box_view *view) {
     const gough_platform *p = &s->reach->machine->platform;
     double R[3][3], square = 0;
@@ -92,14 +119,14 @@ void box_view_of(const space *s, const gough_box *box, box_view *view) {
 
     for (int c = 0; c < 3; c++) square += view->half[c] * view->half[c];
     view->shift = sqrt(square) * UPWARDS;
-    view->turn = (view->half[3] + view->half[4] + view->half[5]) * UPWARDS;
+    find_turn(s, view);
     view->rounding = VECTOR_ROUNDED * (s->size + norm(vector_of(view->centre)));
     for (int v = 0; v < LEGS; v++) {
-        /* no point of the top moves further: |q'| ≤ |w_t| + |arm| Σ w_θ */
+        /* no point of the top moves further: |q'| ≤ |w_t| + |arm| σ */
         view->arm[v] = vector_of_top(&view->R, p->top[v], s->about);
         view->moved[v] = (view->shift + norm(view->arm[v]) * view->turn) * UPWARDS;
-        view->shortest[v] = view->g.length[v] - view->moved[v] - 2 * view->rounding;
     }
+    for (int v = 0; v < LEGS; v++) find_lengths(view, v);
 }
 
 static void put(affine_vector *a, int k, vector slope) {
@@ -124,9 +151,9 @@ static void fold(const box_view *view, affine_vector *a) {
     }
 }
 
-/* (space-2): slopes w_k ω_k × R a, and second order at most ½ |a| (Σ w)² */
+/* (space-2): slopes w_k ω_k × R a, and second order at most ½ |a| β */
 affine_vector box_turned(const box_view *view, vector Ra) {
-    const double size = norm(Ra), rest = 0.5 * size * view->turn * view->turn * UPWARDS;
+    const double size = norm(Ra), rest = 0.5 * size * view->bend * UPWARDS;
     affine_vector a = affine_vector_of(Ra, rest + VECTOR_ROUNDED * size);
     for (int k = 0; k < 3; k++) put(&a, 3 + k, scale(view->half[3 + k], cross(view->axis[k], Ra)));
     fold(view, &a);
@@ -166,27 +193,19 @@ void box_length_slopes(const box_view *view, int v, double slope[SIDES]) {
     if (view->way) slope[0] = sum;
 }
 
-/* (space-4): l = l_c ± (Σ |n·∂q_k| + ½ (v²/l_min + |arm| W²)) */
 void box_lengths(const box_view *view, int v, double bound[2]) {
-    const double moved = view->moved[v], turn = view->turn;
-    double wide = 0, slope[SIDES];
-    bound[0] = 0, bound[1] = view->g.length[v] + moved + 2 * view->rounding;
-    if (!(view->shortest[v] > 0)) return;
-    box_length_slopes(view, v, slope);
-    for (int k = 0; k < SIDES; k++) wide += fabs(slope[k]);
-    wide += 0.5 * (moved * moved / view->shortest[v] + norm(view->arm[v]) * turn * turn);
-    wide = wide * UPWARDS + 2 * view->rounding;
-    bound[0] = fmax(view->shortest[v], view->g.length[v] - wide);
-    bound[1] = fmin(bound[1], view->g.length[v] + wide);
+    const double l = view->g.length[v], far = l + view->moved[v] + 2 * view->rounding;
+    bound[0] = fmax(0, view->shortest[v]);
+    bound[1] = fmin(far, l + view->wide[v]);
 }
 
-/* (space-5): slopes P ∂q_k/l, and second order at most v²/(√3 l_min²) + |arm| W²/(2 l_min) */
+/* (space-5): slopes P ∂q_k/l, and second order at most v²/(√3 l_min²) + |arm| β/(2 l_min) */
 affine_vector box_direction(const box_view *view, int v) {
     const vector n = view->g.n[v];
     const double l = view->g.length[v], least = view->shortest[v];
-    const double way = view->moved[v] / least, turn = view->turn;
+    const double way = view->moved[v] / least;
     const double rest =
-        0.57735026918962577 * way * way + 0.5 * norm(view->arm[v]) * turn * turn / least;
+        0.57735026918962577 * way * way + 0.5 * norm(view->arm[v]) * view->bend / least;
     affine_vector a =
         affine_vector_of(n, rest * UPWARDS + 2 * view->rounding * (1 + view->moved[v] / l) / l);
     if (!(least > 0)) return affine_vector_of(n, INFINITY);

@@ -38,9 +38,11 @@ typedef struct box_view {
     legs g;
     vector axis[3];        /* about which roll, pitch and yaw turn the top at the centre */
     vector arm[LEGS];      /* top joints from the point, base axes */
-    double shift, turn;    /* how far the point moves; sum of the half widths of the angles */
+    double shift, turn;    /* how far the point moves; how far the top turns at most, in radians */
+    double bend;           /* |R″u| ≤ bend |u| along any line of the box, (space-2) */
     double moved[LEGS];    /* how far a top joint moves */
     double shortest[LEGS]; /* length that the leg keeps at least */
+    double wide[LEGS];     /* by how much its length differs from that at the centre at most */
     double rounding;       /* of the computed vector of a leg */
 } box_view;
 

@@ -133,7 +133,8 @@ test("sentences say how many poses there are, and how certain that is", () => {
   const found = { real: 8, nonreal: 20, infinite: 12, singular: 0, complete: "counted" };
   assert.match(countWords(found), /^8 real poses have these lengths\. .* not proved: 20 solutions are not real, and 12 paths/);
   assert.match(countWords({ ...found, complete: "proved", nonreal: 32 }), /no others: all 40 solutions are certified, and 32/);
-  assert.match(countWords({ ...found, real: 0, complete: "no", singular: 1 }), /^No real pose was found\. There may be more: 1 path /);
+  const lost = { ...found, real: 0, complete: "no", singular: 1 };
+  assert.match(countWords(lost), /^No real pose was found\. There may be more: 1 path /);
   assert.match(wayWords({ because: "follow", followed: { refused: "x", part: 0.5 } }), /after 50\.0 % of the way: x\.$/);
   assert.deepEqual(endWords({ limit: "clearance", which: 1, other: 2 }), { text: "legs 2 and 3 touch", leg: true });
   assert.equal(endWords({ limit: "longest", which: 5 }).text, "leg 6: greatest length");

@@ -43,8 +43,7 @@ int reach_begin(void) {
     reach.error.message[0] = '\0';
     reach.found = (gough_poses){.real = 0};
     reach.home = reach.present = gough_state_home(&model->machine);
-    const gough_status status =
-        gough_reach_init(&reach.of, sizeof reach.of, model, &reach.error);
+    const gough_status status = gough_reach_init(&reach.of, sizeof reach.of, model, &reach.error);
     if (status) memcpy(reach.of.about, model->motion.about, sizeof reach.of.about);
     reach.of.machine = &model->machine;
     limits = gough_limits_of(&model->machine, &model->motion);
@@ -57,8 +56,7 @@ int reach_begin(void) {
 
 int reach_travel(int component) {
     gough_travel travel = {.tests = 0};
-    const gough_status status =
-        gough_workspace_travel(&reach.of, component, &travel, &reach.error);
+    const gough_status status = gough_workspace_travel(&reach.of, component, &travel, &reach.error);
     for (int end = 0; end < 2; end++) {
         reach.number[end] = travel.end[end];
         put_binding(reach.number + 2 + 3 * end, &travel.binding[end]);
@@ -92,9 +90,8 @@ int reach_follow(void) {
     gough_pose_certificate certificate = {.reached = 0};
     if (!model) return GOUGH_ERROR_INPUT;
     reach.error.message[0] = '\0';
-    const gough_status status =
-        gough_pose_from_lengths(&model->machine, reach.number, MOST_STEPS, &reach.present,
-                                &certificate, &reach.error);
+    const gough_status status = gough_pose_from_lengths(&model->machine, reach.number, MOST_STEPS,
+                                                        &reach.present, &certificate, &reach.error);
     reach.number[0] = certificate.reached;
     return (int)status;
 }

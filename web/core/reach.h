@@ -1,5 +1,6 @@
 /* What the page asks about poses and reach, of the study that live_begin() has taken in: the core's own searches, called one
- * at a time. Numbers and addresses only; units are those of the run, angles in radians. Theory: docs/theory/pose.md, workspace.md. */
+ * at a time. Numbers and addresses only; units are those of the run, angles in radians. Theory: docs/theory/pose.md,
+ * workspace.md. */
 #ifndef GOUGH_WEB_CORE_REACH_H
 #define GOUGH_WEB_CORE_REACH_H
 
@@ -36,8 +37,8 @@ int LIVE_EXPORT(reach_follow)(void);
 /* Takes six lengths: gough_poses_all(). Returns: real, nonreal, infinite, singular, and the completeness. */
 int LIVE_EXPORT(reach_poses)(void);
 
-/* Pose i of the last reach_poses(), or the present one (−1); NULL outside. Six components from home, the position of the top frame's
- * origin, the rotation by rows, determinant, condition, and 1 if it is the present pose. */
+/* Pose i of the last reach_poses(), or the present one (−1); NULL outside. Six components from home, the position of the top
+ * frame's origin, the rotation by rows, determinant, condition, and 1 if it is the present pose. */
 const double *LIVE_EXPORT(reach_pose)(int i);
 
 /* Pose i of the last reach_poses() becomes the present one. */

@@ -27,6 +27,18 @@ function listen(actions) {
   });
 }
 
+/** The keys that change between the recorded run and another part. */
+const parts = (page) =>
+  [
+    ["l", "live", "live or recorded"],
+    ["w", "reach", "reach: all poses of six leg lengths, and where the machine can go"],
+  ].map(([key, mode, does]) => ({
+    keys: [key],
+    say: key,
+    does,
+    run: () => page.alone && page.setMode(page.mode === mode ? "recorded" : mode),
+  }));
+
 /** What each key does on a page. */
 function actionsOn(page) {
   const recorded = (action) => (event) => page.mode === "recorded" && action(event);
@@ -78,18 +90,7 @@ function actionsOn(page) {
     { keys: ["r"], say: "r", does: "reset the view", run: () => page.scene?.resetView() },
     { keys: ["g"], say: "g", does: "the program's ghost", run: () => page.switchPart("ghost") },
     { keys: ["p"], say: "p", does: "the path", run: () => page.switchPart("paths") },
-    {
-      keys: ["l"],
-      say: "l",
-      does: "live or recorded",
-      run: () => page.alone && page.setMode(page.mode === "live" ? "recorded" : "live"),
-    },
-    {
-      keys: ["w"],
-      say: "w",
-      does: "reach: all poses of six leg lengths, and where the machine can go",
-      run: () => page.alone && page.setMode(page.mode === "reach" ? "recorded" : "reach"),
-    },
+    ...parts(page),
     { keys: ["?"], say: "?", does: "these keys", run: () => byId("keys").showModal() },
   ];
 }

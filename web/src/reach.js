@@ -115,6 +115,11 @@ export class Reach {
       () => this.toggleSurface(),
     );
     this.surfaceButton.setAttribute("aria-pressed", "true");
+    this.place(button);
+  }
+
+  /** Puts the parts of the panel where they belong. */
+  place(button) {
     byId("reach").replaceChildren(
       element(
         "div",
@@ -375,7 +380,11 @@ export class Reach {
     ];
     return [
       ...sides.map(([name, words]) => element("span", { class: "legend-line" }, element("i", { class: name }), words)),
-      element("span", { class: "legend-line" }, "surface: how far the moved point goes on straight ways, in the colour of the leg that ends each"),
+      element(
+        "span",
+        { class: "legend-line" },
+        "surface: where straight ways of the moved point end, in the colour of the leg that ends them",
+      ),
     ];
   }
 

@@ -13,7 +13,9 @@ export function countWords({ real, nonreal, infinite, singular, complete }) {
   const poses = real === 0 ? "No real pose was found." : `${plural(real, "real pose has", "real poses have")} these lengths.`;
   const rest = {
     proved: `There are no others: all 40 solutions are certified, and ${nonreal} of them are not real.`,
-    counted: `Others are unlikely, but that is not proved: ${plural(nonreal, "solution is", "solutions are")} not real, and ${plural(infinite, "path", "paths")} of 40 ended at infinity.`,
+    counted:
+      `Others are unlikely, but that is not proved: ${plural(nonreal, "solution is", "solutions are")} not real, ` +
+      `and ${plural(infinite, "path", "paths")} of 40 ended at infinity.`,
     no: `There may be more: ${plural(singular, "path", "paths")} of 40 ended at a singular pose or were lost.`,
   }[complete];
   return `${poses} ${rest}`;
@@ -23,7 +25,8 @@ export function countWords({ real, nonreal, infinite, singular, complete }) {
 export function wayWords({ because, followed }) {
   if (because === "take") return "The machine was put into this pose.";
   if (because === "place") return "The pose of home or of the run.";
-  if (!followed.refused) return "The solid pose is joined to the last one: on the straight line of the squared lengths there is no singular pose.";
+  if (!followed.refused)
+    return "The solid pose is joined to the last one: on the straight line of the squared lengths there is no singular pose.";
   return `The machine stopped after ${(100 * followed.part).toPrecision(3)} % of the way: ${followed.refused}.`;
 }
 

@@ -7,7 +7,8 @@ const STEPS = 1000;
 const ZERO = 0.04;
 
 export class Slider {
-  /** @param spec {family, id, label, unit, least, greatest, logarithmic, value, help, marks: [{value, label}]}; @param onChange(value). */
+  /** @param spec {family, id, label, unit, least, greatest, logarithmic, value, digits, help, marks: [{value, label}]};
+   *  @param onChange(value). */
   constructor(spec, onChange) {
     this.spec = spec;
     this.onChange = onChange;

@@ -75,6 +75,16 @@ static json_t *extremes(const workspace_answer *a, bool bounds) {
 }
 
 json_t *workspace_envelope_json(const workspace_answer *a) {
+static json_t *gaps(const workspace_answer *a) {
+    json_t *object = json_object();
+    for (int i = 0; i < GOUGH_WORSTS; i++)
+        json_object_set_new(
+            object, gough_worst_name(i),
+            json_number(worst_is_asked(a, i) ? worst_gap(&a->envelope.of[i]) : NAN));
+    return object;
+}
+
+static json_t *envelope_object(const workspace_answer *a) {
     const gough_box *box = a->shape_given ? &a->shape : &a->box.box;
     json_t *object = extremes(a, true), *legs = json_object();
     for (int i = 0; i < GOUGH_WORSTS; i++) {
@@ -85,6 +95,7 @@ json_t *workspace_envelope_json(const workspace_answer *a) {
     json_object_set_new(object, "least", workspace_pose_json(a->unit, box->least));
     json_object_set_new(object, "greatest", workspace_pose_json(a->unit, box->greatest));
     json_object_set_new(object, "sampled", extremes(a, false));
+    json_object_set_new(object, "gap", gaps(a));
     json_object_set_new(object, "legs", legs);
     return object;
 }

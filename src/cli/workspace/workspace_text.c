@@ -65,6 +65,10 @@ bool worst_is_asked(const workspace_answer *a, int worst) {
                                                : true;
 }
 
+double worst_gap(const gough_extreme *x) {
+    return fabs(x->sampled) > 0 ? fabs(x->bound - x->sampled) / fabs(x->sampled) : NAN;
+}
+
 double volume_in_units(const gough_units *units, double volume) {
     const double length = gough_unit_factor(units, GOUGH_UNIT_LENGTH);
     return volume * length * length * length;
@@ -131,16 +135,17 @@ void workspace_print_envelope(const workspace_answer *a) {
         print_paragraph(stdout, "  not bounded", 23, "%s", a->no_envelope.message);
         return;
     }
-    printf("  %-28s %12s %12s\n", "", "no worse than", "found");
+    printf("  %-28s %13s %12s %10s\n", "", "no worse than", "found", "apart");
     for (int i = 0; i < GOUGH_WORSTS; i++) {
         const gough_extreme *x = &a->envelope.of[i];
         const gough_unit unit = worst_unit(i);
         if (!worst_is_asked(a, i)) continue;
         const char *word = unit == GOUGH_UNIT_NONE ? "" : unit_word(a->unit, unit);
         const table_heading head = heading_of(WORST[i], word);
-        printf("  %-28s %12.6g %12.6g", head.text,
+        printf("  %-28s %13.6g %12.6g", head.text,
                unit == GOUGH_UNIT_NONE ? x->bound : in_units(a->unit, unit, x->bound),
                unit == GOUGH_UNIT_NONE ? x->sampled : in_units(a->unit, unit, x->sampled));
+        if (fabs(x->sampled) > 0) printf(" %8.2g %%", 100 * worst_gap(x));
         if (x->leg >= 0) printf("  leg %d", x->leg + 1);
         printf("\n");
     }

@@ -40,6 +40,8 @@ gough_unit worst_unit(int worst);
 bool worst_is_asked(const workspace_answer *answer, int worst);
 
 /* a volume in units of the study */
+/* how far the bound of a worst value lies beyond the value found, in parts of that; NaN where that is 0 */
+double worst_gap(const gough_extreme *x);
 double volume_in_units(const gough_units *units, double volume);
 
 /* parts of what is printed that gough design prints too: a pose, the end of its line included; the worst values over a box, of
