@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# The guide "What can my machine reach?": its commands run as they stand, and its numbers are theirs.
+# shellcheck source=tests/examples/common.sh
+source "$(dirname "$0")/common.sh"
+guide=$SOURCE/docs/guide/workspace.md
+mkdir bin
+ln -s "$GOUGH" bin/gough
+PATH=$PWD/bin:$PATH
+
+commands=0
+while IFS= read -r line; do
+    bash -c "$line" >"said-$commands.txt" 2>&1
+    status=$?
+    claim "$line" same $status 0
+    if ((status != 0)); then cat "said-$commands.txt"; fi
+    commands=$((commands + 1))
+done < <(sed -n 's/^    \(gough .*\)$/\1/p' "$guide")
+claim 'there are commands to try' within "$commands" 5 10
+
+# each line of the guide's excerpts is one that the command prints
+lines=0
+while IFS= read -r line; do
+    claim "the command prints: $line" grep -qF -- "$line" said-1.txt
+    lines=$((lines + 1))
+done < <(sed -n '/^```text$/,/^```$/ { /^```/! { /./p } }' "$guide")
+claim 'there are lines to compare' within "$lines" 15 60
+
+# what the text says of them: no worst value but two lies farther apart than 2 %, and the travels are not free together
+gough workspace motion-base.yaml --json >all.json
+far=$(jq -r '[.envelope.gap | to_entries[] | select(.value != null and .value > 0.02) | .key] | join(" ")' all.json)
+claim 'values that stay apart' same "$far" 'condition singular_value'
+share=$(jq '.box.greatest[0] / .travel.surge.greatest.end' all.json)
+claim 'the part of the surge that is free with all else' within "$share" 0.175 0.179
+claim 'rows of a surface' same "$(wc -l <surface.csv)" 2523
+claim 'rows of an outline' same "$(wc -l <outline.csv)" 361
+finish
