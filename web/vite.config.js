@@ -1,10 +1,11 @@
 // One HTML file with everything in it: code, style, worker and the core's WebAssembly. It opens from file:// without a network.
 // GOUGH_CORE names the WebAssembly file (built by CMake), GOUGH_PAGE_OUTPUT the folder that report.html goes to.
 import { readFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
 import { defineConfig } from "vite";
 import { viteSingleFile } from "vite-plugin-singlefile";
 
-// import bytes from "virtual:core": the core's WebAssembly as base64, or "" where it was not built.
+// import bytes from "virtual:core": the core's WebAssembly, compressed, as base64; or "" where it was not built.
 function core() {
   const name = "virtual:core";
   const path = process.env.GOUGH_CORE;
@@ -13,7 +14,7 @@ function core() {
     resolveId: (id) => (id === name ? `\0${name}` : null),
     load: (id) =>
       id === `\0${name}`
-        ? `export default ${JSON.stringify(path ? readFileSync(path, "base64") : "")};`
+        ? `export default ${JSON.stringify(path ? gzipSync(readFileSync(path), { level: 9 }).toString("base64") : "")};`
         : null,
   };
 }

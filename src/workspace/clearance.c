@@ -112,8 +112,8 @@ static double apart_along(const space *s, const box_view *view, vector e, int v,
 }
 
 /* From below: in any direction, legs are apart by no more than their distance; first the direction of the shortest way at the
- * centre, then as rays, then a direction that turns with the pose. From above: the two points that are nearest at the centre, each of which moves by
- * its part of what its top joint moves. */
+ * centre, then as rays, then a direction that turns with the pose. From above: the two points that are nearest at the centre,
+ * each of which moves by its part of what its top joint moves. */
 void clearance_of(const space *s, const box_view *view, const affine_vector n[LEGS], int v, int w,
                   double enough, double bound[2]) {
     const vector a = scale(view->g.length[v], view->g.n[v]),

@@ -1,5 +1,6 @@
-/* Bounds over boxes by which worst values are searched, against single poses: how far the top turns, singular values by the Jacobian
- * of each pose, distances by points of the legs; how near bounds come to values that are found, and of which order they are.
+/* Bounds over boxes by which worst values are searched, against single poses: how far the top turns, singular values by the
+ * Jacobian of each pose, distances by points of the legs; how near bounds come to values that are found, and of which order
+ * they are.
  * Label: standard.
  * Sanitized: campaign: it evaluates many poses. */
 #define NUMBER_DOUBLE

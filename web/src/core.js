@@ -9,6 +9,17 @@ export function bytesOf(base64) {
   return bytes;
 }
 
+// Whether this browser can run the core, which the page carries compressed.
+export const canRun = () =>
+  [globalThis.Worker, globalThis.DecompressionStream].every((part) => typeof part === "function") &&
+  typeof WebAssembly === "object";
+
+// The bytes of the module that compressed ones stand for.
+export function inflated(bytes) {
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).arrayBuffer();
+}
+
 // The doubles in bytes, whatever their alignment. Little-endian, as base64 data in the page are.
 export function doublesOf(bytes) {
   return new Float64Array(Uint8Array.from(bytes).buffer);

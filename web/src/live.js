@@ -1,6 +1,6 @@
 // The live run: what the reader sets and pulls goes to the thread in worker.js, and its rows come back as pictures.
 import core from "virtual:core";
-import { bytesOf } from "./core.js";
+import { bytesOf, canRun } from "./core.js";
 import { decode } from "./data.js";
 import { byId, element } from "./dom.js";
 import { amount, causeWords, fixed, number, unit, unitAfter } from "./format.js";
@@ -63,9 +63,7 @@ export class Live {
     const pull = Math.hypot(...gravity) || 1;
     this.weight = mass * pull;
     this.timeUnit = Math.sqrt(radius / pull);
-    this.possible = Boolean(
-      core && study.live && typeof Worker === "function" && typeof WebAssembly === "object",
-    );
+    this.possible = Boolean(core && study.live && canRun());
     this.reason =
       study.live === null
         ? "No live run for this study: its recorded motion is too long to be part of the page."

@@ -2,7 +2,7 @@
 // positions. The core finds them in the thread of reach_worker.js; this is the panel.
 import core from "virtual:core";
 import { LEGS } from "./color.js";
-import { bytesOf } from "./core.js";
+import { bytesOf, canRun } from "./core.js";
 import { decode } from "./data.js";
 import { byId, element } from "./dom.js";
 import { number, unit, unitAfter } from "./format.js";
@@ -24,9 +24,7 @@ export class Reach {
   constructor(page, study) {
     this.page = page;
     this.study = study;
-    this.possible = Boolean(
-      core && study.live && typeof Worker === "function" && typeof WebAssembly === "object",
-    );
+    this.possible = Boolean(core && study.live && canRun());
     this.travel = [];
     this.surfaceShown = true;
   }

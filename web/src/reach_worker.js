@@ -1,4 +1,5 @@
 // Searches for poses and reach, in a thread of their own, so that the page never waits for them.
+import { inflated } from "./core.js";
 import { directions, ReachCore } from "./reach_core.js";
 
 /** Rays of the surface that are followed before other orders are heard. */
@@ -18,7 +19,7 @@ function answer(kind, length, followed = { part: 1, refused: "" }) {
 
 const orders = {
   async begin({ module, flat, chosen }) {
-    core = await ReachCore.load(module);
+    core = await ReachCore.load(await inflated(module));
     core.begin(flat, chosen);
     known = core.reach();
     postMessage({ kind: "ready", known });

@@ -1,6 +1,6 @@
 // The live run's own thread: the C core goes on at the pace asked for, and hands over a row for each picture. The page never waits
 // for it.
-import { Core } from "./core.js";
+import { Core, inflated } from "./core.js";
 
 /** Pictures in a second, and how much of each the core may take: the rest of a second belongs to the processor's other work. */
 const RATE = 60;
@@ -89,7 +89,7 @@ function run(on) {
 
 const orders = {
   async begin({ module, flat, settings }) {
-    core = await Core.load(module);
+    core = await Core.load(await inflated(module));
     core.begin(flat, settings.chosen);
     ({ step, reach, grain } = settings);
     postMessage({ kind: "ready", columns: core.columns });
