@@ -210,10 +210,12 @@ static void find_ranges(const asker *a, range extreme[RESULTS]) {
 }
 
 static over_box upper(const range *r) {
-    return (over_box){affine_least(&r->up) + r->sure_more, affine_most(&r->up) + r->more};
+    return (over_box){affine_least(&r->up) + r->sure_more, affine_most(&r->up) + r->more, r->up,
+                      r->sure_more, r->more};
 }
 static over_box lower_turned(const range *r) {
-    return (over_box){r->sure_less - affine_most(&r->down), r->less - affine_least(&r->down)};
+    return (over_box){r->sure_less - affine_most(&r->down), r->less - affine_least(&r->down),
+                      affine_scale(-1, r->down), r->sure_less, r->less};
 }
 
 /* (mass-13): what friction of a moving leg adds at most to a force that lies between two */
@@ -224,14 +226,14 @@ static void add_friction(const gough_reach *reach, int v, double speed, asked_of
                  loss = 1 / f->efficiency[v] - 1;
     const double most = fmax(fabs(a->push.most), fabs(a->pull.most));
     if (!any_rate(reach)) return;
-    a->push.most += dry + loss * most;
-    a->pull.most += dry + loss * most;
+    a->push.most += dry + loss * most, a->push.above += dry + loss * most;
+    a->pull.most += dry + loss * most, a->pull.above += dry + loss * most;
 }
 
 /* |l̇| ≤ Σ |J_k| V_k */
 static over_box speed_of(const space *s, const stiff *J, int v) {
     effort most = effort_most(s->reach);
-    over_box speed = {0, 0};
+    over_box speed = {.least = 0, .most = 0};
     for (int j = 0; j < RATES; j++) {
         const affine *x = &J->row[v][j];
         const double size = *rate_demand(&most, j) * (j < 3 ? 1 : s->h.reach);
@@ -261,7 +263,8 @@ void asked_of(const space *s, const box_view *view, const affine_vector n[LEGS],
         }
         if (parts.acceleration) {
             const over_box up = upper(&extreme[LEGS + v]), down = lower_turned(&extreme[LEGS + v]);
-            leg->acceleration = (over_box){fmax(up.least, down.least), fmax(up.most, down.most)};
+            leg->acceleration =
+                (over_box){.least = fmax(up.least, down.least), .most = fmax(up.most, down.most)};
         }
     }
 }

@@ -9,6 +9,8 @@
 /* The greatest value over all motions and loads that are asked for, as a number that depends on the pose. */
 typedef struct over_box {
     double least, most; /* bounds of it over the box */
+    affine near;        /* of forces: they lie between near + sure and near + above */
+    double sure, above;
 } over_box;
 
 typedef struct asked_of_leg {

@@ -7,15 +7,23 @@
 #include "workspace/ask.h"
 #include "workspace/certify.h"
 #include "workspace/clearance.h"
+#include "workspace/slope_parts.h"
 
 static void test_lengths(const space *s, const box_view *view, judge *j) {
     for (int v = 0; v < LEGS; v++) {
         const double *limit = s->reach->limits.length[v], size = view->g.length[v];
         double bound[2];
         if (!(limit[0] > 0) && !(limit[1] < INFINITY)) continue;
+        if (s->parts_wanted) {
+            const affine l = box_length(view, v), few = affine_less(l, affine_of(limit[0])),
+                         many = affine_less(affine_of(limit[1]), l);
+            judge_slope(j, &few, 0, 0, size, GOUGH_BIND_SHORTEST, v);
+            if (limit[1] < INFINITY) judge_slope(j, &many, 0, 0, size, GOUGH_BIND_LONGEST, v);
+            continue;
+        }
         box_lengths(view, v, bound);
-        judge_margin(j, bound[0] - limit[0], bound[1] - limit[0], size, GOUGH_BIND_SHORTEST, v);
-        judge_margin(j, limit[1] - bound[1], limit[1] - bound[0], size, GOUGH_BIND_LONGEST, v);
+        judge_whole(j, bound[0] - limit[0], bound[1] - limit[0], size, GOUGH_BIND_SHORTEST, v);
+        judge_whole(j, limit[1] - bound[1], limit[1] - bound[0], size, GOUGH_BIND_LONGEST, v);
     }
 }
 
@@ -36,8 +44,8 @@ static void test_pose(const space *s, const box_view *view, judge *j) {
         }
         const double size = fmax(fabs(l->pose[c][0]), fabs(l->pose[c][1])),
                      finite = size < INFINITY ? size : 1;
-        judge_margin(j, least - l->pose[c][0], most - l->pose[c][0], finite, GOUGH_BIND_POSE, c);
-        judge_margin(j, l->pose[c][1] - most, l->pose[c][1] - least, finite, GOUGH_BIND_POSE, c);
+        judge_whole(j, least - l->pose[c][0], most - l->pose[c][0], finite, GOUGH_BIND_POSE, c);
+        judge_whole(j, l->pose[c][1] - most, l->pose[c][1] - least, finite, GOUGH_BIND_POSE, c);
     }
 }
 
@@ -46,8 +54,8 @@ static void test_angle(const affine_vector *a, const affine_vector *b, double mo
                        int v, judge *j) {
     const affine cosine = affine_dot(a, b);
     const double limit = cos(most);
-    judge_margin(j, affine_least(&cosine) - limit, affine_most(&cosine) - limit, 1 - limit, bind,
-                 v);
+    const affine margin = affine_less(cosine, affine_of(limit));
+    judge_slope(j, &margin, 0, 0, 1 - limit, bind, v);
 }
 
 static void test_swing(const space *s, const box_view *view, const affine_vector n[LEGS],
@@ -68,11 +76,11 @@ static void test_singular(const space *s, const stiff *J, judge *j) {
     const double least = s->reach->asked.least_singular_value;
     const int side = stiff_side(J);
     if (side == 0)
-        judge_margin(j, -J->spread, 0, 1, GOUGH_BIND_SINGULAR, 0);
+        judge_whole(j, -J->spread, 0, 1, GOUGH_BIND_SINGULAR, 0);
     else if (side != s->reach->side)
-        judge_margin(j, -1, -1, 1, GOUGH_BIND_SINGULAR, 0);
+        judge_whole(j, -1, -1, 1, GOUGH_BIND_SINGULAR, 0);
     if (!(least > 0)) return;
-    judge_margin(j, J->least[0] - least, J->least[1] - least, least, GOUGH_BIND_SINGULAR_VALUE, 0);
+    judge_whole(j, J->least[0] - least, J->least[1] - least, least, GOUGH_BIND_SINGULAR_VALUE, 0);
 }
 
 /* (space-16): distances of legs against their thickness */
@@ -86,10 +94,17 @@ static void test_clearance(const space *s, const box_view *view, const affine_ve
             if (!(thick > 0) || clearance_is_joint(s, v, w)) continue;
             clearance_of(s, view, n, v, w, thick, bound);
             const gough_binding before = j->binding;
-            judge_margin(j, bound[0] - thick, bound[1] - thick, thick, GOUGH_BIND_CLEARANCE, v);
+            judge_whole(j, bound[0] - thick, bound[1] - thick, thick, GOUGH_BIND_CLEARANCE, v);
             if (memcmp(&before, &j->binding, sizeof before) != 0) j->binding.other = w;
         }
     }
+}
+
+/* a limit less a force, which lies between near + least and near + most */
+static void judge_force(judge *j, double limit, const over_box *force, double weight,
+                        gough_bind bind, int v) {
+    const affine margin = affine_less(affine_of(limit), force->near);
+    judge_slope(j, &margin, force->above, force->sure, weight, bind, v);
 }
 
 /* rates, accelerations and forces of legs for the motions and loads that are asked for */
@@ -103,18 +118,16 @@ static void test_asked(const space *s, const box_view *view, const affine_vector
         const double low = fabs(l->force[v][0]), high = fabs(l->force[v][1]);
         const double weight = low < INFINITY && (low > high || !(high < INFINITY)) ? low : high;
         if (l->speed[v] < INFINITY)
-            judge_margin(j, l->speed[v] - a->speed.most, l->speed[v] - a->speed.least, l->speed[v],
-                         GOUGH_BIND_SPEED, v);
+            judge_whole(j, l->speed[v] - a->speed.most, l->speed[v] - a->speed.least, l->speed[v],
+                        GOUGH_BIND_SPEED, v);
         if (l->acceleration[v] < INFINITY && s->parts.acceleration)
-            judge_margin(j, l->acceleration[v] - a->acceleration.most,
-                         l->acceleration[v] - a->acceleration.least, l->acceleration[v],
-                         GOUGH_BIND_ACCELERATION, v);
+            judge_whole(j, l->acceleration[v] - a->acceleration.most,
+                        l->acceleration[v] - a->acceleration.least, l->acceleration[v],
+                        GOUGH_BIND_ACCELERATION, v);
         if (l->force[v][1] < INFINITY)
-            judge_margin(j, l->force[v][1] - a->push.most, l->force[v][1] - a->push.least, weight,
-                         GOUGH_BIND_PUSH, v);
+            judge_force(j, l->force[v][1], &a->push, weight, GOUGH_BIND_PUSH, v);
         if (l->force[v][0] > -INFINITY)
-            judge_margin(j, -a->pull.most - l->force[v][0], -a->pull.least - l->force[v][0], weight,
-                         GOUGH_BIND_PULL, v);
+            judge_force(j, -l->force[v][0], &a->pull, weight, GOUGH_BIND_PULL, v);
     }
 }
 
@@ -126,7 +139,7 @@ judge box_judge(const space *s, const box_view *view) {
     /* lengths first: they decide most boxes and cost least */
     test_lengths(s, view, &j);
     test_pose(s, view, &j);
-    if (j.verdict != GOUGH_INSIDE) return j;
+    if (j.verdict == GOUGH_OUTSIDE || (j.verdict != GOUGH_INSIDE && !s->parts_wanted)) return j;
     if (s->regular && s->only_lengths) return j;
     for (int v = 0; v < LEGS; v++) n[v] = box_direction(view, v);
     test_swing(s, view, n, &j);
@@ -136,7 +149,8 @@ judge box_judge(const space *s, const box_view *view) {
     if (s->regular && !asked && !(s->reach->asked.least_singular_value > 0)) return j;
     stiff_of(s, view, n, &J);
     test_singular(s, &J, &j);
-    if (j.verdict == GOUGH_INSIDE && asked) test_asked(s, view, n, &J, &j);
+    if (asked && (j.verdict == GOUGH_INSIDE || (s->parts_wanted && stiff_side(&J) != 0)))
+        test_asked(s, view, n, &J, &j);
     return j;
 }
 

@@ -43,7 +43,7 @@ void space_begin(space *s, const gough_reach *reach) {
 
     s->reach = reach;
     s->way = NULL;
-    s->regular = false;
+    s->regular = s->parts_wanted = false;
     find_parts(s);
     hexapod_of_machine(&s->h, reach->machine);
     s->about = vector_of(reach->about);
@@ -191,6 +191,13 @@ void box_length_slopes(const box_view *view, int v, double slope[SIDES]) {
         slope[k] = 0;
     }
     if (view->way) slope[0] = sum;
+}
+
+affine box_length(const box_view *view, int v) {
+    affine l = affine_of(view->g.length[v]);
+    box_length_slopes(view, v, l.g);
+    l.r = fmax(0, view->wide[v] - affine_slope(&l)) + ROUNDED * view->wide[v];
+    return l;
 }
 
 void box_lengths(const box_view *view, int v, double bound[2]) {

@@ -19,6 +19,7 @@ typedef struct space {
     bool
         only_lengths; /* lengths, the platform's pose and singular poses are all that limits poses */
     bool regular;     /* singular poses are known to be excluded */
+    bool parts_wanted; /* which part of a box of positions is decided is wanted, too */
     const gough_reach *reach;
     hexapod h;
     vector about;       /* the point that the components move, top frame */
@@ -66,6 +67,9 @@ void box_home_directions(const space *s, const box_view *view, int v, affine_vec
 vector box_joint_slope(const box_view *view, int v, int k);
 /* w_k n·∂_k q of leg v */
 void box_length_slopes(const box_view *view, int v, double slope[SIDES]);
+
+/* the same as a number of the box */
+affine box_length(const box_view *view, int v);
 
 /* the least and the greatest length of leg v over the box, (space-4) */
 void box_lengths(const box_view *view, int v, double bound[2]);

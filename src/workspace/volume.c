@@ -67,7 +67,10 @@ static void count_cell(cells *q, const double least[3], const double greatest[3]
     if (j.verdict == GOUGH_INSIDE) {
         q->inside += volume;
     } else if (depth >= q->depth) {
-        q->undecided += volume;
+        const double in = fmax(0, j.in), left = fmax(0, 1 - in - j.out);
+        q->inside += in * volume;
+        q->undecided += left * volume;
+        volume *= left;
         if (!q->exact && pose_judge(q->s, view.centre).verdict == GOUGH_INSIDE) q->likely += volume;
     } else {
         count_halves(q, least, greatest, depth, &view);
@@ -247,6 +250,7 @@ gough_status gough_workspace_volume(const gough_reach *reach, const double orien
         return gough_fail(error, GOUGH_ERROR_INPUT, "the angles of an orientation must be finite");
     if (!reach_is_valid(reach)) return reach_refuse(error);
     space_begin(&s, reach);
+    s.parts_wanted = true;
     if (!find_extent(&s, orientation, least, greatest, centre))
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                           "no limit bounds the positions, so they have no volume: give "

@@ -31,6 +31,7 @@ far=$(jq -r '[.envelope.gap | to_entries[] | select(.value != null and .value > 
 claim 'values that stay apart' same "$far" 'condition singular_value'
 share=$(jq '.box.greatest[0] / .travel.surge.greatest.end' all.json)
 claim 'the part of the surge that is free with all else' within "$share" 0.175 0.179
+claim 'bounds of the volume, with limits of force' within "$(jq '.volume.bounds[0] / .volume.bounds[1]' all.json)" 0.8 1
 claim 'rows of a surface' same "$(wc -l <surface.csv)" 2523
 claim 'rows of an outline' same "$(wc -l <outline.csv)" 361
 finish

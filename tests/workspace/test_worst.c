@@ -9,6 +9,7 @@
 #include "support/suite.h"
 #include "workspace/clearance.h"
 #include "workspace/flight.h"
+#include "workspace/slope_parts.h"
 #include "workspace/stiff.h"
 
 static void view_about(const gough_reach *reach, const double at[GOUGH_COMPONENTS], double size,
@@ -165,6 +166,63 @@ START_TEST(legs_are_as_far_apart_as_bounds_say) {
 }
 END_TEST
 
+/* (space-21): the part of a cube below a plane is that of points drawn from it, and exactly that of prisms and corners */
+START_TEST(parts_below_planes_are_those_of_points) {
+    dice d = {55};
+    const double one[3] = {2, 0, 0}, two[3] = {1, 0, -1}, three[3] = {1, -1, 1};
+    ck_assert(fabs(part_below(one, 1) - 0.75) < 1e-12);
+    ck_assert(fabs(part_below(two, -1) - 0.125) < 1e-12);
+    ck_assert(fabs(part_below(three, -2) - 1.0 / 48) < 1e-12);
+    ck_assert(fabs(part_below(three, 0) - 0.5) < 1e-12);
+    for (int n = 0; n < 40; n++) {
+        double g[3], below = 0;
+        const double t = dice_between(&d, -1.5, 1.5);
+        for (int k = 0; k < 3; k++) g[k] = n % 4 == k ? 0 : dice_between(&d, -1, 1);
+        for (int i = 0; i < 10000; i++) {
+            double sum = 0;
+            for (int k = 0; k < 3; k++) sum += g[k] * dice_between(&d, -1, 1);
+            below += sum < t;
+        }
+        ck_assert_msg(fabs(part_below(g, t) - below / 10000) < 0.025, "plane %d of seed 55", n);
+    }
+}
+END_TEST
+
+/* (space-21): with limits of force, the bounds of a volume lie within 20 % and hold what is drawn */
+START_TEST(bounds_of_a_volume_hold_with_forces) {
+    gough_model *model = malloc(sizeof *model);
+    const double level[3] = {0, 0, 0};
+    dice d = {56};
+    gough_volume volume;
+    double inside = 0;
+    flight_demands(model);
+    memset(&model->workspace, 0, sizeof model->workspace);
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        model->machine.platform.legs.diameter[v] = 0;
+        model->machine.platform.legs.force[v][0] = 0.2 * model->machine.platform.legs.force[v][0];
+        model->machine.platform.legs.force[v][1] = 0.6 * model->machine.platform.legs.force[v][1];
+    }
+    const gough_reach reach = flight_reach(model);
+    ck_assert(gough_workspace_volume(&reach, level, &volume, NULL) == GOUGH_OK);
+    printf("volume %g, %g to %g, %zu boxes\n", volume.value, volume.least, volume.greatest,
+           volume.tests);
+    ck_assert(volume.least >= 0.8 * volume.greatest);
+    for (int i = 0; i < 40000; i++) {
+        double pose[GOUGH_COMPONENTS] = {0, 0, 0, 0, 0, 0};
+        flight_load load;
+        for (int k = 0; k < 3; k++) pose[k] = dice_between(&d, -2.5, 2.5);
+        if (flight_excess(model, &reach, pose) > 0) continue;
+        flight_draw(model, pose, true, &d, &load);
+        inside += flight_over(&reach, &load) <= 0;
+    }
+    /* three deviations of such a count */
+    const double value = inside / 40000 * 125, error = 3 * sqrt(inside) / 40000 * 125;
+    ck_assert_msg(value > volume.least - error && value < volume.greatest + error, "%g ± %g", value,
+                  error);
+    free(model);
+}
+END_TEST
+
 /* (space-18): over a box as large as a simulator moves in, bounds of most values come within 2 % of values found by a
  * dense search, which finds nothing worse */
 START_TEST(bounds_come_near_values_found) {
@@ -208,5 +266,6 @@ END_TEST
 int main(void) {
     return SUITE_RUN("workspace", 240, turned_vectors_are_within_their_bounds,
                      singular_values_are_within_bounds_of_second_order,
-                     legs_are_as_far_apart_as_bounds_say, bounds_come_near_values_found);
+                     legs_are_as_far_apart_as_bounds_say, parts_below_planes_are_those_of_points,
+                     bounds_of_a_volume_hold_with_forces, bounds_come_near_values_found);
 }
