@@ -231,8 +231,8 @@ typedef struct gough_volume {
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT if an angle is not finite; GOUGH_ERROR_NUMERICAL with a sentence if no limit bounds the
  *          positions.
  *
- *  The proved bounds differ by less than 20 % of the greatest unless most_tests is too small; limits of speeds or clearances need the
- *  most tests. An exact value is accurate to about six digits, another to about two. */
+ *  The proved bounds differ by less than 20 % of the greatest unless most_tests is too small; limits of speeds or clearances
+ *  need the most tests. An exact value is accurate to about six digits, another to about two. */
 GOUGH_API gough_status gough_workspace_volume(const gough_reach *reach, const double orientation[3],
                                               gough_volume *volume, gough_error *error);
 
