@@ -74,7 +74,6 @@ static json_t *extremes(const workspace_answer *a, bool bounds) {
     return object;
 }
 
-json_t *workspace_envelope_json(const workspace_answer *a) {
 static json_t *gaps(const workspace_answer *a) {
     json_t *object = json_object();
     for (int i = 0; i < GOUGH_WORSTS; i++)
@@ -84,7 +83,7 @@ static json_t *gaps(const workspace_answer *a) {
     return object;
 }
 
-static json_t *envelope_object(const workspace_answer *a) {
+json_t *workspace_envelope_json(const workspace_answer *a) {
     const gough_box *box = a->shape_given ? &a->shape : &a->box.box;
     json_t *object = extremes(a, true), *legs = json_object();
     for (int i = 0; i < GOUGH_WORSTS; i++) {
