@@ -216,7 +216,8 @@ gough_status gough_workspace_envelope(const gough_reach *reach, const gough_box 
     for (int i = 0; i < GOUGH_WORSTS; i++)
         envelope->of[i] = (gough_extreme){.bound = -INFINITY, .sampled = -INFINITY, .leg = -1};
     sample_corners(&s, box, envelope);
-    for (int i = 0; i < GOUGH_WORSTS; i++) climb(&s, box, i, envelope);
+    /* without tests, the corners are all that is wanted */
+    for (int i = 0; i < GOUGH_WORSTS && reach->most_tests > 0; i++) climb(&s, box, i, envelope);
     for (int i = 0; i < GOUGH_WORSTS; i++)
         search(&s, box, i, reach->most_tests / SHARES, &waiting, envelope);
     return finish(envelope, error);
