@@ -229,12 +229,14 @@ GOUGH_API gough_status gough_external_wrench(const gough_machine *machine, const
 GOUGH_API gough_status gough_control_check(const gough_control *control, gough_error *error);
 
 /** Whether a loop moves as its program does where nothing disturbs it, (law-5): its feed-forward is that of the machine as it is,
- *  so that the program is a motion of the loop, about which deviations may be counted. If it does not, it sags and lags. Dry
+ *  so that the program is a motion of the loop, about which deviations may be counted. If it does not, it sags and lags. A loop
+ *  with integrals in all six legs comes to rest on a program at rest, whatever its feed-forward lacks. Dry
  *  friction and losses of screws do not count, since they are left out of whatever is computed about such a motion; limits and
  *  lags of drives and the samples of a controller do not count either.
  *  @param machine  whose legs may have mass and friction, and which may have external loads
  *  @param control  what the feed-forward is, and what it ignores
- *  @param moving   whether the program moves; in a program at rest viscous friction has no force
+ *  @param moving   whether the program moves; in a program at rest viscous friction has no force and
+ *                  integrals in all legs bear what is not fed forward
  *  @return true if it does. Exact, a comparison of members: an external load counts even if its formulas are 0. */
 GOUGH_API bool gough_keeps_program(const gough_machine *machine, const gough_control *control,
                                    bool moving);

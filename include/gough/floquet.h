@@ -75,7 +75,7 @@ typedef struct gough_floquet {
  *  do not use @p floquet then. Dry friction and losses of screws are left out of the motion as of its deviations.
  *  It takes about 20 ms for a period with a few oscillations of the platform, some tenths of a second or more where the motion
  *  must be found, and seconds with drives that lag. Allocates nothing; needs 2 MB of stack. With the default tolerance
- *  multipliers are accurate to 1e-11 of the largest, of a loop with states to 1e-8; two that are equal, as on the unit circle
+ *  multipliers are accurate to 1e-11 of the largest, of a loop with states to 1e-10; two that are equal, as on the unit circle
  *  without damping, only to the root of that. */
 GOUGH_API gough_status gough_floquet_multipliers(const gough_model *model,
                                                  const gough_period *period, double tolerance,

@@ -61,6 +61,13 @@ static inline gough_tuning_options gough_tuning_options_default(void) {
     return options;
 }
 
+/** How the stability of a point of the curve was found. */
+typedef enum gough_tuning_judged {
+    GOUGH_TUNING_BY_RUN,  /**< not but by its run: it reached its end or did not */
+    GOUGH_TUNING_AT_REST, /**< at rest: at home, or where the program comes to rest */
+    GOUGH_TUNING_ALONG    /**< along the program, over its period */
+} gough_tuning_judged;
+
 /** A point of the curve: deviation against G. */
 typedef struct gough_tuning_point {
     double stiffness;  /**< G */
@@ -73,8 +80,10 @@ typedef struct gough_tuning_point {
     double force;              /**< largest |leg force| */
     double speed;              /**< largest |leg rate| */
     double
-        growth; /**< largest |Floquet multiplier|; for a program without period e^{growth rate} at rest; NaN: not found */
-    bool stable;  /**< growth is at most 1 + 1e-7 */
+        growth; /**< largest |Floquet multiplier| over a period of the program, or e^{growth rate} at rest, as `judged` says; NaN:
+                     not found, or not looked for */
+    gough_tuning_judged judged; /**< how `stable` was found */
+    bool stable;  /**< growth is at most 1 + 1e-7; judged by its run, the run reached its end */
     bool regular; /**< follows the trend, see gough_tuning.slope */
     bool
         small_steps; /**< computed with fixed steps of at most a hundredth of the output step, which end at each corner
@@ -147,10 +156,16 @@ typedef struct gough_tuning {
     double threshold;      /**< largest threshold of G at rest with feed-forward */
     gough_mode least_mode; /**< its mode */
     /** the controller is sampled: points of the curve are examined at rest at home, from sample to sample, the G named and its
-     *  margin along the program too if `periodic`. Damping ratios are those of the poles ln μ/T of the multipliers at rest */
+     *  margin along the program too if `periodic`. So are points that hold at home, see `judged`, if that takes at most 100
+     *  samples. Damping ratios are those of the poles ln μ/T of the multipliers at rest */
     bool sampled;
+    /** the controller is continuous, and drives lag or integrals add up: the same, but that points which hold at home are examined
+     *  along the program if its period is at most 128 time constants of the drives and the program's forces are fed forward.
+     *  Damping ratios are those of all poles, of drives and integrals too */
+    bool states;
     double upper; /**< if so: G from which the loop at home is unstable, or above which no D gives
-                       the damping ratio, with feed-forward; NaN: not sampled, or no G holds */
+                       the damping ratio, with feed-forward; infinite: no G of the search; NaN: neither sampled nor with such
+                       states, or no G holds */
     double upper_frequency; /**< angular frequency of the mode that grows there, or is the least
                                  damped; NaN: as upper */
     gough_mode upper_mode;  /**< that mode */
@@ -191,7 +206,9 @@ GOUGH_API gough_status gough_tune(const gough_model *model, const gough_simulati
                                   gough_error *error);
 
 /** The damping D, the same in all legs, with which the least damped mode at home has a damping ratio, (tune-1).
- *  @param model      with the wanted G; its damping is ignored. Without feed-forward, home is where the loop rests
+ *  @param model      with the wanted G; its damping is ignored. Without feed-forward, home is where the loop rests. With drives
+ *                    that lag, integrals or a sampled controller the ratio is that of all poles of the loop, and the least D
+ *                    that gives it is taken
  *  @param ratio      in [0, 1)
  *  @return GOUGH_OK; GOUGH_ERROR_NUMERICAL: home is singular or, with this G, unstable, so no damping helps;
  *  GOUGH_ERROR_INPUT: a ratio out of its range. Exact up to rounding of the eigenvalues. Allocates nothing. */

@@ -18,6 +18,14 @@ static inline int control_lacks(const gough_machine *machine, const gough_contro
     return lacks[LEGS_LACK] + lacks[FRICTION_LACKS] + lacks[LOADS_LACK];
 }
 
+/* how many legs have an integral */
+static inline int control_integrates(const gough_control *control) {
+    int legs = 0;
+
+    for (int v = 0; v < GOUGH_LEGS; v++) legs += control->integral[v] > 0;
+    return legs;
+}
+
 typedef struct {
     char how[112];  /* "without feed-forward", "with feed-forward that ignores the legs' mass" */
     char cure[112]; /* after "set": "control.feedforward to program" */

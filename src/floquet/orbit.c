@@ -31,6 +31,9 @@ static const double least_progress = 1e-3;
 /* of the steps on this way */
 static const double rough_tolerance = 1e-9;
 
+/* of the first way round with states, whose matrix only has to lead near the motion */
+static const double first_tolerance = 1e-6;
+
 /* e ← exp(θ) e, Rodrigues' formula; below 1e-4 sin x/x by its series, exact to rounding */
 static vector turned(vector theta, vector e) {
     const double square = dot(theta, theta), x = real_root(square);
@@ -125,12 +128,36 @@ static void draw_near(monodromy *m, double before, double y[STATE_SIZE]) {
     m->bare = false;
 }
 
+/* The first of Newton's steps with states, by a matrix of few digits, which takes fewer steps than one of many. A motion that
+ * closes to these digits is near already. */
+static bool come_near(monodromy *m, double y[STATE_SIZE], gough_error *error) {
+    const double tolerance = m->tolerance;
+    double missing[MONODROMY_ROWS], xi[MONODROMY_ROWS], length;
+
+    m->tolerance = fmax(tolerance, first_tolerance);
+    const bool round = go_round(m, y, missing, error);
+    m->tolerance = tolerance;
+    if (!round) return false;
+    if (largest_of(m, missing) <= first_tolerance) return true;
+    length = newton_step(m, missing, xi);
+    if (!(length <= farthest)) return false;
+    for (int i = 0; i < m->n; i++) xi[i] *= m->unit[i];
+    change(m, xi, y);
+    draw_near(m, length, y);
+    return true;
+}
+
 /* Newton's method from y, each step shorter than the one before it; whether it came to a motion that closes */
 static bool close_motion(monodromy *m, double y[STATE_SIZE], gough_error *error) {
     double missing[MONODROMY_ROWS], xi[MONODROMY_ROWS], before = farthest / shrinks;
+    const bool states = m->n > GOUGH_LINEAR;
 
     for (int step = 0; step < MOST_STEPS; step++) {
         double length;
+        if (states && step == 0) {
+            if (!come_near(m, y, error)) return false;
+            continue;
+        }
         if (!go_round(m, y, missing, error)) return false;
         /* the program itself: then 1 − Φ may well have no inverse */
         if (m->loop.whole && largest_of(m, missing) <= m->tolerance) return true;
@@ -139,7 +166,7 @@ static bool close_motion(monodromy *m, double y[STATE_SIZE], gough_error *error)
         if (!(length <= shrinks * before)) return length <= nearly_closed * m->tolerance;
         for (int i = 0; i < m->n; i++) xi[i] *= m->unit[i];
         change(m, xi, y);
-        if (m->n > GOUGH_LINEAR) draw_near(m, length, y);
+        if (states) draw_near(m, length, y);
         before = length;
     }
     return false;

@@ -211,6 +211,19 @@ gough_status equilibrium_ask(const gough_model *model, const double *component, 
     return status;
 }
 
+/* Legs with an integral come to their lengths, others sag: such a balance is not computed. */
+static gough_status refuse_mixed(const gough_control *control, gough_error *error) {
+    const int integrate = control_integrates(control);
+
+    if (integrate == 0) return GOUGH_OK;
+    return gough_fail_key(
+        error, GOUGH_ERROR_INPUT, "control.integral",
+        "%d of the legs %s an integral, and forces that hold the load are not all "
+        "fed forward: where such a loop rests is not computed; give all six legs "
+        "an integral or leave all without one, or feed those forces forward",
+        integrate, integrate == 1 ? "has" : "have");
+}
+
 gough_status equilibrium_find(const gough_model *model, const double *component, gough_motion *rest,
                               gough_error *error) {
     const linear_loop loop = {&model->machine, rest, &model->control, false, 0, false};
@@ -219,6 +232,8 @@ gough_status equilibrium_find(const gough_model *model, const double *component,
 
     if (status != GOUGH_OK || gough_keeps_program(&model->machine, &model->control, false))
         return status;
+    status = refuse_mixed(&model->control, error);
+    if (status != GOUGH_OK) return status;
     status = sag(&loop, asked.words.message, asked.determinant, &asked.state, error);
     if (status == GOUGH_OK) {
         stand(&model->machine, &asked.state, rest);

@@ -122,16 +122,6 @@ int linear_beyond(const gough_machine *machine, const gough_control *control,
     return n;
 }
 
-gough_status linear_refuse_states(const gough_model *model, const char *what, gough_error *error) {
-    const bool lags = model->machine.platform.actuators.kind == GOUGH_ACTUATOR_LAG;
-    int kept[LINEAR_BEYOND];
-
-    if (linear_beyond(&model->machine, &model->control, kept) == 0) return GOUGH_OK;
-    return gough_fail_key(error, GOUGH_ERROR_INPUT, lags ? "actuators" : "control.integral",
-                          "%s is not computed for %s; the stability at rest and runs are", what,
-                          lags ? "drives that lag" : "a controller with an integral");
-}
-
 gough_status linear_refuse_sampled(const gough_model *model, const char *what, gough_error *error) {
     if (!(model->control.sampling.period > 0)) return GOUGH_OK;
     return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.sampling",

@@ -75,9 +75,6 @@ int linear_beyond(const gough_machine *machine, const gough_control *control,
 /* Fails for a sampled controller, for which `what` cannot be computed ("the stability about a program"). */
 gough_status linear_refuse_sampled(const gough_model *model, const char *what, gough_error *error);
 
-/* Fails for a loop in which drives lag or a continuous controller integrates. */
-gough_status linear_refuse_states(const gough_model *model, const char *what, gough_error *error);
-
 /* Where a loop rests: a program that stands at its equilibrium, the control that feeds forward what holds it there, its state. */
 gough_status linear_at_rest(const gough_model *model, const double component[GOUGH_COMPONENTS],
                             gough_motion *motion, gough_control *control, gough_state *state,

@@ -90,6 +90,8 @@ static tune *lay_out(const gough_model *model, const gough_tuning_options *optio
     t->options = options;
     t->ratio = !isnan(options->damping_ratio);
     t->sampled = model->control.sampling.period > 0;
+    t->states = !t->sampled && gough_linear_size(model) > GOUGH_LINEAR;
+    t->quick = tune_quickest_drive(&model->machine);
     memcpy(t->loop, model, sizeof *model);
     uncouple(&t->loop->control);
     return t;
@@ -161,7 +163,7 @@ static double damped_steps(const tune *t) {
     return t->simulation.duration * damping * t->frequency * t->frequency / 6;
 }
 
-/* a sampled controller holds the platform up to the upper edge only, which the margin keeps away from */
+/* a delayed force holds the platform up to the upper edge only, which the margin keeps away from */
 static gough_status limit_to_window(tune *t, gough_error *error) {
     const double end = t->tuning->upper / (1 + t->options->margin) * (1 - before_edge);
 
@@ -169,11 +171,12 @@ static gough_status limit_to_window(tune *t, gough_error *error) {
     if (t->options->least > 0 && !(end > t->options->least))
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "the search for the stiffness begins at %.6g" IN_STIFFNESS
-                          ", but the sampled controller holds the platform at home up to "
-                          "%.6g" IN_STIFFNESS
-                          " only (%s); give --stiffness a:b with a below that, or shorten "
-                          "control.sampling.period",
-                          t->options->least, t->tuning->upper, t->tuning->upper_mode.name);
+                          ", but the %s holds the platform at home up to %.6g" IN_STIFFNESS
+                          " only (%s); give --stiffness a:b with a below that, or %s",
+                          t->options->least,
+                          t->sampled ? "sampled controller" : "loop with drives that lag",
+                          t->tuning->upper, t->tuning->upper_mode.name,
+                          t->sampled ? "shorten control.sampling.period" : "faster drives");
     t->greatest = end;
     t->least = fmin(t->least, end / 10);
     t->edged = t->bounded = true;
@@ -262,6 +265,7 @@ static gough_status find_period(tune *t, gough_error *error) {
         why.message[sizeof tuning->unchecked - 1] = '\0';
         memcpy(tuning->unchecked, why.message, sizeof tuning->unchecked);
     }
+    if (t->states) tune_follow_states(t);
     return GOUGH_OK;
 }
 
@@ -274,7 +278,8 @@ static gough_status bytes_for_map(const gough_model *model, const gough_tuning_o
     gough_status status;
 
     *bytes = 0;
-    if (model->control.sampling.period > 0) return GOUGH_OK;
+    if (model->control.sampling.period > 0 || gough_linear_size(model) > GOUGH_LINEAR)
+        return GOUGH_OK;
     probe.unit =
         model->machine.load.mass * model->machine.gravity_magnitude / model->machine.base_radius;
     if (!(probe.unit > 0)) probe.unit = model->machine.load.mass;
@@ -301,8 +306,6 @@ gough_status gough_tune_size(const gough_model *model, const gough_tuning_option
 
     *bytes = 0;
     if (status == GOUGH_OK) status = machine_can_move(&model->machine, error);
-    if (status == GOUGH_OK && !(model->control.sampling.period > 0))
-        status = linear_refuse_states(model, "the least stiffness for an accuracy", error);
     if (status == GOUGH_OK) status = bytes_for_map(model, options, &for_map, error);
     if (status != GOUGH_OK) return status;
     *bytes = rounded(sizeof(tune)) + 2 * rounded(sizeof(gough_model)) +
@@ -552,7 +555,7 @@ gough_status gough_tune(const gough_model *model, const gough_simulation *simula
     t->point = point;
     t->tuning = tuning;
     status = prepare(t, simulation, feedforward, error);
-    if (status == GOUGH_OK && t->sampled && !(tuning->upper > 0)) {
+    if (status == GOUGH_OK && (t->sampled || t->states) && !(tuning->upper > 0)) {
         tuning->fails = tuning->slope = tuning->scale = NAN;
         tune_reason_closed(t);
         return GOUGH_OK;

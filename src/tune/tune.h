@@ -39,10 +39,12 @@ typedef struct tune {
     bool most_steps; /* `greatest` is where runs get too long */
     bool bounded;    /* the options say where the search ends */
     bool fine;       /* all runs take small fixed steps: adaptive ones have missed something */
-    bool
-        sampled; /* the controller is: points are looked at at rest at home, from sample to sample … */
-    bool naming; /* … and that which is to be named along the program too, if that has a period */
-    bool edged;  /* `greatest` is where a sampled controller no longer holds the platform */
+    /* The controller is sampled; or it is continuous, and drives lag or integrals add up. In both cases points are looked at at rest
+     * at home, and what is to be named along the program too, if that has a period … */
+    bool sampled, states, naming;
+    bool cheap; /* … as points of the curve are that hold at home, if a look takes little time */
+    bool edged; /* `greatest` is where the loop no longer holds the platform */
+    double quick; /* the greatest rate at which a drive follows its command; 0: at once */
     gough_sampled_margins margins; /* where it never does */
     gough_rest rest;
 
@@ -87,6 +89,41 @@ void tune_find_scales(tune *t);
 /* smallest −Re λ/|λ| of a loop's eigenvalues; NaN if they cannot be computed */
 double tune_least_ratio(double matrix[GOUGH_LINEAR][GOUGH_LINEAR]);
 
+/* ---- tune_ratio.c ---- */
+
+/* A loop at home whose gains have an upper edge. */
+typedef struct {
+    double (*ratio)(
+        void *loop); /* smallest −Re s/|s| of its poles with these gains; NaN: not found */
+    void *loop;
+    gough_control *control; /* the gains, which are set; D the same in all legs */
+    double mass;
+    double most_damping,
+        most_stiffness; /* none with more has to be tried; infinite: no such limit is known */
+} tune_poles;
+
+/* The least D that gives the ratio with the stiffness of `control`. NaN: none */
+double tune_damping_at(const tune_poles *poles, double ratio);
+
+/* the greatest G with which some D gives the ratio, and that D; 0: none */
+double tune_top_by_ratio(const tune_poles *poles, double threshold, double ratio, double *damping);
+
+/* ---- tune_states.c ---- */
+
+/* the greatest rate, 1/T_a and the like, at which a drive follows its command; 0: drives that do not lag */
+double tune_quickest_drive(const gough_machine *machine);
+
+/* smallest −Re s/|s| of all poles, those of drives and integrals too */
+double tune_states_ratio(const gough_model *model);
+gough_status tune_states_damping(const gough_model *model, double ratio, double *damping,
+                                 gough_error *error);
+
+/* as tune_find_window(), but `upper` is infinite if no G of the search is too great */
+gough_status tune_states_window(tune *t, gough_error *error);
+
+/* rest at home in place of a program whose period is long beside the lag of the drives */
+void tune_follow_states(tune *t);
+
 /* ---- tune_sampled.c ---- */
 
 /* the same of a loop with a sampled controller at rest at home, of its poles s, with multipliers e^{sT} */
@@ -96,8 +133,9 @@ double tune_sampled_ratio(const gough_model *model);
 gough_status tune_sampled_damping(const gough_model *model, double ratio, double *damping,
                                   gough_error *error);
 
-/* `upper` and its mode where the controller is sampled: the G from which the loop at home is unstable, or above which no D gives
- * the ratio; NaN: none holds, and the margins of the loop tell what would. Changes the gains of `steady`. */
+/* `upper` and its mode where the controller is sampled or the loop has states: the G from which the loop at home is unstable, or
+ * above which no D gives the ratio; NaN: none holds, and the margins of a sampled loop tell what would. Changes the gains of
+ * `steady`. */
 gough_status tune_find_window(tune *t, gough_error *error);
 
 /* The period of the program, or rest at home in its place, with a sentence in `unchecked`: where it has no period or takes too many
@@ -174,7 +212,7 @@ gough_status tune_check_outliers(tune *t, gough_error *error);
 /* why no G does it */
 void tune_reason(tune *t);
 
-/* the same where a sampled controller holds the platform with none */
+/* the same where the loop holds the platform with none */
 void tune_reason_closed(tune *t);
 
 #endif

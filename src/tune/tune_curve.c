@@ -201,6 +201,7 @@ gough_status tune_check_outliers(tune *t, gough_error *error) {
         if (status != GOUGH_OK) break;
         again.growth = p->growth;
         again.stable = p->stable;
+        again.judged = p->judged;
         memcpy(again.mode, p->mode, sizeof again.mode);
         *p = again;
     }
@@ -341,20 +342,32 @@ static void say_far(const tune *t, const gough_tuning_point *best, double slope,
                              : "search further with --stiffness");
 }
 
-/* The deviation falls with G, but a sampled controller cannot have the G. */
+/* The deviation falls with G, but a loop whose forces are late cannot have the G. */
 static void say_edge(const tune *t, const gough_tuning_point *best, gough_error *why) {
     const gough_tuning *tuning = t->tuning;
 
     gough_fail(why, GOUGH_OK,
-               "the upper edge of stability comes first: the sampled controller holds the platform "
+               "the upper edge of stability comes first: the %s holds the platform "
                "at home%s for G below %.6g%s (%s), and up to %.3g %% less than that the least "
-               "deviation is %.3g%s, at G = %.6g%s; shorten control.sampling.period or its "
-               "delay%s",
+               "deviation is %.3g%s, at G = %.6g%s; %s%s",
+               t->sampled ? "sampled controller" : "loop with drives that lag",
                t->ratio ? " with that damping ratio" : "", shown_stiffness(t, tuning->upper),
                stiffness_word(t), tuning->upper_mode.name, 100 * t->options->margin,
                shown_length(t, best->position_deviation), length_word(t),
                shown_stiffness(t, best->stiffness), stiffness_word(t),
+               t->sampled ? "shorten control.sampling.period or its delay" : "take faster drives",
                t->ratio ? ", or ask for another ratio" : ", or give --damping-ratio");
+}
+
+static void reason_closed_states(tune *t, const char *lack) {
+    gough_error why = {0};
+
+    gough_fail(&why, GOUGH_OK,
+               "the window of G is closed: at home, with %s, %s with any G of the search; %s",
+               t->quick > 0 ? "drives that lag" : "an integral", lack,
+               t->quick > 0 ? "take faster drives, or give more damping"
+                            : "reduce control.integral, or give more damping");
+    memcpy(t->tuning->reason, why.message, sizeof t->tuning->reason);
 }
 
 void tune_reason_closed(tune *t) {
@@ -373,6 +386,10 @@ void tune_reason_closed(tune *t) {
                  shown(t, GOUGH_UNIT_DAMPING, damping), word(t, GOUGH_UNIT_DAMPING));
     else
         snprintf(lack, sizeof lack, "without damping it shakes; give --damping-ratio");
+    if (t->states) {
+        reason_closed_states(t, lack);
+        return;
+    }
     if (m->best_stiffness > 0)
         snprintf(best, sizeof best, "; the greatest G held by any D is %.6g%s, with D = %.6g%s",
                  shown_stiffness(t, m->best_stiffness), stiffness_word(t),

@@ -119,6 +119,13 @@ gough_status gough_damping_for_ratio(const gough_model *model, double ratio, dou
                           "with a sampled controller the damping ratio must be greater than 0: at "
                           "0 the loop is at the edge of stability");
     }
+    if (gough_linear_size(model) > GOUGH_LINEAR) {
+        if (ratio > 0) return tune_states_damping(model, ratio, damping, error);
+        return gough_fail(
+            error, GOUGH_ERROR_INPUT,
+            "with drives that lag or integrals the damping ratio must be greater than "
+            "0: at 0 the loop is at the edge of stability");
+    }
     for (int v = 0; v < GOUGH_LEGS; v++) stiffness = fmax(stiffness, model->control.stiffness[v]);
     unit = stiffness > 0
                ? sqrt(stiffness * mass)

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "control/program_lack.h"
 #include "tune/tune.h"
 
 enum { N = GOUGH_LINEAR };
@@ -20,8 +21,8 @@ static const double most_small_steps = 2e6;
 /* small steps in an output step */
 static const double small_steps = 100;
 
-/* steps of the method of order 8 times the rate of a decay, well within its stability */
-static const double stable_step = 3;
+/* steps of the method of order 8 times the rate of a decay, well within its stability; and of any method */
+static const double stable_step = 3, any_stable_step = 2.5;
 
 /* the run with small steps may exceed what is asked by its own errors and those of the others */
 static const double allowance = 1e-3;
@@ -37,19 +38,21 @@ static gough_simulation with_own_step(const tune *t, gough_simulation s, double 
                                       double parts) {
     if (!(s.step > 0)) return s;
     s.step /= parts;
-    while (t->frequency * sqrt(stiffness) * s.step > turn_between_rows &&
+    while ((t->frequency * sqrt(stiffness) * s.step > turn_between_rows ||
+            t->quick * s.step > any_stable_step) &&
            s.duration / s.step < most_small_steps)
         s.step /= 2;
     return s;
 }
 
-/* the longest step that the fastest decay, D times the square of the fastest mode at G = 1, leaves stable; INFINITY: D follows G */
+/* The longest step that the fastest decay leaves stable: that of a drive, or D times the square of the fastest mode at G = 1,
+ * unless D follows G; INFINITY: nothing decays fast. */
 static double damped_step(const tune *t) {
     double damping = 0;
 
-    for (int v = 0; v < GOUGH_LEGS; v++) damping = fmax(damping, tune_damping_of(t, v));
-    if (t->ratio || !(damping > 0)) return INFINITY;
-    return stable_step / (damping * t->frequency * t->frequency);
+    for (int v = 0; v < GOUGH_LEGS && !t->ratio; v++)
+        damping = fmax(damping, tune_damping_of(t, v));
+    return stable_step / fmax(t->quick, damping * t->frequency * t->frequency);
 }
 
 bool tune_is_stiff(const tune *t) {
@@ -396,10 +399,13 @@ gough_status tune_detail(tune *t, gough_error *error) {
     binding_leg(t, &l.summary);
 
     if (t->sampled) tuning->damping_ratio = tune_sampled_ratio(t->loop);
+    if (t->states) tuning->damping_ratio = tune_states_ratio(t->loop);
+    if (gough_keeps_program(&t->loop->machine, &t->loop->control, false))
+        control_knows_all(&t->loop->control); /* home, with integrals too, which go now */
     tune_make_plain(t->loop);
     status = gough_stability_at_rest(t->loop, NULL, &t->rest, error);
     if (status != GOUGH_OK) return status;
-    if (!t->sampled) tuning->damping_ratio = tune_least_ratio(t->rest.matrix);
+    if (!t->sampled && !t->states) tuning->damping_ratio = tune_least_ratio(t->rest.matrix);
     if (fabs(tuning->damping_ratio) < rounding_ratio) tuning->damping_ratio = 0;
     if (tuning->binding != GOUGH_TUNING_THRESHOLD && tuning->binding != GOUGH_TUNING_TONGUE)
         binding_mode(t, &l);

@@ -1,5 +1,5 @@
-/* The search with a sampled controller: damping ratios of its poles s, with multipliers e^{sT} from sample to sample, the damping
- * for a ratio, and the stiffness from which the loop at home is no longer held. Theory: docs/theory/tuning.md. */
+/* The search with a sampled controller: damping ratios of its poles s, with multipliers e^{sT} from sample to sample, and the
+ * stiffness from which the loop at home is no longer held. Theory: docs/theory/tuning.md. */
 #include <lapacke.h>
 #include <math.h>
 #include <stdio.h>
@@ -12,25 +12,16 @@
 #include "linear/sampled.h"
 #include "tune/tune.h"
 
-enum { WORK = 8 * SAMPLED_ROWS, MOST_STEPS = 100, GRID = 40 };
+enum { WORK = 8 * SAMPLED_ROWS };
 
-/* in the periods of a program that is followed: a look at more takes seconds */
-enum { MOST_SAMPLES = 1000 };
+/* in the periods of a program that is followed: a look at more takes seconds; and at so few a tenth of one */
+enum { MOST_SAMPLES = 1000, CHEAP_SAMPLES = 100 };
 
-/* of a root, relative */
-static const double precision = 1e-12;
-
-/* dampings tried one after the other differ by this factor, from such a part of √(GM) up to so many M/T, where no loop holds */
-static const double factor = 1.2, first_part = 1e-3, last_part = 2;
+/* no loop holds with more damping than so many M/T, or more stiffness than so many M/T² */
+static const double last_part = 2, greatest_part = 4;
 
 /* a smaller multiplier is that of a deviation which is gone after a sample */
 static const double gone = 1e-12;
-
-/* the upper edge of a search by ratio, relative */
-static const double edge_width = 1e-6;
-
-/* no G holds above so many M/T² */
-static const double greatest_part = 4;
 
 /* a loop at rest but for its damping */
 typedef struct {
@@ -58,12 +49,23 @@ static double least_ratio(sampled_map *map) {
     return least;
 }
 
-static double ratio_at(samples *s, double damping) {
-    for (int v = 0; v < GOUGH_LEGS; v++) s->control.damping[v] = damping;
-    memset(s->control.cross_damping, 0, sizeof s->control.cross_damping);
+static double ratio_now(void *loop) {
+    samples *s = loop;
+
     sampled_law_of(&s->control, &s->law);
     sampled_map_of(&s->plant, &s->step, &s->law, &s->map);
     return least_ratio(&s->map);
+}
+
+static tune_poles poles_of(samples *s) {
+    const double mass = s->plant.mass[0][0], period = s->control.sampling.period;
+
+    return (tune_poles){.ratio = ratio_now,
+                        .loop = s,
+                        .control = &s->control,
+                        .mass = mass,
+                        .most_damping = last_part * mass / period,
+                        .most_stiffness = greatest_part * mass / (period * period)};
 }
 
 static gough_status samples_of(const gough_model *model, samples *s, gough_error *error) {
@@ -83,69 +85,7 @@ static gough_status samples_of(const gough_model *model, samples *s, gough_error
 double tune_sampled_ratio(const gough_model *model) {
     samples s;
 
-    if (samples_of(model, &s, NULL) != GOUGH_OK) return NAN;
-    sampled_law_of(&s.control, &s.law);
-    sampled_map_of(&s.plant, &s.step, &s.law, &s.map);
-    return least_ratio(&s.map);
-}
-
-/* between two dampings of which the second one has the ratio and the first has not */
-static double between(samples *s, double low, double high, double ratio) {
-    double f_low = ratio_at(s, low) - ratio, f_high = ratio_at(s, high) - ratio;
-
-    for (int i = 0; i < MOST_STEPS && high - low > precision * high && f_high > 0; i++) {
-        double next = low + (high - low) * f_low / (f_low - f_high);
-        if (!(next > low && next < high)) next = 0.5 * (low + high);
-        const double f = ratio_at(s, next) - ratio;
-        if (f < 0) {
-            low = next, f_low = f;
-            f_high *= 0.5; /* lest one end stay for ever */
-        } else {
-            high = next, f_high = f;
-            f_low *= 0.5;
-        }
-    }
-    return high;
-}
-
-/* the damping near `middle` with the greatest ratio, and that ratio */
-static double peak(samples *s, double middle, double *ratio) {
-    const double golden = 0.6180339887498949;
-    double low = middle / factor, high = middle * factor;
-    double a = high - golden * (high - low), b = low + golden * (high - low);
-    double at_a = ratio_at(s, a), at_b = ratio_at(s, b);
-
-    for (int i = 0; i < MOST_STEPS && high - low > 1e-7 * high; i++) {
-        if (at_a >= at_b) {
-            high = b, b = a, at_b = at_a;
-            a = high - golden * (high - low);
-            at_a = ratio_at(s, a);
-        } else {
-            low = a, a = b, at_a = at_b;
-            b = low + golden * (high - low);
-            at_b = ratio_at(s, b);
-        }
-    }
-    *ratio = fmax(at_a, at_b);
-    return at_a >= at_b ? a : b;
-}
-
-/* The least D that gives the ratio, which rises with D, and falls again as the delay turns damping into its opposite. NaN: none */
-static double damping_of(samples *s, double ratio) {
-    const double mass = s->plant.mass[0][0], period = s->control.sampling.period;
-    double stiffness = 0, before = 0, best = 0, most = -INFINITY;
-
-    for (int v = 0; v < GOUGH_LEGS; v++) stiffness = fmax(stiffness, s->control.stiffness[v]);
-    for (double D = first_part * fmin(sqrt(stiffness * mass), mass / period);
-         D < last_part * mass / period; D *= factor) {
-        const double now = ratio_at(s, D);
-        if (now >= ratio) return between(s, before, D, ratio);
-        if (now > most) most = now, best = D;
-        before = D;
-    }
-    if (!(best > 0)) return NAN;
-    const double top = peak(s, best, &most);
-    return most >= ratio ? between(s, best / factor, top, ratio) : (double)NAN;
+    return samples_of(model, &s, NULL) == GOUGH_OK ? ratio_now(&s) : (double)NAN;
 }
 
 gough_status tune_sampled_damping(const gough_model *model, double ratio, double *damping,
@@ -155,7 +95,8 @@ gough_status tune_sampled_damping(const gough_model *model, double ratio, double
 
     *damping = NAN;
     if (status != GOUGH_OK) return status;
-    *damping = damping_of(&s, ratio);
+    const tune_poles poles = poles_of(&s);
+    *damping = tune_damping_at(&poles, ratio);
     if (*damping > 0) return GOUGH_OK;
     return gough_fail(
         error, GOUGH_ERROR_NUMERICAL,
@@ -166,36 +107,6 @@ gough_status tune_sampled_damping(const gough_model *model, double ratio, double
 }
 
 /* ---- the window --------------------------------------------------------------------------------------------------- */
-
-static bool has_ratio(samples *s, double stiffness, double ratio, double *damping) {
-    for (int v = 0; v < GOUGH_LEGS; v++) s->control.stiffness[v] = stiffness;
-    *damping = damping_of(s, ratio);
-    return *damping > 0;
-}
-
-/* the greatest G with which some D gives the ratio; 0: none */
-static double top_by_ratio(tune *t, samples *s, double *damping) {
-    const double ratio = t->options->damping_ratio, period = s->control.sampling.period;
-    const double most = greatest_part * s->plant.mass[0][0] / (period * period);
-    const double least = fmax(t->tuning->threshold, 1e-9 * most);
-    double high = most, low = 0, D;
-
-    if (!(most > least)) return 0;
-    for (int i = GRID; i > 0; i--) {
-        low = least * pow(most / least, (i - 0.5) / GRID);
-        if (has_ratio(s, low, ratio, damping)) break;
-        high = low;
-        low = 0;
-    }
-    while (low > 0 && high > low * (1 + edge_width)) {
-        const double middle = sqrt(low * high);
-        if (has_ratio(s, middle, ratio, &D))
-            low = middle, *damping = D;
-        else
-            high = middle;
-    }
-    return low;
-}
 
 /* the mode with the least ratio of the loop as it is */
 static void name_least_damped(tune *t, double stiffness, double damping) {
@@ -226,7 +137,9 @@ static gough_status window_by_ratio(tune *t, gough_error *error) {
     const gough_status status = samples_of(t->steady, &s, error);
 
     if (status != GOUGH_OK) return status;
-    const double top = top_by_ratio(t, &s, &damping);
+    const tune_poles poles = poles_of(&s);
+    const double top =
+        tune_top_by_ratio(&poles, t->tuning->threshold, t->options->damping_ratio, &damping);
     if (!(top > 0)) return GOUGH_OK;
     t->tuning->upper = top;
     name_least_damped(t, top, damping);
@@ -255,6 +168,8 @@ gough_status tune_find_window(tune *t, gough_error *error) {
     t->tuning->upper = NAN;
     t->tuning->upper_frequency = NAN;
     t->tuning->sampled = t->sampled;
+    t->tuning->states = t->states;
+    if (t->states) return tune_states_window(t, error);
     if (!t->sampled) return GOUGH_OK;
     control_knows_all(&t->steady->control);
     if (t->ratio) status = window_by_ratio(t, error);
@@ -276,6 +191,7 @@ gough_status tune_follow_samples(tune *t, gough_error *error) {
 
     if (known && !resting) (void)sampled_fit(&sampling, t->period.period, &count, &periods);
     tuning->periodic = known && !resting && count <= MOST_SAMPLES;
+    t->cheap = tuning->periodic && count <= CHEAP_SAMPLES;
     if (tuning->periodic) return loads_check(&t->model->machine, &t->period, error);
     if (count > 0)
         snprintf(

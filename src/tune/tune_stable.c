@@ -31,8 +31,17 @@ static void set_gains(tune *t, double stiffness, double damping) {
 }
 
 bool tune_follows(const tune *t, double stiffness) {
-    if (t->sampled) return t->naming;
+    if (t->sampled) return true;
     return t->period.period * t->frequency * sqrt(stiffness) <= most_followed;
+}
+
+/* of a loop whose poles are more than the platform's */
+static bool own_poles(const tune *t) { return t->sampled || t->states; }
+
+/* whether the program itself is followed now, and not rest at home */
+static bool looks_along(const tune *t, double stiffness) {
+    if (t->period.resting || (own_poles(t) && !t->naming)) return false;
+    return tune_follows(t, stiffness);
 }
 
 /* ---- at one G ----------------------------------------------------------------------------------------------------- */
@@ -89,6 +98,7 @@ static void look_along(tune *t, gough_tuning_point *point, gough_mode *mode) {
 
 static void look_at(tune *t, gough_tuning_point *point, gough_mode *mode) {
     memset(mode, 0, sizeof *mode);
+    point->judged = GOUGH_TUNING_AT_REST;
     point->stable = false;
     point->growth = NAN;
     if (isnan(point->damping)) {
@@ -97,10 +107,12 @@ static void look_at(tune *t, gough_tuning_point *point, gough_mode *mode) {
         point->stable = false;
     } else {
         set_gains(t, point->stiffness, point->damping);
-        if (t->period.resting || !tune_follows(t, point->stiffness))
-            look_at_rest(t, point, mode);
-        else
+        if (looks_along(t, point->stiffness)) {
+            point->judged = GOUGH_TUNING_ALONG;
             look_along(t, point, mode);
+        } else {
+            look_at_rest(t, point, mode);
+        }
     }
     memcpy(point->mode, mode->name, sizeof point->mode);
 }
@@ -135,7 +147,8 @@ static bool can_map(tune *t, double from, double to, size_t count, double dampin
     size_t bytes;
 
     set_gains(t, from, damping);
-    if (t->sampled || !keeps_program(t) || !(to > from) || to > t->map_top) return false;
+    if (t->sampled || t->states || !keeps_program(t) || !(to > from) || to > t->map_top)
+        return false;
     if (!t->period.resting && is_well_damped(t, to, damping)) return false;
     if (!t->period.resting && !loads_allow_map(t)) return false;
     return gough_map_size(t->steady, &options, &bytes, NULL) == GOUGH_OK && bytes <= t->map_bytes;
@@ -168,6 +181,7 @@ static gough_status map_range(tune *t, double from, double to, size_t count, tun
 static void pass_over(gough_tuning_point *point, size_t points) {
     for (size_t i = 0; i < points; i++) {
         point[i].growth = NAN;
+        point[i].judged = GOUGH_TUNING_BY_RUN;
         point[i].stable = point[i].cause == GOUGH_END_DONE;
     }
 }
@@ -190,10 +204,22 @@ static gough_status growth_by_map(tune *t, double before, gough_tuning_point *po
     for (size_t i = 0; i < points && status == GOUGH_OK; i++) {
         const gough_map_point *p = &t->map_point[i + extra];
         point[i].growth = t->period.resting ? exp(p->rate) : p->growth;
+        point[i].judged = t->period.resting ? GOUGH_TUNING_AT_REST : GOUGH_TUNING_ALONG;
         point[i].stable = p->stable;
         memcpy(point[i].mode, p->mode, sizeof point[i].mode);
     }
     return status;
+}
+
+/* At home, and where that holds and a look takes little time, along the program too. */
+static void look_twice(tune *t, gough_tuning_point *point) {
+    gough_mode mode;
+
+    look_at(t, point, &mode);
+    if (!t->cheap || t->period.resting || !point->stable || point->cause != GOUGH_END_DONE) return;
+    t->naming = true;
+    look_at(t, point, &mode);
+    t->naming = false;
 }
 
 /* After a round, a decade, in which nothing grew nothing is looked for any more along the curve: resonances only get narrower. */
@@ -207,7 +233,11 @@ gough_status tune_growth_of(tune *t, double before, gough_tuning_point *point, s
 
     *count = 0;
     for (size_t i = 0; i < points; i++) ran |= point[i].cause == GOUGH_END_DONE;
-    if (!t->sampled && !t->period.resting && (!keeps_program(t) || t->quiet || !ran)) {
+    if (own_poles(t)) {
+        for (size_t i = 0; i < points; i++) look_twice(t, &point[i]);
+        return status;
+    }
+    if (!t->period.resting && (!keeps_program(t) || t->quiet || !ran)) {
         pass_over(point, points);
         return status;
     }
@@ -301,7 +331,7 @@ gough_status tune_clear(tune *t, const gough_tuning_point *point, double *clear,
                  high = point->stiffness * (1 + margin) * (1 + past_edge);
     gough_status status = GOUGH_OK;
 
-    t->naming = t->sampled && !t->period.resting;
+    t->naming = own_poles(t);
     if (can_map(t, low, high, 3, point->damping))
         status = clear_by_map(t, low, high, point, clear, blocked, error);
     else

@@ -44,6 +44,24 @@ above=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "ez") c = i } END
 [[ $(LD_LIBRARY_PATH=$BUILD "$scratch/loop") == "$above mm above home after 0.05 s" ]] ||
     fail "the controller: $(LD_LIBRARY_PATH=$BUILD "$scratch/loop"); the study: $above mm"
 
+# the matrix of the guide is that of the same study
+block c "$guide" 3 >"$scratch/matrix.c"
+"${CC:-cc}" "${flags[@]}" "$scratch/matrix.c" -o "$scratch/matrix" -L"$BUILD" -lgough-analyse -lgough -lm || fail "the matrix does not compile"
+LD_LIBRARY_PATH=$BUILD "$scratch/matrix" >"$scratch/matrix.txt" || fail "the program of the matrix does not run"
+cat >"$scratch/matrix.yaml" <<'STUDY'
+units: {length: m, force: N, mass: kg, angle: rad, time: s}
+platform: {base: {radius: 1.5, half_angle: 0.14}, top: {radius: 1.1, half_angle: 0.14}, height: 2}
+load: {mass: 1050, inertia: [410, 520, 460]}
+control: {stiffness: 4e5, damping: 1.5e4}
+STUDY
+"${GOUGH:-$BUILD/gough}" stability "$scratch/matrix.yaml" --matrix -q >"$scratch/matrix.csv" || fail "the study of the matrix does not run"
+# four digits of each element; what rounding leaves of zeros is below 1e-9
+digits() { awk '{ for (i = 1; i <= NF; i++) printf "%.4g ", $i > -1e-9 && $i < 1e-9 ? 0 : $i; print "" }'; }
+[[ $(sed 's/.*= //' "$scratch/matrix.txt" | digits) == "$(sed '1d; s/,/ /g' "$scratch/matrix.csv" | digits)" ]] ||
+    fail "the matrix: $(cat "$scratch/matrix.txt"); that of the study: $(cat "$scratch/matrix.csv")"
+[[ $(sed 's/^d\(.*\)\/dt .*/\1/' "$scratch/matrix.txt" | paste -sd,) == "$(head -1 "$scratch/matrix.csv")" ]] ||
+    fail "the rows of the matrix have other names than the columns of the study's: $(head -1 "$scratch/matrix.csv")"
+
 soname=$(readelf -d "$BUILD/libgough.so" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')
 [[ $(grep -o 'libgough\.so\.[0-9.]*[0-9]' "$guide" | sort -u) == "$soname" ]] || fail "the guide names another library than $soname"
 for header in include/gough/*.h; do

@@ -51,6 +51,27 @@ claim 'no drive is held back' within "$(extreme loop.csv sat1 abs)" 0 0
 counts=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "m2") c = i } NR > 1 { if (NR == 2) first = $c; else { d = ($c - first) * 1e6; r = d - int(d + (d < 0 ? -0.5 : 0.5)); if (r < 0) r = -r; if (r > m) m = r } } END { print m + 0 }' loop.csv)
 claim 'measured lengths are whole counts' within "$counts" 0 1e-6
 
+# ---- its tuning: the G found meets a millimetre; 0.8 of the lower edge and 1.2 of the upper edge do not ----
+gough tune sampled-flight-simulator.yaml --deviation 0.001 --feedforward program --stiffness 2e5:4e5 --json -q >tuned.json
+G=$(jq '.choices[0].stiffness' tuned.json) lower=$(jq .threshold.stiffness tuned.json) upper=$(jq .upper.stiffness tuned.json)
+claim 'a millimetre asks for this G' within "$G" 262000 264000
+claim 'the lower edge' within "$lower" 7325.9 7326.1
+claim 'the upper edge' within "$upper" 2.8377e6 2.8379e6
+held() { # held NAME FACTOR G: a run with so many times G
+    run simulate sampled-flight-simulator.yaml "$1" --set control.stiffness="$(awk "BEGIN { print $2 * $3 }")" --set platform.legs.max_speed=
+}
+held meets 1 "$G"
+claim 'the G found runs to its end' same "$status $(ended meets.json)" '0 done'
+claim 'and keeps within the millimetre' within "$(jq .deviation.position meets.json)" 0 0.001
+held below 0.8 "$lower"
+claim 'below the lower edge the deviation is eighty times that' within "$(jq .deviation.position below.json)" 0.08 0.1
+held above 1.2 "$upper"
+# the drives' greatest force keeps the shaking at some size
+claim 'above the upper edge it is eight times that' within "$(jq .deviation.position above.json)" 0.008 0.02
+claim 'and drives are held back' within "$(jq '.legs[0].saturated' above.json)" 0.2 1
+held beside 0.95 "$upper"
+claim 'just below the upper edge it does not' within "$(jq .deviation.position beside.json)" 0 0.001
+
 # ---- too slow ----
 run simulate sampled-too-slow.yaml slow
 claim 'at 25 samples a second a leg becomes too fast' same "$status $(ended slow.json)" '1 leg_speed'

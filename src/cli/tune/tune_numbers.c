@@ -129,12 +129,29 @@ static json_t *exception_object(const gough_tuning_exception *e) {
     return object;
 }
 
-static json_t *curve_object(const gough_tuning *tuning) {
+void tune_count_judged(const tune_choice *choice, size_t judged[TUNE_JUDGED]) {
+    memset(judged, 0, TUNE_JUDGED * sizeof *judged);
+    for (size_t i = 0; i < choice->tuning.points; i++) judged[choice->point[i].judged]++;
+}
+
+static json_t *judged_object(const tune_choice *choice) {
+    static const char *const key[TUNE_JUDGED] = {"run", "rest", "program"};
+    size_t judged[TUNE_JUDGED];
+    json_t *object = json_object();
+    tune_count_judged(choice, judged);
+    for (int k = 0; k < TUNE_JUDGED; k++)
+        json_object_set_new(object, key[k], json_integer((json_int_t)judged[k]));
+    return object;
+}
+
+static json_t *curve_object(const tune_choice *choice) {
+    const gough_tuning *tuning = &choice->tuning;
     json_t *object = json_object(), *list = json_array();
     JSON_SET(object, tuning, curve_members);
     json_object_set_new(object, "points", json_integer((json_int_t)tuning->points));
     for (size_t i = 0; i < tuning->exceptions; i++)
         json_array_append_new(list, exception_object(&tuning->exception[i]));
+    json_object_set_new(object, "judged", judged_object(choice));
     json_object_set_new(object, "exceptions", list);
     return object;
 }
@@ -152,14 +169,14 @@ static json_t *choice_object(const tune_choice *choice) {
     json_object_set_new(object, "legs", found ? legs_object(tuning) : json_null());
     json_object_set_new(object, "periodic", json_boolean(tuning->periodic));
     json_object_set_new(object, "unchecked", text_or_null(tuning->unchecked));
-    json_object_set_new(object, "curve", curve_object(tuning));
+    json_object_set_new(object, "curve", curve_object(choice));
     json_object_set_new(object, "runs", json_integer((json_int_t)tuning->runs));
     return object;
 }
 
-/* Where a sampled controller no longer holds the platform; null for a continuous one and where it never does. */
+/* Where a sampled controller, or one whose drives lag, no longer holds the platform; null for others, and where it never does. */
 static json_t *upper_object(const gough_tuning *tuning) {
-    if (!tuning->sampled || !(tuning->upper > 0)) return json_null();
+    if (!(tuning->upper > 0 && isfinite(tuning->upper))) return json_null();
     json_t *object = json_object();
     JSON_SET(object, tuning, upper_members);
     json_object_set_new(object, "mode", text_or_null(tuning->upper_mode.name));

@@ -27,6 +27,10 @@ void tune_scale(tune_report *report);
 
 void tune_print(FILE *stream, const tune_report *report);
 
+/* how many points of the curve were judged in each of the ways of gough_tuning_judged */
+enum { TUNE_JUDGED = GOUGH_TUNING_ALONG + 1 };
+void tune_count_judged(const tune_choice *choice, size_t judged[TUNE_JUDGED]);
+
 /* One JSON object on standard output. Returns 0, or -1 where it cannot be written. */
 int tune_print_json(const tune_report *report);
 

@@ -98,6 +98,23 @@ static void print_exceptions(FILE *stream, const gough_tuning *tuning, const gou
                 left_out == 1 ? "" : "s", 100 * narrow);
 }
 
+/* Where it was examined whether the points of the curve are stable, with loops for which that is not the same for all of them. */
+static void print_judged(FILE *stream, const tune_choice *choice) {
+    const gough_tuning *tuning = &choice->tuning;
+    size_t judged[TUNE_JUDGED];
+    char more[80] = "";
+    if (!tuning->sampled && !tuning->states) return;
+    tune_count_judged(choice, judged);
+    if (judged[GOUGH_TUNING_ALONG] > 0)
+        snprintf(more, sizeof more, ", and of %zu that hold there along the program",
+                 judged[GOUGH_TUNING_ALONG]);
+    print_paragraph(stream, "  points", 14, "their stability was checked at rest at home%s%s%s",
+                    tuning->sampled ? ", from sample to sample" : "", more,
+                    tuning->found && tuning->periodic
+                        ? "; that of the G named, with its margin, along the program"
+                        : "");
+}
+
 static void print_curve(FILE *stream, const gough_tuning *tuning, const gough_units *unit) {
     if (isfinite(tuning->slope))
         fprintf(stream,
@@ -139,17 +156,19 @@ static void print_choice(FILE *stream, const tune_choice *choice, const gough_un
     if (*tuning->unchecked)
         print_paragraph(stream, "  stability", 14, "checked at rest only: %s", tuning->unchecked);
     print_curve(stream, tuning, unit);
+    print_judged(stream, choice);
 }
 
-/* Where a sampled controller no longer holds the platform. */
+/* Where a sampled controller, or one whose drives lag, no longer holds the platform. */
 static void print_upper(FILE *stream, const tune_report *report) {
     const gough_tuning *first = &report->choice[0].tuning;
     const char *time = unit_word(&report->units, GOUGH_UNIT_TIME);
     const bool by_ratio = isfinite(report->asked.damping_ratio);
     print_paragraph(stream, "", 0,
-                    "Its controller is sampled: %s at home for G %s %.6g%s, where %s shakes with "
+                    "%s: %s at home for G %s %.6g%s, where %s shakes with "
                     "%.4g %s%s",
-                    by_ratio ? "some D gives that damping ratio" : "it holds the platform",
+                    first->sampled ? "Its controller is sampled" : "Its drives lag",
+                    by_ratio ? "some D gives that damping ratio" : "the loop holds the platform",
                     by_ratio ? "up to" : "below", first->upper,
                     unit_word(&report->units, GOUGH_UNIT_STIFFNESS), first->upper_mode.name,
                     first->upper_frequency, *time ? "rad/" : "radians per unit of time",
@@ -171,7 +190,7 @@ void tune_print(FILE *stream, const tune_report *report) {
         fprintf(stream,
                 "At rest at home, with feed-forward, the machine needs G above %.6g%s (%s)\n",
                 first->threshold, unit_word(unit, GOUGH_UNIT_STIFFNESS), first->least_mode.name);
-    if (first->sampled && first->upper > 0) print_upper(stream, report);
+    if (first->upper > 0 && isfinite(first->upper)) print_upper(stream, report);
     for (int c = 0; c < report->choices; c++) {
         print_heading(stream, report->study->model, report->choice[c].feedforward);
         print_choice(stream, &report->choice[c], unit);
@@ -200,7 +219,8 @@ static const struct {
                {"end_leg", GOUGH_UNIT_NONE},
                {"end_time", GOUGH_UNIT_TIME},
                {"named", GOUGH_UNIT_NONE},
-               {"asked", GOUGH_UNIT_LENGTH}};
+               {"asked", GOUGH_UNIT_LENGTH},
+               {"judged", GOUGH_UNIT_NONE}};
 enum { COLUMNS = sizeof columns / sizeof columns[0] };
 
 static void name_columns(gough_table *table, const gough_units *units, double *column[COLUMNS]) {
@@ -227,10 +247,12 @@ static void set_row(double *const column[COLUMNS], size_t row, const tune_report
                                    point->leg,
                                    point->end_time,
                                    named,
-                                   report->asked.deviation};
+                                   report->asked.deviation,
+                                   point->judged};
     for (int c = 0; c < COLUMNS; c++) column[c][row] = value[c];
 }
 
+/* It has no growth of its own: values all over its margin were examined. */
 static gough_tuning_point named_point(const tune_report *report, const gough_tuning *tuning) {
     return (gough_tuning_point){.stiffness = tuning->stiffness,
                                 .damping = tuning->damping,
