@@ -39,8 +39,8 @@ typedef struct tune {
     bool most_steps; /* `greatest` is where runs get too long */
     bool bounded;    /* the options say where the search ends */
     bool fine;       /* all runs take small fixed steps: adaptive ones have missed something */
-    /* The controller is sampled; or it is continuous, and drives lag or integrals add up. In both cases points are looked at at rest
-     * at home, and what is to be named along the program too, if that has a period … */
+    /* The controller is sampled; or it is continuous, and drives lag or integrals add up. In both cases points are looked at at
+     * rest at home, and what is to be named along the program too, if that has a period … */
     bool sampled, states, naming;
     bool cheap; /* … as points of the curve are that hold at home, if a look takes little time */
     bool edged; /* `greatest` is where the loop no longer holds the platform */
