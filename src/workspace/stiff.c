@@ -89,7 +89,7 @@ typedef struct turns {
 } turns;
 
 /* how far TᵀT is from 1 */
-static double off_one(const double T[6][6]) {
+static double off_one(double T[6][6]) {
     double off = 0;
     for (int i = 0; i < 6; i++) {
         double sum = MATRIX_ROUNDED;
