@@ -195,8 +195,9 @@ static void search(const space *s, const gough_box *box, int worst, size_t most_
 static gough_status finish(gough_envelope *e, gough_error *error) {
     for (int i = 0; i < GOUGH_WORSTS; i++) {
         gough_extreme *x = &e->of[i];
+        /* no −0 */
         x->bound = sign_of(i) * x->bound + 0.0;
-        x->sampled *= sign_of(i);
+        x->sampled = sign_of(i) * x->sampled + 0.0;
         if (i == GOUGH_WORST_SINGULAR_VALUE || i == GOUGH_WORST_SHORTEST)
             x->bound = fmax(x->bound, 0);
     }

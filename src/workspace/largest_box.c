@@ -29,8 +29,9 @@ static void pose_on_ray(const gough_box *shape, const int side[GOUGH_COMPONENTS]
 static gough_box scaled(const gough_box *shape, double scale) {
     gough_box box;
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
-        box.least[c] = scale * shape->least[c];
-        box.greatest[c] = scale * shape->greatest[c];
+        /* no −0 */
+        box.least[c] = scale * shape->least[c] + 0.0;
+        box.greatest[c] = scale * shape->greatest[c] + 0.0;
     }
     return box;
 }
@@ -107,8 +108,11 @@ static void try_rays(search *q, double scale) {
 /* the largest scale whose angles are within half a turn */
 static double greatest_scale(const gough_box *shape) {
     double scale = ldexp(1, DOUBLINGS);
-    for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++)
-        scale = fmin(scale, REAL_PI / fmax(-shape->least[c], shape->greatest[c]));
+    for (int c = GOUGH_ROLL; c < GOUGH_COMPONENTS; c++) {
+        /* an angle of 0 limits no scale; of −0 and 0, fmax() may return either, and π/−0 is below every scale */
+        const double turn = fmax(-shape->least[c], shape->greatest[c]);
+        if (turn > 0) scale = fmin(scale, REAL_PI / turn);
+    }
     return scale;
 }
 

@@ -131,8 +131,44 @@ START_TEST(largest_box_is_free_and_no_larger_one_is) {
 }
 END_TEST
 
+/* a box of heave alone ends where the longest leg does: all legs of a symmetric machine, by Pythagoras */
+START_TEST(box_of_one_component_ends_with_its_travel) {
+    gough_model *model = malloc(sizeof *model);
+    const double turn = 40 * pi / 180, flat = 0.9 * 0.9 + 0.6 * 0.6 - 2 * 0.9 * 0.6 * cos(turn);
+    const gough_platform symmetric =
+        gough_platform_symmetric(0.9, 10 * pi / 180, 0.6, 10 * pi / 180, 0.5);
+    const gough_load load = {.mass = 10, .inertia = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const double gravity[3] = {0, 0, -9.80665};
+    gough_largest_box largest;
+    gough_error error = {0};
+    for (int sign = -1; sign <= 1; sign += 2) {
+        /* an end that is 0 may have either sign */
+        const double none = sign * 0.0, end = sqrt(0.81 - flat) - 0.5;
+        const gough_box shape = {{-none, -none, -0.2, -none, -none, -none},
+                                 {none, none, 0.2, none, none, none}};
+        gough_platform p = symmetric;
+        memset(model, 0, sizeof *model);
+        for (int v = 0; v < GOUGH_LEGS; v++) p.legs.length[v][0] = 0.01, p.legs.length[v][1] = 0.9;
+        ck_assert_msg(gough_machine_init(&model->machine, &p, &load, gravity, &error) == GOUGH_OK,
+                      "%s", error.message);
+        const gough_reach reach = flight_reach(model);
+        ck_assert_msg(gough_workspace_box(&reach, &shape, &largest, &error) == GOUGH_OK, "%s",
+                      error.message);
+        ck_assert_msg(fabs(largest.upper - end / 0.2) < 1e-9, "%.9g is not %.9g", largest.upper,
+                      end / 0.2);
+        ck_assert(largest.scale < largest.upper && largest.scale >= largest.upper * (1 - 1e-4));
+        ck_assert(largest.binding.bind == GOUGH_BIND_LONGEST);
+        for (int c = 0; c < GOUGH_COMPONENTS; c++)
+            ck_assert(c == 2 ||
+                      (!signbit(largest.box.least[c]) && !signbit(largest.box.greatest[c])));
+    }
+    free(model);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("workspace", 120, poses_of_tested_boxes_are_as_the_test_says,
                      lines_end_where_halving_finds_a_limit,
-                     largest_box_is_free_and_no_larger_one_is);
+                     largest_box_is_free_and_no_larger_one_is,
+                     box_of_one_component_ends_with_its_travel);
 }

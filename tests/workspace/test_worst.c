@@ -263,9 +263,36 @@ START_TEST(bounds_come_near_values_found) {
 }
 END_TEST
 
+/* two legs that cross have no clearance: the bound is 0, not −0, and what is found is rounding */
+START_TEST(clearance_of_crossing_legs_is_zero) {
+    gough_model *model = malloc(sizeof *model);
+    const gough_box box = {{0, 0, -0.01, 0, 0, 0}, {0, 0, 0.01, 0, 0, 0}};
+    const double gravity[3] = {0, 0, -9.80665};
+    gough_envelope envelope;
+    gough_error error = {0};
+    flight_machine(model);
+    gough_platform p = model->machine.platform;
+    const gough_load load = model->machine.load;
+    for (int v = 0; v < 2; v++) {
+        p.base[v][0] = v ? 0.5 : -0.5, p.top[v][0] = -p.base[v][0];
+        p.base[v][1] = p.top[v][1] = -1.5;
+    }
+    ck_assert_msg(gough_machine_init(&model->machine, &p, &load, gravity, &error) == GOUGH_OK, "%s",
+                  error.message);
+    const gough_reach reach = flight_reach(model);
+    ck_assert_msg(gough_workspace_envelope(&reach, &box, &envelope, &error) == GOUGH_OK, "%s",
+                  error.message);
+    const gough_extreme *x = &envelope.of[GOUGH_WORST_CLEARANCE];
+    ck_assert_msg(fabs(x->bound) <= 0 && fabs(x->sampled) < 1e-11, "%g, %g", x->bound, x->sampled);
+    ck_assert(!signbit(x->bound) && !signbit(x->sampled));
+    free(model);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("workspace", 240, turned_vectors_are_within_their_bounds,
                      singular_values_are_within_bounds_of_second_order,
                      legs_are_as_far_apart_as_bounds_say, parts_below_planes_are_those_of_points,
-                     bounds_of_a_volume_hold_with_forces, bounds_come_near_values_found);
+                     bounds_of_a_volume_hold_with_forces, bounds_come_near_values_found,
+                     clearance_of_crossing_legs_is_zero);
 }
