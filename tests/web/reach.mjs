@@ -182,6 +182,8 @@ test("shows poses, bars and surface of the motion base, by day and at night", as
   await byName(page, "reach-surface").click();
   const without = await pixels(page);
   assert.notEqual(with_surface, without);
+  // the pose of home is home: no noise is shown as a number
+  assert.deepEqual(await byName(page, "reach-poses").locator("tr.present td").allTextContents(), Array(6).fill("0"));
   await picture(page, "reach-poses");
   await byName(page, "mode-recorded").click();
   assert.notEqual(await pixels(page), without);

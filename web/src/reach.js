@@ -5,7 +5,7 @@ import { LEGS } from "./color.js";
 import { bytesOf, canRun } from "./core.js";
 import { decode } from "./data.js";
 import { byId, element } from "./dom.js";
-import { number, unit, unitAfter } from "./format.js";
+import { known, number, unit, unitAfter } from "./format.js";
 import { poseOf } from "./pose.js";
 import ReachWorker from "./reach_worker.js?worker&inline";
 import { countWords, endWords, MIRRORED, sameSide, wayWords } from "./reach_words.js";
@@ -18,6 +18,8 @@ const AZIMUTHS = 48;
 const RINGS = 23;
 /** What a bar shows beyond a travel, in parts of it. */
 const BEYOND = 0.12;
+/** Poses are known to this part of the base radius, angles to as many radians. */
+const EXACT = 1e-10;
 const NO_FORCES = LEGS.map(() => NaN);
 
 export class Reach {
@@ -32,6 +34,12 @@ export class Reach {
   /** A number of a component in the study's units; the core's are those of the run and radians. */
   own(component, value) {
     return value * this.study.factor(component < 3 ? "length" : "angle");
+  }
+
+  /** A number of a pose as text: 0 where it is below what is known of it. */
+  said(component, value, digits) {
+    const noise = EXACT * (component < 3 ? this.study.inside.radius : 1);
+    return known(this.own(component, value), this.own(component, noise), digits);
   }
 
   unitOf(component) {
@@ -272,7 +280,7 @@ export class Reach {
             ),
           ),
           pose.components.map((value, component) =>
-            element("td", {}, number(this.own(component, value), 3)),
+            element("td", {}, this.said(component, value, 3)),
           ),
         ),
       ),
@@ -317,7 +325,7 @@ export class Reach {
             present &&
               element("i", {
                 class: "travel-now",
-                title: `now ${number(this.own(component, present[component]), 4)}${unitAfter(this.unitOf(component))}`,
+                title: `now ${this.said(component, present[component], 4)}${unitAfter(this.unitOf(component))}`,
                 style: { left: share(present[component]) },
               }),
           ),
