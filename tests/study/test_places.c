@@ -22,8 +22,7 @@ START_TEST(points_at_unknown_key) {
         "mass: 50\n",
         "study.yaml:8:1: error: unknown key `mass`; known here: title, units, platform, "
         "actuators, pose, load, gravity, external, motion, disturbance, control, initial, "
-        "workspace, "
-        "simulation, "
+        "workspace, design, simulation, "
         "sweep; keys of that "
         "name "
         "elsewhere: `units.mass`, `platform.legs.cylinder.mass`, `platform.legs.piston.mass`, "
