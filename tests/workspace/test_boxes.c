@@ -135,7 +135,7 @@ END_TEST
 START_TEST(box_of_one_component_ends_with_its_travel) {
     gough_model *model = malloc(sizeof *model);
     const double turn = 40 * pi / 180, flat = 0.9 * 0.9 + 0.6 * 0.6 - 2 * 0.9 * 0.6 * cos(turn);
-    const gough_platform symmetric =
+    const gough_platform ring =
         gough_platform_symmetric(0.9, 10 * pi / 180, 0.6, 10 * pi / 180, 0.5);
     const gough_load load = {.mass = 10, .inertia = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     const double gravity[3] = {0, 0, -9.80665};
@@ -146,7 +146,7 @@ START_TEST(box_of_one_component_ends_with_its_travel) {
         const double none = sign * 0.0, end = sqrt(0.81 - flat) - 0.5;
         const gough_box shape = {{-none, -none, -0.2, -none, -none, -none},
                                  {none, none, 0.2, none, none, none}};
-        gough_platform p = symmetric;
+        gough_platform p = ring;
         memset(model, 0, sizeof *model);
         for (int v = 0; v < GOUGH_LEGS; v++) p.legs.length[v][0] = 0.01, p.legs.length[v][1] = 0.9;
         ck_assert_msg(gough_machine_init(&model->machine, &p, &load, gravity, &error) == GOUGH_OK,

@@ -35,7 +35,7 @@ static void joint_at(const gough_model *model, const double pose[GOUGH_COMPONENT
 }
 
 /* how far the unit vector that moves farthest moves from one orientation to another */
-static double swing_of(const double R[3][3], const double S[3][3]) {
+static double swing_of(double R[3][3], double S[3][3]) {
     double trace = 0;
     for (int k = 0; k < 3; k++)
         for (int j = 0; j < 3; j++) trace += R[k][j] * S[k][j];
