@@ -75,7 +75,8 @@ static void print_limit(const design_answer *a, size_t first) {
 static void print_actives(const design_answer *a) {
     const gough_design_result *r = &a->result;
     printf("\nWhat keeps it from being better\n");
-    if (r->actives == 0) printf("  no bound and no limit: the search found nothing better between the bounds\n");
+    if (r->actives == 0)
+        printf("  no bound and no limit: the search found nothing better between the bounds\n");
     for (size_t i = 0; i < r->actives; i++) {
         const gough_active *active = &r->active[i];
         bool first = true;
