@@ -68,7 +68,7 @@ static json_t *extremes(const workspace_answer *a, bool bounds) {
         const double value = bounds ? x->bound : x->sampled;
         const gough_unit unit = worst_unit(i);
         const double shown = unit == GOUGH_UNIT_NONE ? value : in_units(a->unit, unit, value);
-        json_object_set_new(object, gough_worst_name(i),
+        json_object_set_new(object, gough_worst_name((gough_worst)i),
                             json_number(worst_is_asked(a, i) ? shown : NAN));
     }
     return object;
@@ -78,7 +78,7 @@ static json_t *gaps(const workspace_answer *a) {
     json_t *object = json_object();
     for (int i = 0; i < GOUGH_WORSTS; i++)
         json_object_set_new(
-            object, gough_worst_name(i),
+            object, gough_worst_name((gough_worst)i),
             json_number(worst_is_asked(a, i) ? worst_gap(&a->envelope.of[i]) : NAN));
     return object;
 }
@@ -88,7 +88,7 @@ json_t *workspace_envelope_json(const workspace_answer *a) {
     json_t *object = extremes(a, true), *legs = json_object();
     for (int i = 0; i < GOUGH_WORSTS; i++) {
         const int leg = a->envelope.of[i].leg;
-        json_object_set_new(legs, gough_worst_name(i),
+        json_object_set_new(legs, gough_worst_name((gough_worst)i),
                             leg >= 0 ? json_integer(leg + 1) : json_null());
     }
     json_object_set_new(object, "least", workspace_pose_json(a->unit, box->least));
