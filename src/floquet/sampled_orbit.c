@@ -138,7 +138,7 @@ static void multiply(int n, const double *a, double *product) {
     }
 }
 
-/* the determinant of a state's pose; the condition is infinite where the state is none */
+/* the determinant of the pose of a state; its condition is infinite if the state has numbers that are not finite */
 static double determinant_of(const sampled_orbit *o, const sampled_state *state,
                              double *condition) {
     double determinant;
@@ -149,7 +149,8 @@ static double determinant_of(const sampled_orbit *o, const sampled_state *state,
     return determinant;
 }
 
-/* Whether a sample has led to no singular pose and through none: beyond one the motion is none of this machine. */
+/* Whether the platform is still on the side of the singular poses where it began. No real machine moves through a singular pose,
+ * so a motion computed beyond one means nothing. */
 static bool has_kept_its_side(const sampled_orbit *o, const sampled_state *state, double side) {
     double condition;
     const double determinant = determinant_of(o, state, &condition);

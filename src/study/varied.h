@@ -25,7 +25,8 @@ typedef struct study_varied {
 /* The parts of a model that these numbers touch. */
 unsigned study_axes_touch(const study_axis *axis, size_t axes);
 
-/* A study of its own, for a text and settings that outlive it; NULL where memory is out. */
+/* Reads the text into a new study. The text and the settings must stay until study_varied_free(). Returns NULL if there is not
+ * enough memory. */
 study_varied *study_varied_new(const study_source *source, const gough_setting *settings,
                                size_t setting_count, const study_axis *axis, size_t axes);
 

@@ -188,6 +188,7 @@ static void at_pose(const gough_model *model, const double pose[GOUGH_COMPONENTS
     ck_assert_int_eq(gough_inverse_dynamics(&model->machine, &state, &a, NULL, f, NULL), GOUGH_OK);
     gough_leg_kinematics(&model->machine, &state, NULL, l, NULL, NULL);
     for (int v = 0; v < GOUGH_LEGS; v++) {
+        ck_assert(isfinite(f[v]) && isfinite(l[v]));
         force[0] = fmin(force[0], f[v]), force[1] = fmax(force[1], f[v]);
         length[0] = fmin(length[0], l[v]), length[1] = fmax(length[1], l[v]);
     }

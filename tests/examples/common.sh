@@ -8,6 +8,7 @@
 #   within A LEAST GREATEST        LEAST <= A <= GREATEST; likewise
 #   extreme FILE NAME max|min|abs [T]   over the rows up to t = T
 #   ended FILE.json                how a run ended, a word such as done or singular
+#   try_guide FILE.md LEAST MOST   the guide has so many commands, and each succeeds; what it says goes to said-0.txt, said-1.txt, …
 
 set -uo pipefail
 export LC_ALL=C
@@ -89,4 +90,20 @@ run() {
     "$GOUGH" "$verb" "$study" -o "$out.csv" --json "$@" >"$out.json" 2>"$out.err"
     status=$?
     if ((status > 1)); then cat "$out.err"; fi
+}
+
+try_guide() {
+    local line status commands=0
+    mkdir bin
+    ln -s "$GOUGH" bin/gough
+    PATH=$PWD/bin:$PATH
+    while IFS= read -r line; do
+        [[ $line == *report* ]] && grep -q 'without the page' <(gough report own-machine.yaml -o none.html 2>&1) && continue
+        bash -c "$line" >"said-$commands.txt" 2>&1
+        status=$?
+        claim "$line" same $status 0
+        if ((status != 0)); then cat "said-$commands.txt"; fi
+        commands=$((commands + 1))
+    done < <(sed -n 's/^    \(gough .*\)$/\1/p' "$1")
+    claim 'there are commands to try' within "$commands" "$2" "$3"
 }

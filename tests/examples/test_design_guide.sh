@@ -4,19 +4,7 @@
 source "$(dirname "$0")/common.sh"
 guide=$SOURCE/docs/guide/design.md
 rm -f flight-design.yaml
-mkdir bin
-ln -s "$GOUGH" bin/gough
-PATH=$PWD/bin:$PATH
-
-commands=0
-while IFS= read -r line; do
-    bash -c "$line" >"said-$commands.txt" 2>&1
-    status=$?
-    claim "$line" same $status 0
-    if ((status != 0)); then cat "said-$commands.txt"; fi
-    commands=$((commands + 1))
-done < <(sed -n 's/^    \(gough .*\)$/\1/p' "$guide")
-claim 'there are commands to try' same $commands 4
+try_guide "$guide" 4 4
 
 read -r before after < <(awk '/greatest force of a leg/ { print $(NF - 3), $(NF - 2); exit }' said-1.txt)
 claim 'the first guess' within "$before" 13850 13950

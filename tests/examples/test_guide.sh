@@ -3,19 +3,7 @@
 # shellcheck source=tests/examples/common.sh
 source "$(dirname "$0")/common.sh"
 guide=$SOURCE/docs/guide/choosing-the-feedback.md
-mkdir bin
-ln -s "$GOUGH" bin/gough
-PATH=$PWD/bin:$PATH
-
-commands=0
-while IFS= read -r line; do
-    bash -c "$line" >"said-$commands.txt" 2>&1
-    status=$?
-    claim "$line" same $status 0
-    if ((status != 0)); then cat "said-$commands.txt"; fi
-    commands=$((commands + 1))
-done < <(sed -n 's/^    \(gough .*\)$/\1/p' "$guide")
-claim 'there are commands to try' within "$commands" 10 20
+try_guide "$guide" 10 20
 for picture in figure-4 line map damping tune; do claim "the picture $picture" test -s "$picture.png"; done
 
 # the table of section 6: the G named, and a fifth less

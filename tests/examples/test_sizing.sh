@@ -3,20 +3,7 @@
 # shellcheck source=tests/examples/common.sh
 source "$(dirname "$0")/common.sh"
 guide=$SOURCE/docs/guide/sizing.md
-mkdir bin
-ln -s "$GOUGH" bin/gough
-PATH=$PWD/bin:$PATH
-
-commands=0
-while IFS= read -r line; do
-    [[ $line == *report* ]] && grep -q 'without the page' <(gough report legs.yaml -o none.html 2>&1) && continue
-    bash -c "$line" >"said-$commands.txt" 2>&1
-    status=$?
-    claim "$line" same $status 0
-    if ((status != 0)); then cat "said-$commands.txt"; fi
-    commands=$((commands + 1))
-done < <(sed -n 's/^    \(gough .*\)$/\1/p' "$guide")
-claim 'there are commands to try' within "$commands" 8 12
+try_guide "$guide" 8 12
 claim 'the figure is drawn' test -s duty.png
 claim 'the figure is shown' test -s "$SOURCE/docs/images/duty.png"
 
