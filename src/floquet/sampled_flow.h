@@ -24,9 +24,9 @@ typedef struct {
 void sampled_begin(const linear_loop *linear, const sampled_layout *layout, double t,
                    sampled_state *state);
 
-/* Takes the state from the sample at t to just before the next one. `deviation`, unless it is NULL, receives row by row what becomes of
- * each number of a deviation, or NaN in each place if the state has become not finite. Adds the number of steps to *steps. Returns
- * the name of what in the study is not finite, or NULL. */
+/* Takes the state from the sample at t to just before the next one. `deviation`, unless it is NULL, receives row by row what
+ * becomes of each number of a deviation, or NaN in each place if the state has become not finite. Adds the number of steps to
+ * *steps. Returns the name of what in the study is not finite, or NULL. */
 const char *sampled_flow(const linear_loop *linear, const sampled_layout *layout, double t,
                          double tolerance, sampled_state *state, double *deviation, size_t *steps);
 
