@@ -5,6 +5,7 @@
 # make coverage   the share of branches that the tests take, by parts of the library
 # make demo       install what is missing, build, run the paper's whole study into out/
 # make install    into PREFIX (default /usr/local), under DESTDIR if given
+# make python     a wheel of the package for Python in build/; plain make leaves the package itself in build/python
 # make package    a Debian package in build/
 # make fuzz       each fuzzing target for FUZZ_SECONDS under sanitizers
 # make campaign   STUDIES=1000 random studies, each number printed against an independent computation
@@ -12,7 +13,8 @@
 # make lint       formatting and static analysis
 # make docs       API reference in build/docs
 # make clean      remove build/ and out/
-# PAGE=OFF leaves out the page of `gough report`, its tests, and the packages that only it needs.
+# PAGE=OFF leaves out the page of `gough report`, its tests, and the packages that only it needs; PYTHON=OFF likewise the package for
+# Python.
 BUILD        ?= build
 PREFIX       ?= /usr/local
 FUZZ_SECONDS ?= 60
@@ -20,38 +22,45 @@ CMAKE_FLAGS  ?=
 BENCH        ?=
 STUDIES      ?= 1000
 PAGE         ?= ON
+PYTHON       ?= ON
 ifeq ($(filter ON OFF,$(PAGE)),)
 $(error PAGE must be ON or OFF, not '$(PAGE)')
+endif
+ifeq ($(filter ON OFF,$(PYTHON)),)
+$(error PYTHON must be ON or OFF, not '$(PYTHON)')
 endif
 
 # groups of packages, of scripts/install-packages.sh; without the page its tools are not needed, and without LLVM, which they bring,
 # the tests of formatting and reference are skipped
-build_groups = compiler tools libraries figures $(if $(filter ON,$(PAGE)),bundler webassembly)
-test_groups  = $(build_groups) test $(if $(filter ON,$(PAGE)),format docs browser)
+build_groups = compiler tools libraries figures $(if $(filter ON,$(PAGE)),bundler webassembly) \
+               $(if $(filter ON,$(PYTHON)),python)
+test_groups  = $(build_groups) test $(if $(filter ON,$(PYTHON)),pytest) $(if $(filter ON,$(PAGE)),format docs browser)
 
-.PHONY: all configure test quick test-more coverage demo install package fuzz campaign bench lint docs clean
+.PHONY: all configure test quick test-more coverage demo install python package fuzz campaign bench lint docs clean
 
 all: configure
-	@cmake --build "$(BUILD)" --target gough_command gough_archive gough_shared gough_files_shared
+	@cmake --build "$(BUILD)" --target gough_command gough_archive gough_shared gough_files_shared \
+        $(if $(filter ON,$(PYTHON)),gough_python)
 
 configure:
 	@scripts/install-packages.sh $(build_groups)
-	@cmake -S . -B "$(BUILD)" -G Ninja "-DCMAKE_INSTALL_PREFIX=$(PREFIX)" -DGOUGH_PAGE=$(PAGE) $(CMAKE_FLAGS) >/dev/null
+	@cmake -S . -B "$(BUILD)" -G Ninja "-DCMAKE_INSTALL_PREFIX=$(PREFIX)" -DGOUGH_PAGE=$(PAGE) \
+        -DGOUGH_PYTHON=$(PYTHON) $(CMAKE_FLAGS) >/dev/null
 
 test:
 	@scripts/install-packages.sh $(test_groups)
-	@PAGE=$(PAGE) scripts/test.sh "$(BUILD)" standard
+	@PAGE=$(PAGE) PYTHON=$(PYTHON) scripts/test.sh "$(BUILD)" standard
 
 quick:
 	@scripts/install-packages.sh $(test_groups)
-	@PAGE=$(PAGE) scripts/test.sh "$(BUILD)" quick
+	@PAGE=$(PAGE) PYTHON=$(PYTHON) scripts/test.sh "$(BUILD)" quick
 
 test-more:
 	@scripts/install-packages.sh $(test_groups) package
-	@PAGE=$(PAGE) scripts/test.sh "$(BUILD)" campaign
+	@PAGE=$(PAGE) PYTHON=$(PYTHON) scripts/test.sh "$(BUILD)" campaign
 
 coverage:
-	@scripts/install-packages.sh $(filter-out browser format docs,$(test_groups))
+	@scripts/install-packages.sh $(filter-out browser format docs python pytest,$(test_groups))
 	@scripts/coverage.sh "$(BUILD)"
 
 demo: all
@@ -59,6 +68,9 @@ demo: all
 
 install: all
 	cmake --install "$(BUILD)" --prefix "$(PREFIX)"
+
+python: configure
+	@cmake --build "$(BUILD)" --target gough_wheel
 
 package:
 	@scripts/install-packages.sh $(build_groups) package lintian

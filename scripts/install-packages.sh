@@ -12,7 +12,9 @@ libraries   | headers and libraries that the library and the command are linked 
 figures     | `gough plot` at run time
 bundler     | bundling the page: Node.js and npm, which fetches Vite and the page's packages
 webassembly | compiling the page's core
+python      | building the package for Python, and its wheel
 test        | tests of the library and the command
+pytest      | tests of the package for Python
 format      | the test of the formatting, and `make lint`
 docs        | the API reference, and the test that it is complete
 browser     | tests of the page
@@ -47,6 +49,10 @@ webassembly | clang          | command -v clang
 webassembly | lld            | command -v wasm-ld
 webassembly | wasi-libc      | test -e /usr/lib/wasm32-wasi/libc.a
 webassembly | libclang-rt-14-dev-wasm32 | ls "$(clang -print-resource-dir)"/lib/wasi/libclang_rt.builtins-wasm32.a
+python    | python3-dev      | test -e "$(/usr/bin/python3 -c 'import sysconfig; print(sysconfig.get_path("include"))')/Python.h"
+python    | python3-numpy    | /usr/bin/python3 -c 'import numpy'
+python    | python3-setuptools | /usr/bin/python3 -c 'import setuptools'
+python    | python3-wheel    | /usr/bin/python3 -c 'import wheel'
 test      | check            | pkg-config --exists check
 test      | hdf5-tools       | command -v h5dump
 test      | jq               | command -v jq
@@ -55,6 +61,8 @@ test      | locales          | test -e /usr/share/i18n/locales/de_DE
 test      | man-db           | command -v man
 test      | netcdf-bin       | command -v ncdump
 test      | python3          | command -v python3
+pytest    | python3-pytest   | /usr/bin/python3 -c 'import pytest'
+pytest    | python3-xarray   | /usr/bin/python3 -c 'import xarray, pandas'
 format    | clang-format     | command -v clang-format
 docs      | doxygen          | command -v doxygen
 browser   | chromium         | command -v chromium

@@ -13,6 +13,6 @@ campaign) sanitized=(-DGOUGH_TESTS_SANITIZED=ON) targets=(all campaign_tests) la
     exit 2
     ;;
 esac
-cmake -S . -B "$build" -G Ninja "${sanitized[@]}" ${PAGE:+"-DGOUGH_PAGE=$PAGE"} "-DGOUGH_TEST_SLOWNESS=$(scripts/slowness.sh)" >/dev/null
+cmake -S . -B "$build" -G Ninja "${sanitized[@]}" ${PAGE:+"-DGOUGH_PAGE=$PAGE"} ${PYTHON:+"-DGOUGH_PYTHON=$PYTHON"} "-DGOUGH_TEST_SLOWNESS=$(scripts/slowness.sh)" >/dev/null
 cmake --build "$build" --target "${targets[@]}"
 ctest --test-dir "$build" --output-on-failure -j "$(nproc)" "${labels[@]}" "$@"

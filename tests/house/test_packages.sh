@@ -60,12 +60,12 @@ if said=$("$bash" scripts/install-packages.sh tools nonsense 2>&1); then echo "a
 [[ $said == *"no group 'nonsense'"*compiler*sundials* ]] || { echo "for an unknown group it says: $said"; exit 1; }
 
 # what the steps ask for, whatever the make that runs this test was told
-plan() { env -u MAKEFLAGS -u MAKEOVERRIDES -u PAGE make -n --no-print-directory "$@"; }
-steps=$(plan all test quick test-more coverage demo package fuzz campaign bench lint docs |
+plan() { env -u MAKEFLAGS -u MAKEOVERRIDES -u PAGE -u PYTHON make -n --no-print-directory "$@"; }
+steps=$(plan all test quick test-more coverage demo python package fuzz campaign bench lint docs |
     sed -n 's/.*install-packages\.sh //p' | tr ' ' '\n' | sed '/^$/d' | sort -u)
 [[ $steps == "$(sort <<<"$groups")" ]] || { echo "the Makefile asks for other groups:"; diff <(echo "$steps") <(sort <<<"$groups"); exit 1; }
-without=$(plan PAGE=OFF test | sed -n 's/.*install-packages\.sh //p' | xargs)
-[[ $without == "compiler tools libraries figures test" ]] || { echo "without the page the tests ask for: $without"; exit 1; }
+without=$(plan PAGE=OFF PYTHON=OFF test | sed -n 's/.*install-packages\.sh //p' | xargs)
+[[ $without == "compiler tools libraries figures test" ]] || { echo "without the page and Python the tests ask for: $without"; exit 1; }
 
 # the table of CONTRIBUTING: group, purpose, packages, sizes
 told=$(sed -n '/^| group | for | packages/,/^$/p' CONTRIBUTING.md | sed -n 's/^| `\([a-z]*\)` | \([^|]*\) | \([^|]*\) | [0-9]* | [0-9]* |$/\1|\2|\3/p')

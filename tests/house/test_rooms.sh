@@ -52,7 +52,7 @@ for header in include/gough/*.h; do
 done
 for folder in tests/*/; do
     folder=$(basename "$folder")
-    [[ " support data house digest examples faults fuzz independent install bench web " == *" $folder "* ]] ||
+    [[ " support data house digest examples faults fuzz independent install bench web python " == *" $folder "* ]] ||
         [[ $named == *"\`$folder\`"* ]] || fail "CONTRIBUTING.md gives tests/$folder to no room"
 done
 

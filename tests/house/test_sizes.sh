@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "${SOURCE:-$(dirname "$0")/../..}"
 # code keeps to 100 by its formatter; comments may take 132, counted in characters
-find src include tests bench web/core web/src web/vite.config.js \( -name '*.[ch]' -o -name '*.js' -o -name '*.mjs' \) -print0 \
+find src include tests bench python web/core web/src web/vite.config.js \( -name '*.[ch]' -o -name '*.js' -o -name '*.mjs' \) -print0 \
     2>/dev/null | LC_ALL=C xargs -0 awk '
     function long(from) { if (from && FNR - from + 1 >= 60) { print FILENAME ":" from ": a function of " FNR - from + 1 " lines"; bad = 1 } }
     FNR == 1 {

@@ -1,0 +1,34 @@
+"""Dynamics and control of Stewart-Gough platforms: leg forces, motion, stability, sweeps, poses and workspaces of hexapods.
+
+>>> import gough
+>>> gough.forces("heave.yaml")["f1"]
+
+Functions of the module are the verbs of the command `gough`; `Machine` computes many poses at once.
+"""
+from ._errors import FileError, GoughError, Message, NumericalError, StudyError
+from ._gough import version as __version__
+from ._machine import Accelerations, Conditioning, JointForces, Machine, angles, rotation
+from ._results import End, Page, Result
+from ._study import Study
+from ._verbs import check, forces, simulate
+
+__all__ = [
+    "Accelerations",
+    "Conditioning",
+    "End",
+    "FileError",
+    "GoughError",
+    "JointForces",
+    "Machine",
+    "Message",
+    "NumericalError",
+    "Page",
+    "Result",
+    "Study",
+    "StudyError",
+    "angles",
+    "check",
+    "forces",
+    "rotation",
+    "simulate",
+]
