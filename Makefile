@@ -1,7 +1,8 @@
 # make            install what is missing, build; the command is then build/gough
 # make test       install what is missing, build, run the tests
 # make quick      the quick tests only
-# make test-more  the tests and the campaigns
+# make test-thorough  with the page in a browser, the slow tests and most programs once more under sanitizers, as CI runs them
+# make test-more  all of these and the campaigns
 # make coverage   the share of branches that the tests take, by parts of the library
 # make demo       install what is missing, build, run the paper's whole study into out/
 # make install    into PREFIX (default /usr/local), under DESTDIR if given
@@ -36,7 +37,7 @@ build_groups = compiler tools libraries figures $(if $(filter ON,$(PAGE)),bundle
                $(if $(filter ON,$(PYTHON)),python)
 test_groups  = $(build_groups) test $(if $(filter ON,$(PYTHON)),pytest) $(if $(filter ON,$(PAGE)),format docs browser)
 
-.PHONY: all configure test quick test-more coverage demo install python package fuzz campaign bench lint docs clean
+.PHONY: all configure test quick test-thorough test-more coverage demo install python package fuzz campaign bench lint docs clean
 
 all: configure
 	@cmake --build "$(BUILD)" --target gough_command gough_archive gough_shared gough_files_shared \
@@ -54,6 +55,10 @@ test:
 quick:
 	@scripts/install-packages.sh $(test_groups)
 	@PAGE=$(PAGE) PYTHON=$(PYTHON) scripts/test.sh "$(BUILD)" quick
+
+test-thorough:
+	@scripts/install-packages.sh $(test_groups)
+	@PAGE=$(PAGE) PYTHON=$(PYTHON) scripts/test.sh "$(BUILD)" thorough
 
 test-more:
 	@scripts/install-packages.sh $(test_groups) package

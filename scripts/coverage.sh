@@ -14,7 +14,7 @@ mkdir -p "$build"
 "$cc" -O0 -c tests/support/counted_exit.c -o "$build/counted_exit.o"
 # no function is copied into its callers: each copy would count its branches anew. The program is optimised after its branches are
 # counted, as far as GCC leaves branches alone.
-flags="-O2 -fno-inline -fno-early-inlining -fno-ssa-phiopt -DNDEBUG -Dalways_inline=unused --coverage -fprofile-update=atomic -fprofile-abs-path"
+flags="-O2 -fno-inline -fno-early-inlining -fno-ssa-phiopt -DNDEBUG -Dalways_inline=unused --coverage -fprofile-update=PLACE -fprofile-abs-path"
 cmake -S . -B "$build" -G Ninja -DCMAKE_C_COMPILER="$cc" -DCMAKE_BUILD_TYPE=Coverage "-DCMAKE_C_FLAGS_COVERAGE=$flags" \
     "-DCMAKE_EXE_LINKER_FLAGS_COVERAGE=-Wl,--wrap=_exit $(realpath "$build")/counted_exit.o" \
     -DGOUGH_PAGE=OFF "-DGOUGH_TEST_SLOWNESS=$((4 * $(scripts/slowness.sh)))" >/dev/null

@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# test.sh BUILD LABEL: builds and runs the tests up to a label: quick; standard, with the sanitized copies; campaign. Further arguments
-# go to ctest.
+# test.sh BUILD LABEL: builds and runs the tests up to a label: quick, standard, thorough (with the sanitized copies) or campaign.
+# Further arguments go to ctest.
 set -euo pipefail
 build=${1:-build} label=${2:-standard}
 shift $(($# < 2 ? $# : 2))
 case $label in
 quick) sanitized=() targets=(quick_tests) labels=(-L quick) ;;
-standard) sanitized=(-DGOUGH_TESTS_SANITIZED=ON) targets=(all) labels=(-LE campaign) ;;
+standard) sanitized=(-DGOUGH_TESTS_SANITIZED=OFF) targets=(all) labels=(-LE 'thorough|campaign') ;;
+thorough) sanitized=(-DGOUGH_TESTS_SANITIZED=ON) targets=(all) labels=(-LE campaign) ;;
 campaign) sanitized=(-DGOUGH_TESTS_SANITIZED=ON) targets=(all campaign_tests) labels=() ;;
 *)
-    echo "test.sh: the label is quick, standard or campaign, not '$label'" >&2
+    echo "test.sh: the label is quick, standard, thorough or campaign, not '$label'" >&2
     exit 2
     ;;
 esac

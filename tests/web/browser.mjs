@@ -115,24 +115,18 @@ async function emptyPicture() {
   return time;
 }
 
-/** Opens a page and waits until its curves are there. page.said collects errors of the console and of scripts. */
-export async function open(
-  file,
-  { width = 1360, height = 860, dark = false, motion = false, webgl = true, touch = false } = {},
-) {
-  const context = await (
-    await browser(webgl)
-  ).newContext({
-    viewport: { width, height },
-    colorScheme: dark ? "dark" : "light",
-    reducedMotion: motion ? "no-preference" : "reduce",
-    acceptDownloads: true,
-    hasTouch: touch,
-  });
+let closed = [];
+
+/** A page without a file, of a browser with or without WebGL. To start the processes of a page takes longer than to load one, so a page
+ *  that a test has closed is taken again, unless a fresh one is asked for. */
+async function emptyPage(webgl, touch, fresh) {
+  const again = closed.findIndex((page) => !fresh && page.kind === `${webgl} ${touch}`);
+  if (again >= 0) return closed.splice(again, 1)[0];
+  const context = await (await browser(webgl)).newContext({ acceptDownloads: true, hasTouch: touch });
   context.setDefaultTimeout(limit(30000));
   context.setDefaultNavigationTimeout(limit(30000));
   const page = await context.newPage();
-  page.said = [];
+  page.kind = `${webgl} ${touch}`;
   page.on(
     "console",
     (message) => ["error", "warning"].includes(message.type()) && page.said.push(message.text()),
@@ -144,6 +138,27 @@ export async function open(
       /^(https?|ws):/.test(request.url()) &&
       page.said.push(`asks the network for ${request.url()}`),
   );
+  page.close = async () => {
+    page.said = [];
+    await page.goto("about:blank");
+    closed.push(page);
+  };
+  return page;
+}
+
+/** Opens a page and waits until its curves are there. page.said collects errors of the console and of scripts. */
+export async function open(
+  file,
+  { width = 1360, height = 860, dark = false, motion = false, webgl = true, touch = false, fresh = false } = {},
+) {
+  const page = await emptyPage(webgl, touch, fresh);
+  page.said = [];
+  await page.setViewportSize({ width, height });
+  await page.emulateMedia({
+    colorScheme: dark ? "dark" : "light",
+    reducedMotion: motion ? "no-preference" : "reduce",
+  });
+  await page.mouse.move(0, 0);
   await page.goto(pathToFileURL(file).href);
   await page.waitForFunction(() => document.documentElement.dataset.ready === "true", null, {
     timeout: limit(60000),
@@ -162,7 +177,7 @@ export async function firstPictures(file) {
   const busy = Math.max(1, loadavg()[0] / cpus().length);
   while (tries.length < 8 && !tries.some(({ time, most }) => time < most)) {
     const most = Math.max(1000 * busy, 10 * (await emptyPicture()));
-    const page = await open(file);
+    const page = await open(file, { fresh: true });
     const time = await page.evaluate(() => document.documentElement.dataset.firstPicture);
     tries.push({ time: Number(time), most });
     await page.close();
@@ -173,6 +188,7 @@ export async function firstPictures(file) {
 export async function closeAll() {
   for (const one of Object.values(browsers)) await (await one).close();
   browsers = {};
+  closed = [];
 }
 
 /** Keeps a picture of the page. */

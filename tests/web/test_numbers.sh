@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # Numbers of the page and in its data against the study: tests/web/numbers.mjs, in Debian's chromium.
 set -euo pipefail
 : "${GOUGH:?}" "${BUILD:?}" "${SOURCE:?}"

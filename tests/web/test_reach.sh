@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # Poses and reach in the page: the core in Node against the command, and the panel in Debian's chromium: tests/web/reach.mjs. Its
 # screenshots stay in the build folder, in web/pictures.
 set -euo pipefail
