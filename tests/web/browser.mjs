@@ -117,8 +117,8 @@ async function emptyPicture() {
 
 let closed = [];
 
-/** A page without a file, of a browser with or without WebGL. To start the processes of a page takes longer than to load one, so a page
- *  that a test has closed is taken again, unless a fresh one is asked for. */
+/** A page without a file, of a browser with or without WebGL. To start the processes of a page takes longer than to load one, so a
+ *  page that a test has closed is taken again, unless a fresh one is asked for. */
 async function emptyPage(webgl, touch, fresh) {
   const again = closed.findIndex((page) => !fresh && page.kind === `${webgl} ${touch}`);
   if (again >= 0) return closed.splice(again, 1)[0];
