@@ -1,5 +1,5 @@
-// One look at the page as a reader takes it first: it opens, the machine moves with the slider, the pose is the command's, the curves
-// are drawn, and the live run and the poses work. page.mjs, numbers.mjs, live.mjs, legs.mjs and reach.mjs look at each part.
+// One look at the page: it opens, the machine moves with the slider, the pose is the command's, the curves
+// are drawn, the live run and the poses work. page.mjs, numbers.mjs, live.mjs, legs.mjs and reach.mjs look at each part.
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
 import { byName, closeAll, example, limit, open, picture, pictureDrawn, read, report, scrubTo, table } from "./browser.mjs";
