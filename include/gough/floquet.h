@@ -112,6 +112,9 @@ typedef struct gough_sampled_floquet {
  *  the controller; GOUGH_ERROR_NUMERICAL: the program passes a singular pose, or no periodic motion was found near it; do not use
  *  @p floquet then.
  *
+ *  A loop that does not hold its program has such a motion too, and it is found where no deviation grows by more than about 1e12 in
+ *  these periods, (loop-13).
+ *
  *  Counts are taken for lengths; noise, jitter and dry friction are left out. A drive that is at a limit at a sample has no
  *  feedback from it. Takes about a tenth of a second for a hundred samples. Allocates nothing; needs 1 MB of stack. Multipliers are
  *  accurate to 1e-9 of the largest; several that are equal to the root of that according to their number. */

@@ -251,18 +251,18 @@ static inline number group_step(group *g, number raw[STATE_SIZE]) {
     return number_of(0);
 }
 
-/* A sum that is not finite where anything is not; velocities are among the rates. Four sums side by side, since each addition
+/* A sum that is not finite where anything is not; velocities are among the rates, of which there are so many. Four sums side by side, since each addition
  * waits for the one before. */
-static inline number group_sum(const group *g, const signals *m) {
+static inline number group_sum(const group *g, const signals *m, int rates) {
     const number *y = g->at[g->now].y, *rate = g->at[g->now].rate, none = number_of(0);
     number sum[4] = {none, none, none, none};
 
     KERNEL_UNROLL
     for (int i = 0; i < COORDINATES; i++) sum[i % 4] = sum[i % 4] + y[i];
-    for (int i = 0; i + 4 <= g->r.states; i += 4) {
+    for (int i = 0; i + 4 <= rates; i += 4) {
         for (int k = 0; k < 4; k++) sum[k] = sum[k] + rate[i + k];
     }
-    for (int i = g->r.states / 4 * 4; i < g->r.states; i++) sum[0] = sum[0] + rate[i];
+    for (int i = rates / 4 * 4; i < rates; i++) sum[0] = sum[0] + rate[i];
     KERNEL_UNROLL
     for (int v = 0; v < LEGS; v++) {
         sum[v % 2] = sum[v % 2] + m->g.length[v];
@@ -275,10 +275,11 @@ static inline number group_sum(const group *g, const signals *m) {
 static inline int group_wary(const group *g) { return g->r.traits & LOOPED; }
 
 /* 1 in lanes where something may have ended the run; cheap, and never wrong on the safe side */
-static inline number group_trouble(group *g, const wanted *s, const signals *m, number residual) {
+static inline number group_trouble(group *g, const wanted *s, const signals *m, int rates,
+                                   number residual) {
     const number zero = number_of(0), one = number_of(1);
     const number least = limits_least(&g->r, m);
-    const number sum = group_sum(g, m);
+    const number sum = group_sum(g, m, rates);
     mask fine;
 
     number suspicion = number_select(number_greater(zero, least), one, zero);
@@ -411,6 +412,11 @@ LANES_APART void group_end_unknown(group *g, const batch_job *job, double t) {
     }
 }
 
+/* whether a sample is due at the end of the step, or a command begins to act there */
+static inline int group_samples(const group *g) {
+    return g->r.traits & SAMPLED && !(g->m.t1 < sample_clock_next(&g->loop.clock));
+}
+
 /* what sampled controllers do at the end of a step, whose signals m are, after which other forces may act */
 static inline void group_sample(group *g, const batch_job *job, signals *m, double t) {
     loop_reach(&g->r, &g->loop, t, &m->g);
@@ -425,6 +431,28 @@ static inline void group_sample(group *g, const batch_job *job, signals *m, doub
         const march_problem problem = system_problem(&g->r);
         rattle_begin(&problem.rule, t, &g->body);
     }
+}
+
+/* Whether a sample is due, and nothing asks for the accelerations just before it: they are computed for the commands that it
+ * brings, and those of a plain machine are finite where its pose, velocities and forces are. */
+static inline int group_samples_plainly(const group *g) {
+    const int asked = g->r.limits.kinds & (1 << LIMIT_ACCELERATION | LIMITS_OF_PLATFORM);
+
+    return group_samples(g) && signals_plain(&g->r) && !asked;
+}
+
+/* all that the end of a step needs; returns how many rates of the state are there */
+static inline int group_arrive(group *g, signals *m) {
+    number *y = g->at[g->now].y, *rate = g->at[g->now].rate;
+
+    if (group_samples_plainly(g)) {
+        system_signals_before(&g->r, g->m.t1, y, m);
+        coordinates_store(&m->rate, rate);
+        return COORDINATES;
+    }
+    system_signals(&g->r, g->m.t1, y, m);
+    signals_rates(&g->r, m, rate);
+    return g->r.states;
 }
 
 /* one part of a step in all lanes; 1 where none goes on */
@@ -447,18 +475,16 @@ static inline int group_move(void *context, long long k, int part) {
     coordinates_store(&x, g->at[g->now].y);
     coordinates_store(&v, g->at[g->now].y + COORDINATES);
     for (int i = MOTION; i < g->r.states; i++) g->at[g->now].y[i] = raw[i];
-    system_signals(&g->r, t, g->at[g->now].y, m);
-    signals_rates(&g->r, m, g->at[g->now].rate);
+    const int rates = group_arrive(g, m);
 
-    const number trouble = group_trouble(g, system_wanted(&g->r, t), m, residual);
+    const number trouble = group_trouble(g, system_wanted(&g->r, t), m, rates, residual);
     double sum = 0;
     for (int i = 0; i < NUMBER_WIDTH; i++) sum += number_lane(trouble, i);
     if (sum > 0) group_inspect(g, job, trouble, residual, raw);
     if (group_going(g) == 0) return 1;
     group_look(g, system_wanted(&g->r, t), m, t);
     if (group_row_ends(g, job, k)) group_row_due(g, m);
-    if (g->r.traits & SAMPLED && !(t < sample_clock_next(&g->loop.clock)))
-        group_sample(g, job, m, t);
+    if (group_samples(g)) group_sample(g, job, m, t);
     return group_going(g) == 0;
 }
 

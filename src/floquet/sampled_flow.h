@@ -30,4 +30,8 @@ void sampled_begin(const linear_loop *linear, const sampled_layout *layout, doub
 const char *sampled_flow(const linear_loop *linear, const sampled_layout *layout, double t,
                          double tolerance, sampled_state *state, double *deviation, size_t *steps);
 
+/* The same for one deviation, of n numbers, which is replaced by what becomes of it. */
+const char *sampled_carry(const linear_loop *linear, const sampled_layout *layout, double t,
+                          double tolerance, sampled_state *state, double *deviation);
+
 #endif

@@ -165,34 +165,33 @@ static void pass(passage *p, const sampled_layout *layout, double t, double tole
     if (layout->waiting > 0) memcpy(s->waiting[0], command[0], sizeof s->waiting[0]);
 }
 
-/* one number of a deviation, as an imaginary step */
-static void deviate(const sampled_layout *layout, int direction, complex_state *s) {
+/* one number of a deviation, as so many imaginary steps */
+static void deviate(const sampled_layout *layout, int direction, double amount, complex_state *s) {
     coordinates x = coordinates_load(s->y), rate = coordinates_load(s->y + COORDINATES);
     int place = direction - GOUGH_LINEAR;
 
     if (direction < GOUGH_LINEAR) {
-        displace(direction, &x, &rate);
+        displace_by(amount, direction, &x, &rate);
         coordinates_store(&x, s->y);
         coordinates_store(&rate, s->y + COORDINATES);
         return;
     }
     if (place < layout->drive) {
-        s->y[MOTION + place] += I * imaginary_step;
+        s->y[MOTION + place] += I * imaginary_step * amount;
         return;
     }
     place -= layout->drive;
     for (int m = 0; m < SAMPLED_MEMORY; m++) {
         if (layout->used[m] && place-- == 0) {
-            *memory_at(&s->memory, m) += I * imaginary_step;
+            *memory_at(&s->memory, m) += I * imaginary_step * amount;
             return;
         }
     }
-    s->waiting[place / LEGS][place % LEGS] += I * imaginary_step;
+    s->waiting[place / LEGS][place % LEGS] += I * imaginary_step * amount;
 }
 
-/* the deviation that an imaginary step has become, as a column */
-static void read_out(const sampled_layout *layout, complex_state *s, int column,
-                     double *deviation) {
+/* the deviation that an imaginary step has become; apart: from one of its numbers to the next in the array */
+static void read_out(const sampled_layout *layout, complex_state *s, int apart, double *deviation) {
     const coordinates x = coordinates_load(s->y), rate = coordinates_load(s->y + COORDINATES);
     const triad *q = &x.q;
     const triad real_part = {{creal(q->i.x), creal(q->i.y), creal(q->i.z)},
@@ -208,16 +207,15 @@ static void read_out(const sampled_layout *layout, complex_state *s, int column,
     vector_store(scale(0.5, turn), xi + 3);
     vector_store(imaginary(rate.rho), xi + 6);
     vector_store(imaginary(triad_angular_velocity(q, &rate.q)), xi + 9);
-    for (; row < GOUGH_LINEAR; row++) deviation[layout->n * row + column] = creal(xi[row]);
+    for (; row < GOUGH_LINEAR; row++) deviation[apart * row] = creal(xi[row]);
     for (int i = 0; i < layout->drive; i++, row++)
-        deviation[layout->n * row + column] = cimag(s->y[MOTION + i]) / imaginary_step;
+        deviation[apart * row] = cimag(s->y[MOTION + i]) / imaginary_step;
     for (int m = 0; m < SAMPLED_MEMORY; m++) {
         if (!layout->used[m]) continue;
-        deviation[layout->n * row++ + column] = cimag(*memory_at(&s->memory, m)) / imaginary_step;
+        deviation[apart * row++] = cimag(*memory_at(&s->memory, m)) / imaginary_step;
     }
     for (int i = 0; i < LEGS * layout->waiting; i++, row++)
-        deviation[layout->n * row + column] =
-            cimag(s->waiting[i / LEGS][i % LEGS]) / imaginary_step;
+        deviation[apart * row] = cimag(s->waiting[i / LEGS][i % LEGS]) / imaginary_step;
 }
 
 void sampled_begin(const linear_loop *linear, const sampled_layout *layout, double t,
@@ -248,6 +246,21 @@ static bool is_somewhere(const passage *p, const complex_state *s) {
     return finite;
 }
 
+/* the real state after a sample, its triad and the rates of it made proper again */
+static void keep(const passage *p, const sampled_layout *layout, complex_state *after,
+                 sampled_state *state) {
+    coordinates x = coordinates_load(after->y), rate = coordinates_load(after->y + COORDINATES);
+
+    (void)coordinates_project(&x, &rate);
+    coordinates_store(&x, after->y);
+    coordinates_store(&rate, after->y + COORDINATES);
+    for (int i = 0; i < p->r.states; i++) state->y[i] = creal(after->y[i]);
+    for (int m = 0; m < SAMPLED_MEMORY; m++)
+        state->memory[m] = creal(*memory_at(&after->memory, m));
+    for (int i = 0; i < LEGS * layout->waiting; i++)
+        state->waiting[i / LEGS][i % LEGS] = creal(after->waiting[i / LEGS][i % LEGS]);
+}
+
 const char *sampled_flow(const linear_loop *linear, const sampled_layout *layout, double t,
                          double tolerance, sampled_state *state, double *deviation, size_t *steps) {
     complex_state after, there;
@@ -263,18 +276,27 @@ const char *sampled_flow(const linear_loop *linear, const sampled_layout *layout
         deviation[i] = NAN;
     for (int column = 0; derived && column < layout->n; column++) {
         load(&p, layout, state, &there);
-        deviate(layout, column, &there);
+        deviate(layout, column, 1, &there);
         pass(&p, layout, t, 0, parts, acts(layout, column) ? NULL : &after, &there);
-        read_out(layout, &there, column, deviation);
+        read_out(layout, &there, layout->n, deviation + column);
     }
+    keep(&p, layout, &after, state);
+    return p.r.fault.what;
+}
 
-    coordinates x = coordinates_load(after.y), rate = coordinates_load(after.y + COORDINATES);
-    (void)coordinates_project(&x, &rate);
-    coordinates_store(&x, after.y);
-    coordinates_store(&rate, after.y + COORDINATES);
-    for (int i = 0; i < p.r.states; i++) state->y[i] = creal(after.y[i]);
-    for (int m = 0; m < SAMPLED_MEMORY; m++) state->memory[m] = creal(*memory_at(&after.memory, m));
-    for (int i = 0; i < LEGS * layout->waiting; i++)
-        state->waiting[i / LEGS][i % LEGS] = creal(after.waiting[i / LEGS][i % LEGS]);
+const char *sampled_carry(const linear_loop *linear, const sampled_layout *layout, double t,
+                          double tolerance, sampled_state *state, double *deviation) {
+    complex_state after, there;
+    int parts[2] = {1, 1};
+    passage p;
+
+    begin(&p, linear);
+    load(&p, layout, state, &after);
+    load(&p, layout, state, &there);
+    pass(&p, layout, t, tolerance, parts, NULL, &after);
+    for (int i = 0; i < layout->n; i++) deviate(layout, i, deviation[i], &there);
+    pass(&p, layout, t, 0, parts, NULL, &there);
+    read_out(layout, &there, 1, deviation);
+    keep(&p, layout, &after, state);
     return p.r.fault.what;
 }

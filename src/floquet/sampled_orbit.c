@@ -125,22 +125,20 @@ static void measure(sampled_orbit *o, const gough_period *period) {
 
 /* ---- once round ------------------------------------------------------------------------------------------------------ */
 
-static void multiply(int n, const double *a, double *product) {
+void sampled_multiply(int n, int columns, const double *a, double *product) {
     double column[SAMPLED_ROWS];
 
-    for (int j = 0; j < n; j++) {
-        for (int i = 0; i < n; i++) column[i] = product[n * i + j];
+    for (int j = 0; j < columns; j++) {
+        for (int i = 0; i < n; i++) column[i] = product[columns * i + j];
         for (int i = 0; i < n; i++) {
             double sum = 0;
             for (int k = 0; k < n; k++) sum += a[n * i + k] * column[k];
-            product[n * i + j] = sum;
+            product[columns * i + j] = sum;
         }
     }
 }
 
-/* the determinant of the pose of a state; its condition is infinite if the state has numbers that are not finite */
-static double determinant_of(const sampled_orbit *o, const sampled_state *state,
-                             double *condition) {
+double sampled_determinant(const sampled_orbit *o, const sampled_state *state, double *condition) {
     double determinant;
     gough_state pose;
 
@@ -149,11 +147,9 @@ static double determinant_of(const sampled_orbit *o, const sampled_state *state,
     return determinant;
 }
 
-/* Whether the platform is still on the side of the singular poses where it began. No real machine moves through a singular pose,
- * so a motion computed beyond one means nothing. */
-static bool has_kept_its_side(const sampled_orbit *o, const sampled_state *state, double side) {
+bool sampled_keeps_its_side(const sampled_orbit *o, const sampled_state *state, double side) {
     double condition;
-    const double determinant = determinant_of(o, state, &condition);
+    const double determinant = sampled_determinant(o, state, &condition);
 
     return condition <= greatest_condition && determinant * side > 0;
 }
@@ -162,7 +158,7 @@ static bool has_kept_its_side(const sampled_orbit *o, const sampled_state *state
 static gough_status go_round(sampled_orbit *o, bool wanted, sampled_state *state,
                              gough_error *error) {
     const int n = o->layout.n;
-    const double side = determinant_of(o, state, NULL);
+    const double side = sampled_determinant(o, state, NULL);
     sampled_matrix one;
 
     o->map.n = n;
@@ -175,8 +171,8 @@ static gough_status go_round(sampled_orbit *o, bool wanted, sampled_state *state
         if (wrong != NULL)
             return gough_fail(error, GOUGH_ERROR_INPUT, "%s is not finite near t = %.9g" IN_TIME,
                               wrong, t);
-        if (wanted) multiply(n, one, o->map.matrix);
-        if (!has_kept_its_side(o, state, side))
+        if (wanted) sampled_multiply(n, n, one, o->map.matrix);
+        if (!sampled_keeps_its_side(o, state, side))
             return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                               "by t = %.9g" IN_TIME " the platform has left the program for a "
                               "singular pose: the loop does not hold it, and there are no "
@@ -296,7 +292,8 @@ static gough_status close_motion(sampled_orbit *o, sampled_state *state, gough_e
 }
 
 /* With a table of all samples about the program their states are found together. Else, and where that fails, the first step is
- * Newton's from the program, and its matrix does for all but the last; where it does not, each step gets its own. */
+ * Newton's from the program, and its matrix does for all but the last; where it does not, each step gets its own. Where runs of a
+ * period lead nowhere, the period is divided; with a table all samples have been tried apart already. */
 gough_status sampled_orbit_find(sampled_orbit *o, gough_error *error) {
     sampled_state first;
     double size;
@@ -308,12 +305,15 @@ gough_status sampled_orbit_find(sampled_orbit *o, gough_error *error) {
     sampled_begin(&o->loop, &o->layout, o->start, &first);
     o->state = first;
     status = improve(o, &o->state, &size, error);
-    if (status != GOUGH_OK) return status;
-    if (size > closed && size <= farthest && draw_near(o, size, &o->state) &&
-        close_motion(o, &o->state, NULL) == GOUGH_OK)
-        return GOUGH_OK;
-    o->state = first;
-    return close_motion(o, &o->state, error);
+    if (status == GOUGH_OK) {
+        if (size > closed && size <= farthest && draw_near(o, size, &o->state) &&
+            close_motion(o, &o->state, NULL) == GOUGH_OK)
+            return GOUGH_OK;
+        o->state = first;
+        status = close_motion(o, &o->state, error);
+    }
+    if (status != GOUGH_ERROR_NUMERICAL || o->table != NULL) return status;
+    return sampled_join(o, &o->state) ? GOUGH_OK : status;
 }
 
 gough_status sampled_orbit_begin(sampled_orbit *o, const gough_model *model,

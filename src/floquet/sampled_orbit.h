@@ -38,7 +38,7 @@ bool sampled_fit(gough_sampling *sampling, double period, size_t *samples, size_
 /* Finds the motion for the gains that are in o->control, from the program: that of one stiffness does not depend on others. */
 gough_status sampled_orbit_find(sampled_orbit *o, gough_error *error);
 
-/* ---- between sampled_orbit.c and sampled_shooting.c ---- */
+/* ---- between sampled_orbit.c, sampled_nodes.c and sampled_shooting.c ---- */
 
 /* of the steps */
 extern const double sampled_tolerance;
@@ -48,12 +48,26 @@ void sampled_compare(const sampled_layout *l, const sampled_state *from, const s
                      double *deviation);
 void sampled_change(const sampled_layout *l, const double *deviation, sampled_state *state);
 
+/* the determinant of the pose of a state; its condition is infinite if the state has numbers that are not finite */
+double sampled_determinant(const sampled_orbit *o, const sampled_state *state, double *condition);
+
+/* Whether the platform is still on the side of the singular poses where it had the determinant `side`. No real machine moves through
+ * a singular pose, so a motion computed beyond one means nothing. */
+bool sampled_keeps_its_side(const sampled_orbit *o, const sampled_state *state, double side);
+
+/* product ← A product, with A of n rows */
+void sampled_multiply(int n, int columns, const double *a, double *product);
+
 /* 1 − Φ of o->map in the units of a deviation, factored; false if it has no inverse */
 bool sampled_factor(sampled_orbit *o);
 
 /* (floquet-7): solves (1 − Φ) step = missing with the matrix factored last. Returns the size of the step in the units of a
  * deviation, INFINITY if it is not finite. */
 double sampled_newton_step(const sampled_orbit *o, double *step);
+
+/* sampled_nodes.c: the motion from the program, without runs of a whole period; whether it was found, its state before the first
+ * sample, and the derivative about it in o->map */
+bool sampled_join(sampled_orbit *o, sampled_state *state);
 
 /* sampled_shooting.c: memory of a table in bytes, aligned to 64; an empty one; the motion by its means for the stiffness in
  * o->control, alike in all legs: whether it was found, to about 1e-11, and its state before the first sample */

@@ -15,9 +15,9 @@ static inline vector imaginary(vector v) {
                     cimag(v.z) / imaginary_step};
 }
 
-/* the state displaced by an imaginary step in one of δr, δθ, δv, δω: δe = δθ × e, δė = δω × e + ω × δe */
-static inline void displace(int direction, coordinates *x, coordinates *rate) {
-    const vector step = scale(I * imaginary_step, unit_vector(direction % 3));
+/* the state displaced by so many imaginary steps in one of δr, δθ, δv, δω: δe = δθ × e, δė = δω × e + ω × δe */
+static inline void displace_by(double amount, int direction, coordinates *x, coordinates *rate) {
+    const vector step = scale(I * imaginary_step * amount, unit_vector(direction % 3));
     const vector omega = triad_angular_velocity(&x->q, &rate->q);
     triad turned;
 
@@ -36,6 +36,11 @@ static inline void displace(int direction, coordinates *x, coordinates *rate) {
     default:
         rate->q = triad_rate(&x->q, add(omega, step));
     }
+}
+
+/* by one of them */
+static inline void displace(int direction, coordinates *x, coordinates *rate) {
+    displace_by(1, direction, x, rate);
 }
 
 #endif

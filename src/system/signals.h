@@ -195,6 +195,17 @@ static inline void system_signals(struct system *r, real t, const number *y, sig
     }
 }
 
+/* the same on a plain machine but for its accelerations, at an instant from which other commands act */
+static inline void system_signals_before(struct system *r, real t, const number *y, signals *m) {
+    const wanted *s = system_wanted(r, t);
+
+    m->x = coordinates_load(y);
+    m->rate = coordinates_load(y + COORDINATES);
+    legs_at(&r->h, &m->x, &m->g);
+    legs_rates(&r->h, &m->rate, &m->g);
+    signals_plain_forces(r, s, &m->g, m->force);
+}
+
 /* the same at the same instant, after a controller has given other commands */
 static inline void system_signals_again(struct system *r, real t, const number *y, signals *m) {
     const wanted *s = system_wanted(r, t);

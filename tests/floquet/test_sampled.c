@@ -130,6 +130,56 @@ START_TEST(runs_return_and_deviate) {
 }
 END_TEST
 
+/* Far above the window a run leaves the program within a period, in modes that grow by 6e4 (heave) and 1.5e8 (sway–tilt). The motion
+ * that repeats itself is found all the same: a run of a quarter of a period leads from its state at the beginning of each quarter to
+ * that of the next, each found by itself for the program at that phase. Their derivatives, by differences, have the multiplier. */
+START_TEST(motions_that_the_loop_lets_go) {
+    static const char *const phase[4] = {"0.2*sin(t)", "0.2*sin(t + pi/2)", "0.2*sin(t + pi)",
+                                         "0.2*sin(t + 3*pi/2)"};
+    double state[4][2], map[2][2] = {{1, 0}, {0, 1}}, found = 0;
+    int count;
+
+    for (int q = 0; q < 4; q++) {
+        gough_model *model = new_model(phase[q], 2 * pi / 32, 0);
+        set_gains(model, 16, 0.3);
+        const gough_sampled_floquet floquet = along(model);
+        ck_assert(!floquet.stable && floquet.growth > 1.5e8 && floquet.growth < 1.6e8);
+        state[q][0] = floquet.state.position[2] - model->machine.platform.height;
+        state[q][1] = floquet.state.velocity[2];
+        found = heave_growth(&floquet, &count);
+        ck_assert_int_eq(count, 2);
+        free(model);
+    }
+    for (int q = 0; q < 4; q++) {
+        const double step = 1e-4;
+        gough_model *model = new_model(phase[q], 2 * pi / 32, 0);
+        double end[2], part[2][2], product[2][2];
+        set_gains(model, 16, 0.3);
+        run(model, pi / 2, state[q], end);
+        for (int i = 0; i < 2; i++)
+            ck_assert_msg(fabs(end[i] - state[(q + 1) % 4][i]) <= 1e-9, "quarter %d: %g off", q,
+                          end[i] - state[(q + 1) % 4][i]);
+        for (int j = 0; j < 2; j++) {
+            double from[2] = {state[q][0], state[q][1]}, more[2], less[2];
+            from[j] = state[q][j] + step;
+            run(model, pi / 2, from, more);
+            from[j] = state[q][j] - step;
+            run(model, pi / 2, from, less);
+            for (int i = 0; i < 2; i++) part[i][j] = (more[i] - less[i]) / (2 * step);
+        }
+        for (int i = 0; i < 2; i++)
+            for (int j = 0; j < 2; j++)
+                product[i][j] = part[i][0] * map[0][j] + part[i][1] * map[1][j];
+        memcpy(map, product, sizeof map);
+        free(model);
+    }
+    const double half = (map[0][0] + map[1][1]) / 2,
+                 det = map[0][0] * map[1][1] - map[0][1] * map[1][0];
+    const double right = cabs(half + (half > 0 ? 1 : -1) * csqrt(half * half - det));
+    ck_assert_msg(fabs(found - right) <= 1e-4 * right, "%.9g, not %.9g", found, right);
+}
+END_TEST
+
 /* D = 0.02, T = 2π/64, 0.2 sin t: stable for .09 – .115, .195 – .33, .35 and .39 – .405, in steps of .005, and nowhere above; with
  * a delay of a period for .09 – .115 only */
 START_TEST(heave_between_tongues_and_delay) {
@@ -240,6 +290,7 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("floquet/sampled", 120, hardly_moving_is_rest, runs_return_and_deviate,
-                     heave_between_tongues_and_delay, periods_that_samples_fill,
-                     nearest_period_that_fits, refuses_what_has_no_period);
+                     motions_that_the_loop_lets_go, heave_between_tongues_and_delay,
+                     periods_that_samples_fill, nearest_period_that_fits,
+                     refuses_what_has_no_period);
 }

@@ -11,9 +11,19 @@
 #include "independent/thirteen_bodies.h"
 #include "support/suite.h"
 
-enum { ROTATION = 3, VELOCITY = 12, OMEGA = 15, DRIVE = 18, SUM = 30, STATES = 36, QUEUE = 128 };
+enum {
+    ROTATION = 3,
+    VELOCITY = 12,
+    OMEGA = 15,
+    DRIVE = 18,
+    SUM = 30,
+    STATES = 36,
+    QUEUE = 128,
+    COLUMNS = 4
+};
 
-static const double STEP = 0.05 / 16;
+/* steps of ideal drives, and of those that lag */
+static const double LONGEST = 0.01, LAGS = 0.003;
 
 static gough_model model; /* large */
 
@@ -79,14 +89,14 @@ static const option CASES[] = {
      .period = 0.02,
      .frequency = 15,
      .duration = 2,
-     .tolerance = 1e-8},
+     .tolerance = 1e-9},
     {.name = "lag of first order, continuous", .lag = 0.02, .duration = 3, .tolerance = 1e-9},
     {.name = "lag of second order, integral and matrices, continuous",
      .frequency = 10,
      .integral = 40,
      .coupled = true,
      .duration = 3,
-     .tolerance = 1e-8},
+     .tolerance = 1e-9},
     {.name = "all at once",
      .period = 0.02,
      .delay = 0.013,
@@ -102,13 +112,13 @@ static const option CASES[] = {
      .most = 0.45,
      .lag = 0.01,
      .duration = 3,
-     .tolerance = 1e-8},
+     .tolerance = 1e-9},
     {.name = "a limit of the rate of force",
      .period = 0.02,
      .lag = 0.005,
      .rate = 1.5,
      .duration = 1,
-     .tolerance = 1e-5},
+     .tolerance = 1e-9},
 };
 
 /* the second formulation on its way */
@@ -219,24 +229,62 @@ static void derivative(const second *c, double t, const double y[STATES], double
     }
 }
 
-/* the classical Runge–Kutta method */
-static void step(second *c, double t, double h) {
-    static const double at[4] = {0, 0.5, 0.5, 1}, weight[4] = {1, 2, 2, 1};
-    double k[STATES] = {0}, sum[STATES] = {0}, y[STATES], drive[6], u[6];
-    for (int stage = 0; stage < 4; stage++) {
-        for (int i = 0; i < STATES; i++) y[i] = c->state[i] + at[stage] * h * k[i];
-        derivative(c, t + at[stage] * h, y, k, drive, u);
-        for (int i = 0; i < STATES; i++) sum[i] += weight[stage] * h / 6 * k[i];
+/* y after a time h by the midpoint rule in so many parts; slope: the rates at the beginning */
+static void midpoints(const second *c, double t, double h, int parts, const double slope[STATES],
+                      double y[STATES]) {
+    const double part = h / parts;
+    double before[STATES], now[STATES], rate[STATES], drive[6], u[6];
+    memcpy(before, c->state, sizeof before);
+    for (int i = 0; i < STATES; i++) now[i] = before[i] + part * slope[i];
+    for (int k = 1; k < parts; k++) {
+        derivative(c, t + k * part, now, rate, drive, u);
+        for (int i = 0; i < STATES; i++) {
+            const double next = before[i] + 2 * part * rate[i];
+            before[i] = now[i];
+            now[i] = next;
+        }
     }
-    for (int i = 0; i < STATES; i++) c->state[i] += sum[i];
+    derivative(c, t + h, now, rate, drive, u);
+    for (int i = 0; i < STATES; i++) y[i] = (now[i] + before[i] + part * rate[i]) / 2;
 }
 
-static void move(second *c, double to) {
-    const double from = c->time;
-    const double longest = c->o->lag > 0 || c->o->frequency > 0 ? STEP / 8 : STEP;
+/* of order 8: midpoint rules in 2, 4, 6 and 8 parts, extrapolated to parts of no length */
+static void step(second *c, double t, double h) {
+    double row[COLUMNS][STATES], slope[STATES], drive[6], u[6];
+    derivative(c, t, c->state, slope, drive, u);
+    for (int k = 0; k < COLUMNS; k++) {
+        midpoints(c, t, h, 2 * (k + 1), slope, row[k]);
+        for (int n = k - 1; n >= 0; n--) { /* Neville, in squares of the parts */
+            const double ratio = (double)((k + 1) * (k + 1)) / ((n + 1) * (n + 1)) - 1;
+            for (int i = 0; i < STATES; i++)
+                row[n][i] = row[n + 1][i] + (row[n + 1][i] - row[n][i]) / ratio;
+        }
+    }
+    memcpy(c->state, row[0], sizeof row[0]);
+}
+
+static void straight(second *c, double to) {
+    const double from = c->time, longest = c->o->lag > 0 || c->o->frequency > 0 ? LAGS : LONGEST;
     const int steps = (int)ceil((to - from) / longest - 1e-9);
     for (int n = 0; n < steps; n++) step(c, from + (to - from) / steps * n, (to - from) / steps);
     c->time = to;
+}
+
+/* Rates of force change smoothly but where a drive comes within rate T_a of its held command, until which its force changes at
+ * the greatest rate: no step goes over such times. */
+static void move(second *c, double to) {
+    const option *o = c->o;
+    while (o->rate > 0) {
+        double next = to;
+        for (int k = 0; k < 6; k++) {
+            const double far = fabs(c->held[k] - c->state[DRIVE + k]) - o->rate * o->lag;
+            const double t = c->time + far / o->rate;
+            if (t > c->time + 1e-14 && t < next) next = t;
+        }
+        if (!(next < to)) break;
+        straight(c, next);
+    }
+    straight(c, to);
 }
 
 /* one sample, (loop-1) */
