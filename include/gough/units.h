@@ -105,8 +105,8 @@ GOUGH_API const char *gough_unit_label(const gough_units *units, gough_unit unit
  *  without dimensions that of angles for all angles and else "". */
 GOUGH_API const char *gough_unit_word(const gough_units *units, gough_unit unit);
 
-/** Rewrites the sentence of an error with its numbers in these units and with the names of these; in SI and without dimensions it
- *  stays as it is. Once is enough: later calls do nothing.
+/** Rewrites the sentence of an error with its numbers in these units and with the names of these; without dimensions it stays as it
+ *  is. Once is enough: later calls do nothing.
  *  @param error  as a function of the library filled it */
 GOUGH_API void gough_error_say(gough_error *error, const gough_units *units);
 

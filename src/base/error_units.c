@@ -3,12 +3,6 @@
 
 #include "gough/units.h"
 
-static bool says_nothing_new(const gough_units *units) {
-    bool usual = true;
-    for (int b = 0; b < GOUGH_BASE_UNITS; b++) usual = usual && units->name[b] == 0;
-    return usual || units->dimensionless;
-}
-
 /* In the order of the sentence: what was carried into it comes last. */
 static void sort(gough_error *error) {
     for (int i = 1; i < error->quantities; i++)
@@ -26,7 +20,7 @@ void gough_error_say(gough_error *error, const gough_units *units) {
     size_t used = 0;
     int from = 0;
     error->quantities = 0;
-    if (says_nothing_new(units)) return;
+    if (units->dimensionless) return;
     for (int q = 0; q <= old.quantities; q++) {
         const gough_quantity *one = &old.quantity[q];
         const int until = q < old.quantities ? one->at : (int)strlen(old.message);

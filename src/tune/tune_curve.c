@@ -302,17 +302,39 @@ static void say_ends(tune *t, gough_error *why) {
             gough_cause_words(last->cause), leg);
 }
 
+/* where to search on, if not beyond the upper edge of a loop whose forces are late; `wanted`: 0 where it is not known */
+static void search_further(const tune *t, double wanted, gough_error *how) {
+    const double upper = t->tuning->upper, most = upper / (1 + t->options->margin);
+    const double searched = t->point[t->tuning->points - 1].stiffness;
+
+    if (!(upper < INFINITY) || (wanted > 0 && wanted < most))
+        gough_fail(how, GOUGH_OK, "search further with --stiffness");
+    else if (wanted > 0 || !(searched < 0.9 * most))
+        gough_fail(how, GOUGH_OK, "but the %s holds the platform at home below G = %.6g%s only: %s",
+                   t->sampled ? "sampled controller" : "loop with drives that lag",
+                   shown_stiffness(t, upper), stiffness_word(t),
+                   t->sampled ? "shorten control.sampling.period or its delay"
+                              : "take faster drives");
+    else
+        gough_fail(how, GOUGH_OK, "search further with --stiffness, up to G = %.6g%s, where the %s",
+                   shown_stiffness(t, upper), stiffness_word(t),
+                   t->sampled ? "sampled controller no longer holds the platform at home"
+                              : "loop with drives that lag no longer holds the platform at home");
+}
+
 static void say_floor(const tune *t, const gough_tuning_point *best, gough_error *why) {
     const bool damped = t->ratio ? t->options->damping_ratio > 0 : t->model->control.damping[0] > 0;
+    gough_error how = {0};
+
+    search_further(t, 0, &how);
 
     if (!starts_off(&t->model->initial))
         gough_fail(why, GOUGH_OK,
                    "up to G = %.6g%s the least deviation is %.3g%s, at G = %.6g%s, and it hardly "
-                   "falls any "
-                   "more there; search further with --stiffness, or look for a jump in the program",
+                   "falls any more there; %s, or look for a jump in the program",
                    shown_stiffness(t, t->point[t->tuning->points - 1].stiffness), stiffness_word(t),
                    shown_length(t, best->position_deviation), length_word(t),
-                   shown_stiffness(t, best->stiffness), stiffness_word(t));
+                   shown_stiffness(t, best->stiffness), stiffness_word(t), how.message);
     else if (damped)
         gough_fail(why, GOUGH_OK,
                    "the deviation does not fall with G; it stays at %.3g%s or more: the run starts "
@@ -330,7 +352,9 @@ static void say_floor(const tune *t, const gough_tuning_point *best, gough_error
 static void say_far(const tune *t, const gough_tuning_point *best, double slope, gough_error *why) {
     const double wanted =
         best->stiffness * pow(t->options->deviation / best->position_deviation, 1 / slope);
+    gough_error how = {0};
 
+    search_further(t, wanted, &how);
     gough_fail(why, GOUGH_OK,
                "up to G = %.6g%s the least deviation is %.3g%s; it falls as G^%.2f, so that about "
                "G = %.2g%s would be needed; %s",
@@ -339,7 +363,7 @@ static void say_far(const tune *t, const gough_tuning_point *best, double slope,
                shown_stiffness(t, wanted), stiffness_word(t),
                t->most_steps ? "a run with a larger G takes more than a million steps, so shorten "
                                "simulation.duration"
-                             : "search further with --stiffness");
+                             : how.message);
 }
 
 /* The deviation falls with G, but a loop whose forces are late cannot have the G. */

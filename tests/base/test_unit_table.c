@@ -200,15 +200,23 @@ END_TEST
 
 START_TEST(sentences_are_written_in_units) {
     const gough_units units = inches(), si = gough_units_si();
+    gough_units none = si;
     gough_error error;
+    none.dimensionless = true;
     gough_fail(&error, GOUGH_ERROR_INPUT,
                "at t = %.9g" IN_TIME " it turns by %.3g%s and is %g" IN_LENGTH " long, %d times",
                0.25, 90.0, IN_DEGREES " (degrees)", 0.0508, 3);
     ck_assert_str_eq(error.message,
                      "at t = 0.25 it turns by 90 (degrees) and is 0.0508 long, 3 times");
-    gough_error_say(&error, &si);
+    gough_error_say(&error, &none);
     ck_assert_str_eq(error.message,
                      "at t = 0.25 it turns by 90 (degrees) and is 0.0508 long, 3 times");
+    gough_fail(&error, GOUGH_ERROR_INPUT,
+               "at t = %.9g" IN_TIME " it turns by %.3g%s and is %g" IN_LENGTH " long, %d times",
+               0.25, 90.0, IN_DEGREES " (degrees)", 0.0508, 3);
+    gough_error_say(&error, &si);
+    ck_assert_str_eq(error.message,
+                     "at t = 0.25 s it turns by 90 deg and is 0.0508 m long, 3 times");
     gough_fail(&error, GOUGH_ERROR_INPUT,
                "at t = %.9g" IN_TIME " it turns by %.3g%s and is %g" IN_LENGTH " long, %d times",
                0.25, 90.0, IN_DEGREES " (degrees)", 0.0508, 3);

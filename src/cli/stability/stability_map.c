@@ -297,6 +297,8 @@ gough_status stability_map(const stability_line *asked, const gough_study *study
     if (status) {
         complain_of(line->verb, study, &error);
     } else {
+        for (size_t r = 0; r < report.rows; r++)
+            gough_error_say(&report.map.row[r].error, &report.units);
         find_thresholds(&report);
         report.own_row = find_own_row(&report);
         scale_map(&report);

@@ -149,9 +149,9 @@ static void print_failures(FILE *stream, const map_report *report) {
     for (size_t r = report->rows; r-- > 0;)
         if (report->map.row[r].error.status) failed++, first = r;
     if (failed && map_axis_name(report))
-        fprintf(stream, "\n%zu of %zu rows have no values; the first is at %s %.6g: %s\n", failed,
+        fprintf(stream, "\n%zu of %zu rows have no values; the first is at %s %.6g%s: %s\n", failed,
                 report->rows, map_axis_name(report), report->map.row[first].value,
-                report->map.row[first].error.message);
+                second_unit(report), report->map.row[first].error.message);
 }
 
 /* The period of the controller that a row is for. */

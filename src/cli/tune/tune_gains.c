@@ -267,21 +267,33 @@ static void print_reservations(FILE *stream, const gains_report *report) {
                         integral ? "control.integral" : "");
     }
     if (report->sampled)
-        print_paragraph(stream, "", 0,
-                        "With the study's own controller, sampled every %.6g%s, deviations at rest "
-                        "%s by a factor of %.6g from sample to sample.",
-                        control->sampling.period *
-                            gough_unit_factor(&report->units, GOUGH_UNIT_TIME),
-                        unit_word(&report->units, GOUGH_UNIT_TIME),
-                        report->stable ? "change at most" : "grow", report->radius);
+        print_paragraph(
+            stream, "", 0,
+            "With the study's own controller, sampled every %.6g%s, deviations at rest "
+            "%s by a factor of %.6g from sample to sample.",
+            control->sampling.period * gough_unit_factor(&report->units, GOUGH_UNIT_TIME),
+            unit_word(&report->units, GOUGH_UNIT_TIME),
+            report->stable ? "become smaller, the slowest of them" : "grow", report->radius);
     print_left_out_friction(stream, model);
+}
+
+/* a weight of --lqr with its unit, the square of another */
+static void squared(const gains_report *report, double weight, gough_unit unit, char text[80]) {
+    const char *word = unit_word(&report->study->units, unit);
+
+    if (*word)
+        snprintf(text, 80, "%.10g (%s)^2", weight, word + 1);
+    else
+        snprintf(text, 80, "%.10g", weight);
 }
 
 static void print(FILE *stream, const gains_report *report) {
     const gains_options *asked = report->asked;
     const char *time = unit_word(&report->study->units, GOUGH_UNIT_TIME);
-    char pose[200];
+    char pose[200], length[80], rate[80];
     pose_words(report, pose, sizeof pose);
+    squared(report, asked->lqr[0], GOUGH_UNIT_STIFFNESS, length);
+    squared(report, asked->lqr[1], GOUGH_UNIT_DAMPING, rate);
     print_title(stream, report->study->title);
     if (by_poles(asked))
         print_paragraph(stream, "", 0,
@@ -290,9 +302,9 @@ static void print(FILE *stream, const gains_report *report) {
                         pose, asked->poles[0], *time ? time + 1 : "unit of time", asked->poles[1]);
     else
         print_paragraph(stream, "", 0,
-                        "Gains of least cost at rest (%s) with the weights %.10g of errors of "
-                        "length and %.10g of their rates",
-                        pose, asked->lqr[0], asked->lqr[1]);
+                        "Gains of least cost at rest (%s) with the weights %s of errors of "
+                        "length and %s of their rates",
+                        pose, length, rate);
     fprintf(stream, "%s\n", units_sentence(report->study, &report->units).text);
     print_poles(stream, report);
     print_reservations(stream, report);
