@@ -251,8 +251,8 @@ static inline number group_step(group *g, number raw[STATE_SIZE]) {
     return number_of(0);
 }
 
-/* A sum that is not finite where anything is not; velocities are among the rates, of which there are so many. Four sums side by side, since each addition
- * waits for the one before. */
+/* A sum that is not finite where anything is not; velocities are among the rates, of which there are so many. Four sums side by
+ * side, since each addition waits for the one before. */
 static inline number group_sum(const group *g, const signals *m, int rates) {
     const number *y = g->at[g->now].y, *rate = g->at[g->now].rate, none = number_of(0);
     number sum[4] = {none, none, none, none};

@@ -51,8 +51,8 @@ void sampled_change(const sampled_layout *l, const double *deviation, sampled_st
 /* the determinant of the pose of a state; its condition is infinite if the state has numbers that are not finite */
 double sampled_determinant(const sampled_orbit *o, const sampled_state *state, double *condition);
 
-/* Whether the platform is still on the side of the singular poses where it had the determinant `side`. No real machine moves through
- * a singular pose, so a motion computed beyond one means nothing. */
+/* Whether the platform is still on the side of the singular poses where it had the determinant `side`. No real machine moves
+ * through a singular pose, so a motion computed beyond one means nothing. */
 bool sampled_keeps_its_side(const sampled_orbit *o, const sampled_state *state, double side);
 
 /* product ← A product, with A of n rows */

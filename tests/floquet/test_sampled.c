@@ -130,9 +130,10 @@ START_TEST(runs_return_and_deviate) {
 }
 END_TEST
 
-/* Far above the window a run leaves the program within a period, in modes that grow by 6e4 (heave) and 1.5e8 (sway–tilt). The motion
- * that repeats itself is found all the same: a run of a quarter of a period leads from its state at the beginning of each quarter to
- * that of the next, each found by itself for the program at that phase. Their derivatives, by differences, have the multiplier. */
+/* Far above the window a run leaves the program within a period, in modes that grow by 6e4 (heave) and 1.5e8 (sway–tilt). The
+ * motion that repeats itself is found all the same: a run of a quarter of a period leads from its state at the beginning of each
+ * quarter to that of the next, each found by itself for the program at that phase. Their derivatives, by differences, have the
+ * multiplier. */
 START_TEST(motions_that_the_loop_lets_go) {
     static const char *const phase[4] = {"0.2*sin(t)", "0.2*sin(t + pi/2)", "0.2*sin(t + pi)",
                                          "0.2*sin(t + 3*pi/2)"};
