@@ -89,7 +89,7 @@ expect_code 0 "tune with a load that varies: $(head -2 err)"
 says "With feed-forward stiffness G = "
 run tune own.yaml "${quick[@]}" --set 'external=[{force: [0, 0, sin(3*t)]}]'
 expect_code 2 "tune with a load of another period"
-grep -qF "load 1 does not repeat with the period 1.25663706 of the program" err || fail "tune: $(cat err)"
+grep -qF "load 1 does not repeat with the period 1.25663706 s of the program" err || fail "tune: $(cat err)"
 run check own.yaml --set "$support" --set control.model.external=false
 says "feedforward the program's forces without the external loads"
 run check own.yaml --set "$support"
