@@ -10,7 +10,7 @@ from ._gough import version as __version__
 from ._machine import Accelerations, Conditioning, JointForces, Machine, angles, rotation
 from ._results import End, Page, Result
 from ._study import Study
-from ._verbs import check, forces, simulate
+from ._verbs import check, design, forces, merge, pose, report, simulate, stability, sweep, tune, workspace
 
 __all__ = [
     "Accelerations",
@@ -28,7 +28,15 @@ __all__ = [
     "StudyError",
     "angles",
     "check",
+    "design",
     "forces",
+    "merge",
+    "pose",
+    "report",
     "rotation",
     "simulate",
+    "stability",
+    "sweep",
+    "tune",
+    "workspace",
 ]

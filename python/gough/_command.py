@@ -56,9 +56,8 @@ def run(verb: str, studies: Sequence[Study | str], options: Mapping[str, Any], a
         if study.path is None:
             text = study.text.encode()
         arguments.append(study.path or "-")
-    for study in studies[:1]:
-        if isinstance(study, Study):
-            arguments += [f"--set={key}={value}" for key, value in study.settings.items()]
+    if studies and isinstance(studies[0], Study):
+        arguments += [f"--set={key}={value}" for key, value in studies[0].settings.items()]
     for name, value in options.items():
         name = name.replace("_", "-")
         if value is True:
@@ -70,7 +69,7 @@ def run(verb: str, studies: Sequence[Study | str], options: Mapping[str, Any], a
     done = subprocess.run(arguments, input=text or b"", capture_output=True, check=False)
     said = done.stderr.decode("utf-8", "replace")
     if done.returncode not in (0, 1) or (as_json and not done.stdout):
-        fail(done.returncode, said.replace("standard input", studies[0].name if studies and isinstance(studies[0], Study) else ""))
+        fail(done.returncode, said.replace("standard input:", "study:") if text else said)
     remarks = [line.partition(": ")[2] for line in said.splitlines() if line.startswith("gough ")]
     return done.returncode, json.loads(done.stdout) if as_json else done.stdout, remarks
 

@@ -120,3 +120,271 @@ def simulate(
     return _run(
         "simulate", study, set, law, joints=joints, reactions=reactions, actuators=actuators, dimensionless=dimensionless, precision=precision
     )
+
+
+def stability(
+    study: StudyLike,
+    *,
+    pose: Mapping[str, float] | None = None,
+    lengths: Sequence[float] | None = None,
+    matrix: bool = False,
+    at: float | None = None,
+    sweep_stiffness: Sequence[Any] | None = None,
+    sweep_damping: Sequence[Any] | None = None,
+    sweep_amplitude: Sequence[Any] | None = None,
+    sweep_frequency: Sequence[Any] | None = None,
+    sweep_delay: Sequence[Any] | None = None,
+    sweep_period: Sequence[Any] | None = None,
+    modes: str | None = None,
+    dimensionless: bool = False,
+    threads: int | None = None,
+    output: str | os.PathLike[str] | None = None,
+    set: Settings | None = None,
+) -> Result:
+    """Whether the control law holds the platform.
+
+    Parameters
+    ----------
+    pose, lengths
+        at rest in this pose, by its components from home or by six leg lengths, in the units of the study
+    matrix, at
+        add the matrix of the linearised loop to ``summary``; about the program at the time `at`
+    sweep_stiffness
+        compute a map over the stiffness: (from, to, number), or (from, to, number, "log"), in the units of the study; the columns are
+        those of the map
+    sweep_damping, sweep_amplitude, sweep_frequency, sweep_delay, sweep_period
+        second axis of the map, at most one of them
+    modes
+        map only modes that move in nothing but these: ``"heave"``, ``"sway+tilt"`` …
+    output
+        write the map to this file (.h5 or .csv)
+    dimensionless, threads, set
+        as in `forces`; threads of a map
+
+    Returns a `Result`; an unstable loop is an answer, not an error.
+    """
+    read = as_study(study, set)
+    axes = {
+        "sweep_stiffness": sweep_stiffness,
+        "sweep_damping": sweep_damping,
+        "sweep_amplitude": sweep_amplitude,
+        "sweep_frequency": sweep_frequency,
+        "sweep_delay": sweep_delay,
+        "sweep_period": sweep_period,
+    }
+    options = {
+        "pose": pose and _command.pose_words(pose),
+        "lengths": None if lengths is None else _command.numbers(lengths),
+        "matrix": matrix,
+        "at": None if at is None else _command.number(at),
+        **{name: None if value is None else _command.span(value) for name, value in axes.items()},
+        "modes": modes,
+        "dimensionless": dimensionless,
+        "threads": threads,
+    }
+    return _with_table("stability", read, output, options, table=sweep_stiffness is not None)
+
+
+def tune(
+    study: StudyLike,
+    *,
+    deviation: float | None = None,
+    angle_deviation: float | None = None,
+    damping_ratio: float | None = None,
+    feedforward: str | None = None,
+    margin: float | None = None,
+    stiffness: Sequence[float] | None = None,
+    poles: Sequence[float] | None = None,
+    lqr: Sequence[float] | None = None,
+    pose: Mapping[str, float] | None = None,
+    dimensionless: bool = False,
+    threads: int | None = None,
+    output: str | os.PathLike[str] | None = None,
+    set: Settings | None = None,
+) -> Result:
+    """The least stiffness of the feedback with which the platform stays close to its program.
+
+    Parameters
+    ----------
+    deviation, angle_deviation
+        greatest distance and angle from the program that are allowed, in the units of the study
+    damping_ratio
+        choose the damping too, for this ratio of the least damped mode at home
+    feedforward
+        ``"program"``, ``"none"`` or ``"both"``
+    margin
+        distance to instability, as a fraction of the stiffness
+    stiffness
+        (least, greatest) stiffness to search
+    poles, lqr, pose
+        instead of a search matrices of gains: (frequency, damping ratio) of all modes, or the weights (Q1, Q2); in a pose
+    dimensionless, threads, output, set
+        as in `stability`; `output` is for the curve of the search
+
+    Returns a `Result` whose columns are the curve of deviation over stiffness; ``summary["choices"]`` has the stiffness found.
+    """
+    read = as_study(study, set)
+    gains = poles is not None or lqr is not None
+    options = {
+        "deviation": None if deviation is None else _command.number(deviation),
+        "angle_deviation": None if angle_deviation is None else _command.number(angle_deviation),
+        "damping_ratio": None if damping_ratio is None else _command.number(damping_ratio),
+        "feedforward": feedforward,
+        "margin": None if margin is None else _command.number(margin),
+        "stiffness": None if stiffness is None else _command.span(stiffness),
+        "poles": None if poles is None else _command.numbers(poles),
+        "lqr": None if lqr is None else _command.numbers(lqr),
+        "pose": pose and _command.pose_words(pose),
+        "dimensionless": dimensionless,
+        "threads": threads,
+    }
+    return _with_table("tune", read, output, options, table=not gains)
+
+
+def sweep(
+    study: StudyLike,
+    *,
+    output: str | os.PathLike[str] | None = None,
+    forces: bool = False,
+    sizing: bool = False,
+    shard: tuple[int, int] | None = None,
+    dimensionless: bool = False,
+    lanes: int | None = None,
+    threads: int | None = None,
+    set: Settings | None = None,
+) -> Result:
+    """Many runs of a study, with the numbers that its section `sweep` varies.
+
+    Parameters
+    ----------
+    output
+        file of the table (.h5, .csv, or .shard with `shard`); a sweep that was stopped resumes from it
+    forces
+        the forces along the program in place of simulations
+    sizing
+        add columns for sizing the legs
+    shard
+        (I, N): the I-th of N parts only, into `output`, for `merge`; the result then has no columns
+    lanes, threads
+        runs side by side in a thread; threads
+    dimensionless, set
+        as in `forces`
+
+    Returns a `Result` with a row for each run.
+    """
+    read = as_study(study, set)
+    if shard is not None and output is None:
+        fail(2, "a shard needs `output`, a file whose name ends in .shard")
+    options = {
+        "forces": forces,
+        "sizing": sizing,
+        "shard": shard and f"{shard[0]}/{shard[1]}",
+        "dimensionless": dimensionless,
+        "lanes": lanes,
+        "threads": threads,
+    }
+    return _with_table("sweep", read, output, options)
+
+
+def merge(shards: Sequence[str | os.PathLike[str]], output: str | os.PathLike[str] | None = None) -> Result:
+    """Joins the shards of a sweep, in any order, into the table of the whole sweep; `output` keeps it in a file (.h5 or .csv)."""
+    with tempfile.TemporaryDirectory(prefix="gough-") as folder:
+        path = os.fspath(output) if output is not None else os.path.join(folder, "table.h5")
+        status, summary, remarks = _command.run("merge", [os.fspath(shard) for shard in shards], {"output": path})
+        return from_table("merge", None, path, status, summary, remarks)
+
+
+def pose(
+    study: StudyLike,
+    *,
+    lengths: Sequence[float] | None = None,
+    near: Mapping[str, float] | None = None,
+    all: bool = False,
+    samples: str | os.PathLike[str] | None = None,
+    length_error: float | None = None,
+    output: str | os.PathLike[str] | None = None,
+    set: Settings | None = None,
+) -> Result:
+    """The pose from six leg lengths, with a certificate.
+
+    Parameters
+    ----------
+    lengths
+        six lengths, joint to joint, in the unit of the study
+    near
+        the pose joined to this one in place of home, by its components from home
+    all
+        every pose of these lengths
+    samples, length_error
+        the poses of a record of lengths, a file with the columns t and l1 … l6, whose lengths have this greatest error; the
+        result then has a row for each row of the record
+    output
+        keeps the table of a record in a file
+    set
+        as in `forces`
+
+    Returns a `Result`; ``summary["poses"]`` has the poses. `NumericalError` if no pose can be certified.
+    """
+    read = as_study(study, set)
+    options = {
+        "lengths": None if lengths is None else _command.numbers(lengths),
+        "near": near and _command.pose_words(near),
+        "all": all,
+        "samples": None if samples is None else os.fspath(samples),
+        "length_error": None if length_error is None else _command.number(length_error),
+    }
+    return _with_table("pose", read, output, options, table=samples is not None)
+
+
+def workspace(
+    study: StudyLike, *, surface: bool = False, slice: Sequence[str] | None = None, output: str | os.PathLike[str] | None = None, set: Settings | None = None
+) -> Result:
+    """How far each axis reaches, and the largest box of poses in which all limits are kept.
+
+    Parameters
+    ----------
+    surface
+        add columns: the poses at which lines from home leave the workspace
+    slice
+        two components, such as ``("surge", "heave")``: these columns for the outline in their plane
+    output
+        keeps this table in a file
+    set
+        as in `forces`
+    """
+    read = as_study(study, set)
+    table = surface or slice is not None or output is not None
+    return _with_table("workspace", read, output, {"slice": slice and ",".join(slice)}, table=table)
+
+
+def design(study: StudyLike, *, set: Settings | None = None) -> Result:
+    """Values of the keys under `design.vary` so that the required box of poses is certified and the aim is least.
+
+    Returns a `Result` whose ``study`` is the study with the values found.
+    """
+    read = as_study(study, set)
+    with tempfile.TemporaryDirectory(prefix="gough-") as folder:
+        path = os.path.join(folder, "found.yaml")
+        status, summary, remarks = _command.run("design", [read], {"output": path})
+        found = read
+        if os.path.exists(path):
+            with open(path, encoding="utf-8") as file:
+                found = Study.from_text(file.read(), name=read.name)
+    return Result("design", found, None, summary, status, remarks)
+
+
+def report(studies: StudyLike | Sequence[StudyLike], *, set: Settings | None = None) -> Page:
+    """The page of one study or of several that are compared: the machine in 3D, curves, numbers and a live simulation."""
+    several = [studies] if isinstance(studies, (str, os.PathLike, Mapping, Study)) else list(studies)
+    read = [as_study(study, set) for study in several]
+    with tempfile.TemporaryDirectory(prefix="gough-") as folder:
+        path = os.path.join(folder, "page.html")
+        for number, study in enumerate(read):
+            if study.path is None and len(read) > 1:  # standard input is one study only
+                place = os.path.join(folder, f"{number}.yaml")
+                with open(place, "w", encoding="utf-8") as file:
+                    file.write(study.text)
+                read[number] = Study(place, study.settings)
+        status, _, remarks = _command.run("report", read, {"output": path}, as_json=False)
+        with open(path, encoding="utf-8") as file:
+            return Page(file.read(), status, remarks)

@@ -16,7 +16,7 @@ PyObject *raise_failure(int status, const char *message, const char *key) {
 }
 
 PyObject *raise_error(const gough_error *error) {
-    return raise_failure(error->status, error->message, error->key);
+    return raise_failure((int)error->status, error->message, error->key);
 }
 
 /* ---- columns ---- */
