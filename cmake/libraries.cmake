@@ -20,18 +20,18 @@ file(GLOB GOUGH_FILES_SOURCES CONFIGURE_DEPENDS
 list(APPEND GOUGH_FILES_SOURCES ${PROJECT_SOURCE_DIR}/src/base/crew.c)
 
 # What steps is worth more of the compiler's time; the bits stay.
-set_source_files_properties(src/batch/batch_double.c src/batch/batch_lanes_2.c src/run/run_double.c
+set_source_files_properties(src/batch/batch_double.c src/batch/batch_lanes_2.c src/batch/fleet_lanes_2.c src/run/run_double.c
     src/map/lane_matrices_double.c src/map/lane_matrices_2.c
     PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 
 # Lanes of 4 and 8 have the instructions they need, in files of their own; which of them runs is chosen by the processor.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    set_source_files_properties(src/batch/batch_lanes_4.c src/map/lane_matrices_4.c
+    set_source_files_properties(src/batch/batch_lanes_4.c src/batch/fleet_lanes_4.c src/map/lane_matrices_4.c
         PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx2")
-    set_source_files_properties(src/batch/batch_lanes_8.c src/map/lane_matrices_8.c
+    set_source_files_properties(src/batch/batch_lanes_8.c src/batch/fleet_lanes_8.c src/map/lane_matrices_8.c
         PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>;-mavx512f;-mavx512dq;-mavx512vl")
 else()
-    list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "batch_lanes_[48]\\.c$")
+    list(FILTER GOUGH_CORE_SOURCES EXCLUDE REGEX "(batch|fleet)_lanes_[48]\\.c$")
     list(FILTER GOUGH_ANALYSE_SOURCES EXCLUDE REGEX "lane_matrices_[48]\\.c$")
 endif()
 

@@ -20,7 +20,8 @@ if(NOT GOUGH_PYTHON_FOUND)
 endif()
 
 file(GLOB GOUGH_PYTHON_SOURCES CONFIGURE_DEPENDS python/module/*.c)
-file(GLOB GOUGH_PYTHON_FILES CONFIGURE_DEPENDS python/gough/*.py python/gough/*.pyi python/gough/py.typed)
+file(GLOB GOUGH_PYTHON_FILES CONFIGURE_DEPENDS python/gough/*.py python/gough/py.typed)
+list(APPEND GOUGH_PYTHON_FILES ${PROJECT_SOURCE_DIR}/src/figure/palette.def)
 set(GOUGH_PYTHON_FOLDER ${PROJECT_BINARY_DIR}/python)
 
 # It takes the libraries in, so that a wheel is one file that needs none of them installed.

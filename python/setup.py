@@ -14,7 +14,7 @@ setup(
     version="@PROJECT_VERSION@",
     description="@PROJECT_DESCRIPTION@",
     packages=["gough"],
-    package_data={"gough": ["*.so", "py.typed", "*.pyi", "command/gough"]},
+    package_data={"gough": ["*.so", "py.typed", "palette.def", "command/gough"]},
     install_requires=["numpy"],
     python_requires=">=3.11",
     distclass=Built,

@@ -9,6 +9,7 @@
 #include "gough/design.h"
 #include "gough/dynamics.h"
 #include "gough/fields.h"
+#include "gough/fleet.h"
 #include "gough/floquet.h"
 #include "gough/linear.h"
 #include "gough/map.h"

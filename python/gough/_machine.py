@@ -77,6 +77,27 @@ class JointForces(NamedTuple):
     side: np.ndarray  #: across each leg at the centre of mass of the piston, shape (..., 6)
 
 
+class Followed(NamedTuple):
+    """Poses that were followed to given lengths, with what is certain about them."""
+
+    position: np.ndarray  #: of the origin of the top frame, shape (..., 3), m
+    rotation: np.ndarray  #: shape (..., 3, 3)
+    reached: np.ndarray  #: part of the way that is certain, shape (...): 1 is all of it; NaN if lengths are not above 0
+    margin: np.ndarray  #: 1 for no change, 0 for the greatest that one step can certify, shape (...)
+    position_error: np.ndarray  #: bound of the error of the position, shape (...), m
+    angle_error: np.ndarray  #: bound of the error of the rotation, shape (...), rad
+
+
+class Moved(NamedTuple):
+    """States after steps; shapes are those of the arguments of `Machine.step`."""
+
+    position: np.ndarray  #: m
+    rotation: np.ndarray  #: columns are the axes of the top frame
+    velocity: np.ndarray  #: m/s
+    angular_velocity: np.ndarray  #: rad/s
+    ended: np.ndarray  #: 0, or the place of the reason in `gough.ENDED`: the plant then stays where it ended
+
+
 class Machine:
     """A machine, for many poses in one call.
 
@@ -228,8 +249,81 @@ class Machine:
         given = (position, _UNIT if rotation is None else rotation, velocity, angular_velocity, acceleration, angular_acceleration, None, wrench)
         return JointForces(*self._each(_JOINTS, given, ((6,), (6, 3), (6, 3), (6,))))
 
+    def pose(
+        self,
+        lengths: ArrayLike,
+        position: ArrayLike | None = None,
+        rotation: ArrayLike | None = None,
+        *,
+        follow: bool = False,
+        most_steps: int = 1000,
+    ) -> Followed:
+        """The poses from leg lengths (..., 6) [m] that are joined to known ones, with a certificate (forward kinematics).
+
+        `position` and `rotation` are where each way begins; home if left out. With `follow`, the lengths are a record along the
+        first axis: the first way begins there, and each other where the one before it ended, so that the record is one course.
+        A way that is not certain to its end, because it meets a singular pose or needs more than `most_steps` steps, ends at the
+        last pose that is certain, and its ``reached`` is below 1.
+        """
+        given = np.ascontiguousarray(lengths, dtype=np.float64)
+        if given.shape[-1:] != (6,):
+            raise ValueError(f"lengths must have the shape (..., 6), not {given.shape}")
+        lead = given.shape[:-1]
+        if follow and len(lead) != 1:
+            raise ValueError(f"a record to follow has the shape (rows, 6), not {given.shape}")
+        home = (0, 0, self.height)
+        place = _filled(home if position is None else position, lead + (3,))
+        turn = _filled(_UNIT if rotation is None else rotation, lead + (3, 3))
+        certificate = np.empty(lead + (5,))
+        items = given.size // 6
+        if items:
+            _gough.follow(self._handle, items, self.threads, most_steps, follow, given, place, turn, certificate)
+        return Followed(place, turn, *(certificate[..., i] for i in range(4)))
+
+    def step(
+        self,
+        position: ArrayLike,
+        rotation: ArrayLike | None = None,
+        velocity: ArrayLike = (0, 0, 0),
+        angular_velocity: ArrayLike = (0, 0, 0),
+        force: ArrayLike = (0, 0, 0, 0, 0, 0),
+        wrench: ArrayLike | None = None,
+        *,
+        step: float,
+        steps: int = 1,
+    ) -> Moved:
+        """Moves states by `steps` fixed RK4 steps of `step` [s] under drive forces (..., 6) [N] that are held.
+
+        For many calls with the same number of states `Plants` is quicker, because it keeps them between calls. A drive that lags
+        begins with `force`.
+        """
+        from ._vector import Plants
+
+        place = np.asarray(position, dtype=np.float64)
+        lead = place.shape[:-1]
+        count = int(np.prod(lead, dtype=np.int64))
+
+        def flat(value: ArrayLike, tail: tuple) -> np.ndarray:
+            return _filled(value, lead + tail).reshape((count,) + tail)
+
+        plants = Plants(self.study, count, step, threads=self.threads)
+        turn = flat(_UNIT if rotation is None else rotation, (3, 3))
+        plants.put(
+            position=flat(place, (3,)), rotation=turn, velocity=flat(velocity, (3,)), angular_velocity=flat(angular_velocity, (3,))
+        )
+        plants.move(flat(force, (6,)), steps, None if wrench is None else flat(wrench, (6,)))
+        shown = (plants.position, plants.rotation, plants.velocity, plants.angular_velocity, plants.ended)
+        return Moved(*(np.array(array).reshape(lead + array.shape[1:]) for array in shown))
+
     def __repr__(self) -> str:
         return f"<gough.Machine of {self.study.title or self.study.name!r}>"
+
+
+def _filled(value: ArrayLike, shape: tuple) -> np.ndarray:
+    """A new array of this shape with these numbers."""
+    array = np.empty(shape)
+    array[...] = value
+    return array
 
 
 def _shape(tail: tuple) -> str:
