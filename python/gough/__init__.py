@@ -11,7 +11,7 @@ from ._machine import Accelerations, Conditioning, Followed, JointForces, Machin
 from ._results import End, Page, Result
 from ._study import Study
 from ._vector import ENDED, Box, Plants, VectorEnv
-from ._verbs import check, design, forces, merge, pose, report, simulate, stability, sweep, tune, workspace
+from ._verbs import check, design, example, forces, merge, pose, report, simulate, stability, sweep, tune, workspace
 
 __all__ = [
     "Accelerations",
@@ -36,6 +36,7 @@ __all__ = [
     "angles",
     "check",
     "design",
+    "example",
     "forces",
     "merge",
     "pose",

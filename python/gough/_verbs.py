@@ -388,3 +388,9 @@ def report(studies: StudyLike | Sequence[StudyLike], *, set: Settings | None = N
         status, _, remarks = _command.run("report", read, {"output": path}, as_json=False)
         with open(path, encoding="utf-8") as file:
             return Page(file.read(), status, remarks)
+
+
+def example(name: str) -> Study:
+    """A study of the examples that come with gough, such as ``"paper-heave"``; `gough example` in a shell lists them."""
+    _, text, _ = _command.run("example", [name], {}, as_json=False)
+    return Study.from_text(text.decode(), name=f"{name}.yaml")
