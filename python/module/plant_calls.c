@@ -1,5 +1,5 @@
-/* Poses from lengths, and a fleet of plants that commands move. Numbers are in the units of the model, SI or dimensionless, angles in
- * radians. */
+/* Poses from lengths, and a fleet of plants that commands move. Numbers are in the units of the model, SI or dimensionless, angles
+ * in radians. */
 #define _GNU_SOURCE
 #include <math.h>
 #include <stdlib.h>
@@ -168,8 +168,8 @@ static gough_status put_plant(held_fleet *f, size_t plant, const double *state, 
     return status ? status : gough_fleet_put(f->fleet, plant, &f->machine[plant], &s, error);
 }
 
-/* fleet_put(fleet, plants, states, loads): puts the plants of these numbers into states, eighteen numbers each, with loads of thirteen
- * numbers each or None */
+/* fleet_put(fleet, plants, states, loads): puts the plants of these numbers into states, eighteen numbers each, with loads of
+ * thirteen numbers each or None */
 static PyObject *fleet_put(PyObject *module, PyObject *arguments) {
     PyObject *capsule, *plants, *states, *loads;
     array_view state, load;

@@ -1,5 +1,5 @@
-/* A group of plants side by side, one a lane: fixed steps under commands that are held, constraints kept, limits compared at the end
- * of each step. A lane that has ended is still computed, but keeps its state. Text over the number type. */
+/* A group of plants side by side, one a lane: fixed steps under commands that are held, constraints kept, limits compared at the
+ * end of each step. A lane that has ended is still computed, but keeps its state. Text over the number type. */
 #ifndef GOUGH_BATCH_FLEET_LANES_H
 #define GOUGH_BATCH_FLEET_LANES_H
 

@@ -228,6 +228,15 @@ static gough_status call_plant(void) {
     return status;
 }
 
+static gough_status call_fleet(void) {
+    const gough_machine *machine = &model.machine;
+    void *memory = room(gough_fleet_size(1));
+    simulation.step = 0.05;
+    const gough_status status = gough_fleet_begin(memory, &machine, 1, &simulation, &error);
+    free(memory);
+    return status;
+}
+
 static gough_status call_machine(void) {
     gough_machine machine;
     return gough_machine_init(&machine, &model.machine.platform, &model.machine.load,
@@ -310,7 +319,8 @@ static const struct {
     {"method",
      "simulation.method",
      set_method,
-     {call_check, call_simulate, call_forces, call_batch, call_plant, call_tune, call_flat}},
+     {call_check, call_simulate, call_forces, call_batch, call_plant, call_fleet, call_tune,
+      call_flat}},
     {"precision",
      "simulation.precision",
      set_precision,
