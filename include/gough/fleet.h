@@ -1,7 +1,7 @@
 /** @file fleet.h
  *  Many plants side by side under commands: machines with their drives, moved step by step by controllers of the caller's, such as
- *  for learning. They are computed in the lanes of vector registers and distributed over threads. gough_step() moves one plant, with
- *  the program and the disturbances of a model; a fleet has neither, so that each plant has a time of its own.
+ *  for learning. They are computed in the lanes of vector registers and distributed over threads. gough_step() moves one plant,
+ *  with the program and the disturbances of a model; a fleet has neither, so that each plant has a time of its own.
  *
  *  Numbers are in the units of the machines, angles in radians; frames are those of gough_state. An error argument may be NULL.
  *
@@ -38,8 +38,8 @@ GOUGH_API size_t gough_fleet_size(size_t count);
  *  @param count       number of plants
  *  @param simulation  method (GOUGH_RK4 or GOUGH_DOP853) and fixed step; other members are not used
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT with a sentence for a step that is not above 0 and finite, for another method or adaptive
- *  steps, for a machine with external loads, and for machines that differ in height at home, in whether legs have mass, or in the kind
- *  or order of drives. */
+ *  steps, for a machine with external loads, and for machines that differ in height at home, in whether legs have mass, or in
+ *  the kind or order of drives. */
 GOUGH_API gough_status gough_fleet_begin(void *fleet, const gough_machine *const *machine,
                                          size_t count, const gough_simulation *simulation,
                                          gough_error *error);
