@@ -68,5 +68,7 @@ def messages(text: str) -> list[Message]:
 
 def fail(status: int, text: str, key: str | None = None) -> NoReturn:
     """Raises the exception for a status of the library with what it says."""
+    usage = [line for line in text.splitlines() if not line.startswith("Try `gough")]  # there is no command line here
+    text = "\n".join(line.partition(": ")[2] if re.match(r"gough \w+: (?!error: )", line) else line for line in usage)
     found = messages(text) or [Message(text.strip(), None, None, None, key)]
     raise _CLASSES.get(status, GoughError)(text, found)

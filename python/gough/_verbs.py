@@ -323,7 +323,8 @@ def pose(
     set
         as in `forces`
 
-    Returns a `Result`; ``summary["poses"]`` has the poses. `NumericalError` if no pose can be certified.
+    Returns a `Result`; ``summary["poses"]`` has the poses. If no pose can be certified, ``status`` is 1 and
+    ``summary["message"]`` says why.
     """
     read = as_study(study, set)
     options = {

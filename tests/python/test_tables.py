@@ -7,7 +7,7 @@ import gough
 import numpy as np
 import pytest
 
-QUICK = ["paper-heave", "own-machine", "surge", "flight-simulator-legs", "sampled-heave", "paper-feedback"]
+QUICK = ["paper-heave", "flight-simulator-legs", "sampled-heave"]  # all of them: campaign/test_all_examples.py
 
 
 def columns_of(path):

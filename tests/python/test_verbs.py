@@ -7,7 +7,7 @@ import pytest
 from comparison import columns_of, same
 
 
-@pytest.mark.parametrize("name", ["paper-heave", "own-machine", "flight-simulator-legs", "sampled-heave"])
+@pytest.mark.parametrize("name", ["own-machine", "flight-simulator-legs"])
 def test_check(name, examples, command):
     study = examples / f"{name}.yaml"
     same(gough.check(study), *command("check", study, "--json"))
@@ -57,7 +57,7 @@ def test_pose(examples, command, machine, tmp_path):
     every = gough.pose(study, lengths=lengths, all=True)
     assert any(np.allclose(p["position"], [0.01, 0, 0.29], atol=1e-10) for p in every.summary["poses"])
     lost = gough.pose(study, lengths=0.1 * lengths)
-    assert lost.status == 1 and not lost.summary["poses"] or lost.summary["message"]
+    assert lost.status == 1 and lost.summary["message"] and lost.remarks
     table = gough.forces(machine)
     table.save(tmp_path / "lengths.csv")
     record = gough.pose(machine, samples=tmp_path / "lengths.csv", length_error=1e-9)
@@ -82,7 +82,7 @@ def test_report_is_the_page_of_the_command(examples, command, machine, tmp_path)
 def test_errors_of_the_command(examples, machine):
     with pytest.raises(gough.StudyError, match="six lengths") as caught:
         gough.pose(machine, lengths=[1, 2])
-    assert caught.value.line is None
+    assert caught.value.line is None and caught.value.sentence.startswith("--lengths takes six lengths") and "Try" not in str(caught.value)
     with pytest.raises(gough.StudyError) as caught:
         gough.sweep(machine)
     assert "sweep" in str(caught.value)
