@@ -33,6 +33,7 @@ typedef struct option {
     double period, delay, jitter, cutoff, resolution, noise, preview; /* of the samples */
     bool differences, heavy, coupled;
     double integral, tracking, most, lag, frequency, rate;
+    double rise; /* of the velocity at the beginning, beyond the program's */
     double duration, tolerance;
 } option;
 
@@ -51,6 +52,13 @@ static const option CASES[] = {
      .differences = true,
      .cutoff = 12,
      .duration = 2,
+     .tolerance = 1e-9},
+    {.name = "differences from a rate at the beginning",
+     .period = 0.01,
+     .differences = true,
+     .cutoff = 12,
+     .rise = 0.05,
+     .duration = 1,
      .tolerance = 1e-9},
     {.name = "counts and noise",
      .period = 0.02,
@@ -409,6 +417,9 @@ static void start(second *c, const option *o) {
     gough_program(&model.machine, &model.motion, 0, &state, &unused);
     memcpy(c->state, state.position, sizeof state.position);
     memcpy(c->state + ROTATION, state.rotation, sizeof state.rotation);
+    state.velocity[2] += o->rise;
+    model.initial.velocity_given = o->rise > 0;
+    memcpy(model.initial.velocity, state.velocity, sizeof state.velocity);
     memcpy(c->state + VELOCITY, state.velocity, sizeof state.velocity);
     memcpy(c->state + OMEGA, state.angular_velocity, sizeof state.angular_velocity);
     if (o->period > 0) {

@@ -287,6 +287,73 @@ START_TEST(rows_show_what_holds_a_drive) {
 }
 END_TEST
 
+enum {
+    EVERY = 8,
+    BEAT = 20
+}; /* rows and samples; samples from one jump of the command to the next */
+static const double lag_time = 0.02, greatest_rate = 3, beat = 0.2;
+
+static void jump(void *context, const gough_sample *sample, double command[GOUGH_LEGS]) {
+    (void)context;
+    for (int v = 0; v < GOUGH_LEGS; v++)
+        command[v] = 0.3 + (sample->number / BEAT % 2 ? 0.1 : -0.1);
+}
+
+/* Under a command that jumps up and down the force changes at the greatest rate, either way, until it is within rate T_a of it, and
+ * then by the exponential of the lag; the column sat is 5 till then. */
+static int compare_jumps(void *context, const gough_row *row) {
+    const double t = row->value[GOUGH_T], near = greatest_rate * lag_time;
+    int *rows = context;
+    double f = 0.2, from = 0;
+
+    for (int k = 0; k * beat < t - 1e-9; k++) {
+        const double u = k % 2 ? 0.4 : 0.2, time = fmin(t - k * beat, beat), far = fabs(u - f);
+        const double straight = fmax(far - near, 0) / greatest_rate, sign = u > f ? 1 : -1;
+        from = far - greatest_rate * fmin(time, straight);
+        if (time > straight) from *= exp((straight - time) / lag_time);
+        f = u - sign * from;
+    }
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        ck_assert_msg(fabs(row->value[GOUGH_F + v] - f) <= 1e-8, "t %g: force %.12g, not %.12g", t,
+                      row->value[GOUGH_F + v], f);
+        if (fabs(from - near) > 1e-6 && t > 0)
+            ck_assert_msg(fabs(row->value[GOUGH_SATURATED + v] - (from > near ? 5 : 0)) <= 0,
+                          "t %g: sat %g, %g from the command", t, row->value[GOUGH_SATURATED + v],
+                          from);
+    }
+    rows[from > near]++;
+    return 0;
+}
+
+START_TEST(rates_of_force_are_limited_both_ways) {
+    gough_model *model = model_of(10, 1);
+    gough_platform p = model->machine.platform;
+    gough_simulation s = gough_simulation_default();
+    gough_error error = {0};
+    gough_end end;
+    int rows[2] = {0};
+
+    p.actuators.kind = GOUGH_ACTUATOR_LAG;
+    for (int v = 0; v < GOUGH_LEGS; v++) {
+        p.actuators.time_constant[v] = lag_time;
+        p.actuators.max_rate[v] = greatest_rate;
+    }
+    machine_again(model, &p);
+    set_formula(&model->disturbance.leg_force[1], "0");
+    model->control.sampling.period = beat / BEAT;
+    s.duration = 4 * beat;
+    s.output_step = beat / BEAT / EVERY;
+    s.tolerance = 1e-12;
+    s.commands = s.actuators = true;
+    s.law = jump;
+    ck_assert_msg(gough_simulate(model, &s, compare_jumps, rows, &end, &error) == GOUGH_OK, "%s%s",
+                  error.message, end.message);
+    ck_assert_int_gt(rows[1], 3 * 30);
+    ck_assert_int_gt(rows[0], 3 * 30);
+    free(model);
+}
+END_TEST
+
 /* work of the legs = change of kinetic and potential energy, though forces jump at each sample */
 START_TEST(work_is_what_energy_gains) {
     gough_model *model = model_of(20, 2);
@@ -467,6 +534,7 @@ int main(void) {
     return SUITE_RUN("sampled", 60, a_short_period_is_nearly_continuous,
                      the_callers_law_may_be_the_librarys, the_callers_law_counts,
                      a_plant_moves_as_a_run, a_plant_ends_and_refuses, rows_show_what_holds_a_drive,
-                     work_is_what_energy_gains, summaries_count_how_long_drives_are_held,
+                     rates_of_force_are_limited_both_ways, work_is_what_energy_gains,
+                     summaries_count_how_long_drives_are_held,
                      summaries_have_the_largest_error_of_a_sample);
 }
