@@ -9,29 +9,29 @@ enum { LINEAR = 12, RATES = 6, RESULTS = 2 * LEGS, CORNERS = 1 << (RATES - 1) };
 
 /* forces of the six legs, then second rates of their lengths */
 typedef struct outcome {
-    affine x[RESULTS];
+    taylor x[RESULTS];
 } outcome;
 
 typedef struct asker {
     const burden *b;
     const stiff *J;
-    affine D[6][6];            /* J J_c⁻¹ − 1 */
+    taylor D[6][6];            /* J J_c⁻¹ − 1 */
     double size[6][6], norm;   /* moduli of it, and the greatest sum over a column */
-    double square[6], cube[6]; /* sums over a row of the square and the cube of |D|ᵀ */
+    double cube[6], fourth[6]; /* sums over a row of the cube and the fourth power of |D|ᵀ */
     asked_parts parts;
 } asker;
 
-/* ---- (space-13): f = u − Dᵀu + (Dᵀ)²u − (Dᵀ)³f with u = J_c⁻ᵀ w ---- */
+/* ---- (space-13): f = u − Dᵀu + (Dᵀ)²u − (Dᵀ)³u + (Dᵀ)⁴f with u = J_c⁻ᵀ w ---- */
 
 static void asker_begin(asker *a, const burden *b, const stiff *J, asked_parts parts) {
     *a = (asker){.b = b, .J = J, .parts = parts};
     for (int i = 0; i < 6 && parts.force; i++) {
         for (int j = 0; j < 6; j++) {
-            affine sum = affine_of(i == j ? -1 : 0);
+            taylor sum = taylor_of(i == j ? -1 : 0);
             for (int m = 0; m < 6; m++)
-                sum = affine_add(sum, affine_scale(J->inverse[m][j], J->row[i][m]));
+                sum = taylor_add(sum, taylor_scale(J->inverse[m][j], J->row[i][m]));
             a->D[i][j] = sum;
-            a->size[i][j] = affine_magnitude(&sum);
+            a->size[i][j] = taylor_magnitude(&sum);
         }
     }
     double sum[6];
@@ -40,50 +40,51 @@ static void asker_begin(asker *a, const burden *b, const stiff *J, asked_parts p
         for (int i = 0; i < 6; i++) sum[j] += a->size[i][j];
         if (!(sum[j] <= a->norm)) a->norm = sum[j];
     }
+    double square[6] = {0};
     for (int i = 0; i < 6; i++)
-        for (int j = 0; j < 6; j++) a->square[i] += a->size[j][i] * sum[j] * (1 + 8 * ROUNDED);
+        for (int j = 0; j < 6; j++) square[i] += a->size[j][i] * sum[j] * (1 + 8 * ROUNDED);
     for (int i = 0; i < 6; i++)
-        for (int j = 0; j < 6; j++) a->cube[i] += a->size[j][i] * a->square[j] * (1 + 8 * ROUNDED);
+        for (int j = 0; j < 6; j++) a->cube[i] += a->size[j][i] * square[j] * (1 + 8 * ROUNDED);
+    for (int i = 0; i < 6; i++)
+        for (int j = 0; j < 6; j++) a->fourth[i] += a->size[j][i] * a->cube[j] * (1 + 8 * ROUNDED);
 }
 
 /* Dᵀ x */
-static void turned_by(const asker *a, const affine x[6], affine to[6]) {
+static void turned_by(const asker *a, const taylor x[6], taylor to[6]) {
     for (int i = 0; i < 6; i++) {
-        to[i] = affine_of(0);
-        for (int j = 0; j < 6; j++) to[i] = affine_add(to[i], affine_times(a->D[j][i], x[j]));
+        to[i] = taylor_of(0);
+        for (int j = 0; j < 6; j++) to[i] = taylor_add(to[i], taylor_times(a->D[j][i], x[j]));
     }
 }
 
-static void solve_forces(const asker *a, const affine wrench[6], affine f[6]) {
-    affine u[6];
+static void solve_forces(const asker *a, const taylor wrench[6], taylor f[6]) {
+    taylor u[6];
     double greatest = 0;
     for (int i = 0; i < 6; i++) {
-        u[i] = affine_of(0);
+        u[i] = taylor_of(0);
         for (int m = 0; m < 6; m++)
-            u[i] = affine_add(u[i], affine_scale(a->J->inverse[m][i], wrench[m]));
-        greatest = fmax(greatest, affine_magnitude(&u[i]));
+            u[i] = taylor_add(u[i], taylor_scale(a->J->inverse[m][i], wrench[m]));
+        greatest = fmax(greatest, taylor_magnitude(&u[i]));
     }
     const double most = a->norm < 1 ? greatest / (1 - a->norm) * (1 + 4 * ROUNDED) : INFINITY;
-    affine once[6], twice[6];
+    taylor once[6], twice[6];
     turned_by(a, u, once);
     turned_by(a, once, twice);
+    double size[6];
+    for (int j = 0; j < 6; j++) size[j] = taylor_magnitude(&twice[j]);
     for (int i = 0; i < 6; i++) {
-        /* what is left after the second term, or after the third */
-        const double two = a->square[i] * most,
-                     three = affine_magnitude(&twice[i]) + a->cube[i] * most;
-        f[i] = affine_less(u[i], once[i]);
-        if (two < three)
-            f[i].r += two * (1 + 16 * ROUNDED);
-        else {
-            f[i] = affine_add(f[i], twice[i]);
-            f[i].r += a->cube[i] * most * (1 + 16 * ROUNDED);
-        }
+        /* what is left: (Dᵀ)³ f, or (Dᵀ)³ u and (Dᵀ)⁴ f */
+        double third = 0;
+        for (int j = 0; j < 6; j++) third += a->size[j][i] * size[j];
+        const double rest = fmin(a->cube[i] * most, third + a->fourth[i] * most);
+        f[i] = taylor_add(taylor_less(u[i], once[i]), twice[i]);
+        f[i].r += rest * (1 + 16 * ROUNDED);
     }
 }
 
 static void find_outcome(const asker *a, const effort *e, outcome *to) {
-    affine wrench[6];
-    for (int i = 0; i < RESULTS; i++) to->x[i] = affine_of(0);
+    taylor wrench[6];
+    for (int i = 0; i < RESULTS; i++) to->x[i] = taylor_of(0);
     if (a->parts.force) {
         burden_wrench(a->b, e, wrench);
         solve_forces(a, wrench, to->x);
@@ -96,21 +97,21 @@ static void find_outcome(const asker *a, const effort *e, outcome *to) {
 
 /* Greatest and least value so far: numbers that depend on the pose, and what is bounded over the box only. */
 typedef struct range {
-    affine up, down;
+    taylor up, down;
     double more, less; /* ≥ 0: added above, taken away below, where the pose asks for it or not */
     double sure_more, sure_less; /* of this, what is there in every pose */
 } range;
 
 /* (space-14): a part that may have either sign, as large as `size` */
-static void range_either(range *r, affine part, double size) {
-    const double spread = affine_spread(&part);
-    const affine scaled = affine_scale(part.c < 0 ? -size : size, part);
+static void range_either(range *r, taylor part, double size) {
+    const double spread = taylor_spread(&part);
+    const taylor scaled = taylor_scale(part.c < 0 ? -size : size, part);
     if (fabs(part.c) >= spread) {
-        r->up = affine_add(r->up, scaled);
-        r->down = affine_less(r->down, scaled);
+        r->up = taylor_add(r->up, scaled);
+        r->down = taylor_less(r->down, scaled);
     } else {
-        r->more += size * affine_magnitude(&part);
-        r->less += size * affine_magnitude(&part);
+        r->more += size * taylor_magnitude(&part);
+        r->less += size * taylor_magnitude(&part);
     }
 }
 
@@ -155,10 +156,10 @@ static void find_forms(const asker *a, form forms[RESULTS]) {
             find_outcome(a, &e, &both);
             if (j == k) own[j] = both;
             for (int i = 0; i < RESULTS; i++) {
-                affine x = both.x[i];
-                if (j != k) x = affine_less(x, affine_add(own[j].x[i], own[k].x[i]));
+                taylor x = both.x[i];
+                if (j != k) x = taylor_less(x, taylor_add(own[j].x[i], own[k].x[i]));
                 forms[i].c[j][k] = size * x.c;
-                forms[i].spread += size * (affine_spread(&x) + ROUNDED * fabs(x.c));
+                forms[i].spread += size * (taylor_spread(&x) + ROUNDED * fabs(x.c));
             }
         }
     }
@@ -210,12 +211,12 @@ static void find_ranges(const asker *a, range extreme[RESULTS]) {
 }
 
 static over_box upper(const range *r) {
-    return (over_box){affine_least(&r->up) + r->sure_more, affine_most(&r->up) + r->more, r->up,
+    return (over_box){taylor_least(&r->up) + r->sure_more, taylor_most(&r->up) + r->more, r->up,
                       r->sure_more, r->more};
 }
 static over_box lower_turned(const range *r) {
-    return (over_box){r->sure_less - affine_most(&r->down), r->less - affine_least(&r->down),
-                      affine_scale(-1, r->down), r->sure_less, r->less};
+    return (over_box){r->sure_less - taylor_most(&r->down), r->less - taylor_least(&r->down),
+                      taylor_scale(-1, r->down), r->sure_less, r->less};
 }
 
 /* (mass-13): what friction of a moving leg adds at most to a force that lies between two */
@@ -235,15 +236,15 @@ static over_box speed_of(const space *s, const stiff *J, int v) {
     effort most = effort_most(s->reach);
     over_box speed = {.least = 0, .most = 0};
     for (int j = 0; j < RATES; j++) {
-        const affine *x = &J->row[v][j];
+        const taylor *x = &J->row[v][j];
         const double size = *rate_demand(&most, j) * (j < 3 ? 1 : s->h.reach);
-        speed.most += size * affine_magnitude(x) * (1 + 8 * ROUNDED);
-        speed.least += size * fmax(0, fabs(x->c) - affine_spread(x)) * (1 - 8 * ROUNDED);
+        speed.most += size * taylor_magnitude(x) * (1 + 8 * ROUNDED);
+        speed.least += size * fmax(0, fabs(x->c) - taylor_spread(x)) * (1 - 8 * ROUNDED);
     }
     return speed;
 }
 
-void asked_of(const space *s, const box_view *view, const affine_vector n[LEGS], const stiff *J,
+void asked_of(const space *s, const box_view *view, const taylor_vector n[LEGS], const stiff *J,
               asked_parts parts, asked_of_leg asked[LEGS]) {
     burden b;
     asker a;

@@ -9,7 +9,7 @@
 /* The greatest value over all motions and loads that are asked for, as a number that depends on the pose. */
 typedef struct over_box {
     double least, most; /* bounds of it over the box */
-    affine near;        /* of forces: they lie between near + sure and near + above */
+    taylor near;        /* of forces: they lie between near + sure and near + above */
     double sure, above;
 } over_box;
 
@@ -19,7 +19,7 @@ typedef struct asked_of_leg {
     over_box acceleration; /* greatest |second rate| */
 } asked_of_leg;
 
-void asked_of(const space *s, const box_view *view, const affine_vector n[LEGS], const stiff *J,
+void asked_of(const space *s, const box_view *view, const taylor_vector n[LEGS], const stiff *J,
               asked_parts parts, asked_of_leg asked[LEGS]);
 
 #endif

@@ -15,8 +15,8 @@ static void test_lengths(const space *s, const box_view *view, judge *j) {
         double bound[2];
         if (!(limit[0] > 0) && !(limit[1] < INFINITY)) continue;
         if (s->parts_wanted) {
-            const affine l = box_length(view, v), few = affine_less(l, affine_of(limit[0])),
-                         many = affine_less(affine_of(limit[1]), l);
+            const taylor l = box_length(view, v), few = taylor_less(l, taylor_of(limit[0])),
+                         many = taylor_less(taylor_of(limit[1]), l);
             judge_slope(j, &few, 0, 0, size, GOUGH_BIND_SHORTEST, v);
             if (limit[1] < INFINITY) judge_slope(j, &many, 0, 0, size, GOUGH_BIND_LONGEST, v);
             continue;
@@ -31,16 +31,16 @@ static void test_lengths(const space *s, const box_view *view, judge *j) {
 static void test_pose(const space *s, const box_view *view, judge *j) {
     const gough_limits *l = &s->reach->limits;
     const vector arm = subtract(vector_of(l->about), s->about);
-    affine_vector point = box_shifted(view), turned = box_turned(view, out_of(&view->R, arm));
+    taylor_vector point = box_shifted(view), turned = box_turned(view, out_of(&view->R, arm));
     const double home[3] = {arm.x, arm.y, arm.z};
 
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         double least = view->centre[c] - view->half[c], most = view->centre[c] + view->half[c];
         if (!(l->pose[c][0] > -INFINITY) && !(l->pose[c][1] < INFINITY)) continue;
         if (c < 3) {
-            const affine way = affine_less(turned.x[c], affine_of(home[c]));
-            const affine moved = affine_add(point.x[c], way);
-            least = affine_least(&moved), most = affine_most(&moved);
+            const taylor way = taylor_less(turned.x[c], taylor_of(home[c]));
+            const taylor moved = taylor_add(point.x[c], way);
+            least = taylor_least(&moved), most = taylor_most(&moved);
         }
         const double size = fmax(fabs(l->pose[c][0]), fabs(l->pose[c][1])),
                      finite = size < INFINITY ? size : 1;
@@ -50,19 +50,19 @@ static void test_pose(const space *s, const box_view *view, judge *j) {
 }
 
 /* (space-6): the cosine of the angle between two directions against that of its limit */
-static void test_angle(const affine_vector *a, const affine_vector *b, double most, gough_bind bind,
+static void test_angle(const taylor_vector *a, const taylor_vector *b, double most, gough_bind bind,
                        int v, judge *j) {
-    const affine cosine = affine_dot(a, b);
+    const taylor cosine = taylor_dot(a, b);
     const double limit = cos(most);
-    const affine margin = affine_less(cosine, affine_of(limit));
+    const taylor margin = taylor_less(cosine, taylor_of(limit));
     judge_slope(j, &margin, 0, 0, 1 - limit, bind, v);
 }
 
-static void test_swing(const space *s, const box_view *view, const affine_vector n[LEGS],
+static void test_swing(const space *s, const box_view *view, const taylor_vector n[LEGS],
                        judge *j) {
     const gough_limits *l = &s->reach->limits;
     for (int v = 0; v < LEGS; v++) {
-        affine_vector still, turned;
+        taylor_vector still, turned;
         box_home_directions(s, view, v, &still, &turned);
         if (l->base_swing[v] < REAL_PI)
             test_angle(&n[v], &still, l->base_swing[v], GOUGH_BIND_BASE_SWING, v, j);
@@ -72,7 +72,7 @@ static void test_swing(const space *s, const box_view *view, const affine_vector
 }
 
 /* (space-9), (space-10): the sign of the determinant, and the least singular value */
-static void test_singular(const space *s, const stiff *J, judge *j) {
+static void test_singular(const space *s, stiff *J, judge *j) {
     const double least = s->reach->asked.least_singular_value;
     const int side = stiff_side(J);
     if (side == 0)
@@ -80,11 +80,12 @@ static void test_singular(const space *s, const stiff *J, judge *j) {
     else if (side != s->reach->side)
         judge_whole(j, -1, -1, 1, GOUGH_BIND_SINGULAR, 0);
     if (!(least > 0)) return;
+    if (J->least[0] < least && J->least[1] >= least && J->spread > 0) stiff_refine(J, false);
     judge_whole(j, J->least[0] - least, J->least[1] - least, least, GOUGH_BIND_SINGULAR_VALUE, 0);
 }
 
 /* (space-16): distances of legs against their thickness */
-static void test_clearance(const space *s, const box_view *view, const affine_vector n[LEGS],
+static void test_clearance(const space *s, const box_view *view, const taylor_vector n[LEGS],
                            judge *j) {
     const double *diameter = s->reach->limits.diameter;
     for (int v = 0; v < LEGS; v++) {
@@ -103,12 +104,12 @@ static void test_clearance(const space *s, const box_view *view, const affine_ve
 /* a limit less a force, which lies between near + least and near + most */
 static void judge_force(judge *j, double limit, const over_box *force, double weight,
                         gough_bind bind, int v) {
-    const affine margin = affine_less(affine_of(limit), force->near);
+    const taylor margin = taylor_less(taylor_of(limit), force->near);
     judge_slope(j, &margin, force->above, force->sure, weight, bind, v);
 }
 
 /* rates, accelerations and forces of legs for the motions and loads that are asked for */
-static void test_asked(const space *s, const box_view *view, const affine_vector n[LEGS],
+static void test_asked(const space *s, const box_view *view, const taylor_vector n[LEGS],
                        const stiff *J, judge *j) {
     const gough_limits *l = &s->reach->limits;
     asked_of_leg asked[LEGS];
@@ -132,7 +133,7 @@ static void test_asked(const space *s, const box_view *view, const affine_vector
 }
 
 judge box_judge(const space *s, const box_view *view) {
-    affine_vector n[LEGS];
+    taylor_vector n[LEGS];
     judge j = judge_begin();
     stiff J;
 

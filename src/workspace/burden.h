@@ -17,24 +17,24 @@ typedef struct effort {
 /* The top over the box, made once for all motions. */
 typedef struct burden {
     const space *s;
-    affine_vector column[3]; /* R, its columns */
-    affine_vector center;    /* the centre of mass from the top frame's origin */
-    affine_vector arm[LEGS]; /* top joints likewise */
-    affine_vector n[LEGS];   /* directions of the legs */
-    affine length[LEGS], inverse[LEGS];
-    affine across[LEGS], more[LEGS], tilt[LEGS]; /* (mass-1), (mass-2): τ, μ − τ, β/l */
-    affine turning[LEGS];                        /* I_t */
+    taylor_vector column[3]; /* R, its columns */
+    taylor_vector center;    /* the centre of mass from the top frame's origin */
+    taylor_vector arm[LEGS]; /* top joints likewise */
+    taylor_vector n[LEGS];   /* directions of the legs */
+    taylor length[LEGS], inverse[LEGS];
+    taylor across[LEGS], more[LEGS], tilt[LEGS]; /* (mass-1), (mass-2): τ, μ − τ, β/l */
+    taylor turning[LEGS];                        /* I_t */
 } burden;
 
 /* the greatest of what is asked for, each by itself */
 effort effort_most(const gough_reach *reach);
 
-void burden_of(const space *s, const box_view *view, const affine_vector n[LEGS], burden *b);
+void burden_of(const space *s, const box_view *view, const taylor_vector n[LEGS], burden *b);
 
 /* force, and moment divided by the mean distance of the top joints: what the legs have to give together */
-void burden_wrench(const burden *b, const effort *e, affine wrench[6]);
+void burden_wrench(const burden *b, const effort *e, taylor wrench[6]);
 
 /* (legs-6): acceleration of the length of leg v */
-affine burden_second_rate(const burden *b, const effort *e, int v);
+taylor burden_second_rate(const burden *b, const effort *e, int v);
 
 #endif

@@ -36,71 +36,71 @@ static double least_along(const space *s, const box_view *view, vector e, int v,
 
 /* One leg over the box: its point nearest to another, of which `part` is where at the centre, and its vector. */
 typedef struct side {
-    affine_vector at, leg;
+    taylor_vector at, leg;
     bool inner; /* the point lies between its ends */
     double part;
 } side;
 
-static side side_of(const space *s, const box_view *view, const affine_vector n[LEGS], int v,
+static side side_of(const space *s, const box_view *view, const taylor_vector n[LEGS], int v,
                     double part) {
-    const affine_vector arm = box_turned(view, view->arm[v]), moved = box_shifted(view);
+    const taylor_vector arm = box_turned(view, view->arm[v]), moved = box_shifted(view);
     const double base[3] = {s->h.base[v].x, s->h.base[v].y, s->h.base[v].z};
     const double home[3] = {s->home.x, s->home.y, s->home.z};
-    side one = {affine_still(base), n[v], part > 1e-9 && part < 1 - 1e-9, part};
+    side one = {taylor_still(base), n[v], part > 1e-9 && part < 1 - 1e-9, part};
     for (int i = 0; i < 3; i++) {
-        affine *x = &one.leg.x[i];
-        *x = affine_add(affine_add(affine_of(home[i]), moved.x[i]),
-                        affine_less(arm.x[i], one.at.x[i]));
+        taylor *x = &one.leg.x[i];
+        *x = taylor_add(taylor_add(taylor_of(home[i]), moved.x[i]),
+                        taylor_less(arm.x[i], one.at.x[i]));
         x->r += 2 * view->rounding;
-        if (!one.inner && part > 0.5) one.at.x[i] = affine_add(one.at.x[i], *x);
+        if (!one.inner && part > 0.5) one.at.x[i] = taylor_add(one.at.x[i], *x);
     }
     return one;
 }
 
 /* takes off a vector what it has along a direction, exactly in every pose */
-static affine_vector across(const affine_vector *a, const affine_vector *n) {
-    const affine_vector once = affine_cross(a, n);
-    return affine_cross(n, &once);
+static taylor_vector across(const taylor_vector *a, const taylor_vector *n) {
+    const taylor_vector once = taylor_cross(a, n);
+    return taylor_cross(n, &once);
 }
 
 /* by how much the other end of a leg may lie nearer to the other leg than its point; sign: 1 if u points towards the leg */
-static double overhang(const side *one, const affine_vector *u, double sign) {
+static double overhang(const side *one, const taylor_vector *u, double sign) {
     if (one->inner) return 0;
-    const affine along = affine_dot(u, &one->leg);
-    const affine away = affine_scale(one->part > 0.5 ? sign : -sign, along);
-    return fmax(0, affine_most(&away));
+    const taylor along = taylor_dot(u, &one->leg);
+    const taylor away = taylor_scale(one->part > 0.5 ? sign : -sign, along);
+    return fmax(0, taylor_most(&away));
 }
 
 /* (space-16): planes across u, at right angles to the legs of which an inner point is nearest, part the two legs */
-static double apart(const space *s, const box_view *view, const affine_vector n[LEGS], int v, int w,
+static double apart(const space *s, const box_view *view, const taylor_vector n[LEGS], int v, int w,
                     const double part[2]) {
     const side a = side_of(s, view, n, v, part[0]), b = side_of(s, view, n, w, part[1]);
-    affine_vector between, u;
-    for (int i = 0; i < 3; i++) between.x[i] = affine_less(b.at.x[i], a.at.x[i]);
+    taylor_vector between, u;
+    for (int i = 0; i < 3; i++) between.x[i] = taylor_less(b.at.x[i], a.at.x[i]);
     u = between;
     if (a.inner && b.inner)
-        u = affine_cross(&n[v], &n[w]);
+        u = taylor_cross(&n[v], &n[w]);
     else if (a.inner || b.inner)
         u = across(&between, &n[a.inner ? v : w]);
-    const affine size = affine_root(affine_dot(&u, &u)), share = affine_inverse(size);
-    const affine distance = affine_times(affine_dot(&u, &between), share);
+    const taylor size = taylor_root(taylor_dot(&u, &u)), share = taylor_inverse(size);
+    const taylor distance = taylor_times(taylor_dot(&u, &between), share);
     if (a.inner && b.inner)
-        return distance.c < 0 ? -affine_most(&distance) : affine_least(&distance);
+        return distance.c < 0 ? -taylor_most(&distance) : taylor_least(&distance);
     const double over = overhang(&a, &u, 1) + overhang(&b, &u, -1);
-    return affine_least(&distance) - over * affine_magnitude(&share);
+    return taylor_least(&distance) - over * taylor_magnitude(&share);
 }
 
 /* (space-20): legs as rays from their base joints, or from their top joints, which keep their distance D: they come no nearer than
  * D √(1 − (ε_v² + ε_w²)/(1 − c)), if they lean towards each other by ε and the cosine between them is at most c ≥ 0. */
-static double rays_apart(const box_view *view, const affine_vector n[LEGS], int v, int w,
+static double rays_apart(const box_view *view, const taylor_vector n[LEGS], int v, int w,
                          vector way, bool of_top) {
     const double D = norm(way), u[3] = {way.x, way.y, way.z};
-    const affine_vector turned = of_top ? box_turned(view, way) : affine_still(u);
-    const affine one = affine_dot(&n[v], &turned), two = affine_dot(&n[w], &turned),
-                 cosine = affine_dot(&n[v], &n[w]);
-    const double lean_v = fmax(0, of_top ? -affine_least(&one) : affine_most(&one)) / D,
-                 lean_w = fmax(0, of_top ? affine_most(&two) : -affine_least(&two)) / D,
-                 open = 1 - fmax(0, affine_most(&cosine));
+    const taylor_vector turned = of_top ? box_turned(view, way) : taylor_still(u);
+    const taylor one = taylor_dot(&n[v], &turned), two = taylor_dot(&n[w], &turned),
+                 cosine = taylor_dot(&n[v], &n[w]);
+    const double lean_v = fmax(0, of_top ? -taylor_least(&one) : taylor_most(&one)) / D,
+                 lean_w = fmax(0, of_top ? taylor_most(&two) : -taylor_least(&two)) / D,
+                 open = 1 - fmax(0, taylor_most(&cosine));
     const double left = 1 - (lean_v * lean_v + lean_w * lean_w) / open * (1 + 16 * ROUNDED);
     return D > 0 && open > 0 && left > 0 ? D * sqrt(left) * (1 - 4 * ROUNDED) - 4 * view->rounding
                                          : 0;
@@ -114,7 +114,7 @@ static double apart_along(const space *s, const box_view *view, vector e, int v,
 /* From below: in any direction, legs are apart by no more than their distance; first the direction of the shortest way at the
  * centre, then as rays, then a direction that turns with the pose. From above: the two points that are nearest at the centre,
  * each of which moves by its part of what its top joint moves. */
-void clearance_of(const space *s, const box_view *view, const affine_vector n[LEGS], int v, int w,
+void clearance_of(const space *s, const box_view *view, const taylor_vector n[LEGS], int v, int w,
                   double enough, double bound[2]) {
     const vector a = scale(view->g.length[v], view->g.n[v]),
                  b = scale(view->g.length[w], view->g.n[w]);

@@ -8,7 +8,7 @@
 bool clearance_is_joint(const space *s, int v, int w);
 
 /* bounds of the distance of the axes of legs v and w over the box; one from below that is at least `enough` may be coarse */
-void clearance_of(const space *s, const box_view *view, const affine_vector n[LEGS], int v, int w,
+void clearance_of(const space *s, const box_view *view, const taylor_vector n[LEGS], int v, int w,
                   double enough, double bound[2]);
 
 #endif

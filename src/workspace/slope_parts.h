@@ -2,8 +2,8 @@
 #ifndef GOUGH_WORKSPACE_SLOPE_PARTS_H
 #define GOUGH_WORKSPACE_SLOPE_PARTS_H
 
-#include "workspace/affine.h"
 #include "workspace/judge.h"
+#include "workspace/taylor.h"
 
 /* what the part of a box is computed with error of at most, and a slope below this part of the greatest counts as rest */
 static const double PART_ROUNDED = 1e-8, NO_SLOPE = 1e-3;
@@ -31,11 +31,11 @@ static inline double part_below(const double g[3], double t) {
 
 /* judge_margin() for a margin that lies between m − low and m − high; which part of a box of positions is decided follows from
  * its slopes */
-static inline void judge_slope(judge *j, const affine *m, double low, double high, double size,
+static inline void judge_slope(judge *j, const taylor *m, double low, double high, double size,
                                gough_bind bind, int which) {
     const gough_verdict verdict =
-        judge_margin(j, affine_least(m) - low, affine_most(m) - high, size, bind, which);
-    double rest = m->r + ROUNDED * fabs(m->c), greatest = 0;
+        judge_margin(j, taylor_least(m) - low, taylor_most(m) - high, size, bind, which);
+    double rest = m->r + taylor_curve(m) + ROUNDED * fabs(m->c), greatest = 0;
     if (verdict != GOUGH_UNDECIDED) return;
     for (int k = 0; k < 3; k++) greatest = fmax(greatest, fabs(m->g[k]));
     for (int k = 0; k < SIDES; k++)

@@ -1,4 +1,4 @@
-/* Boxes of poses: first order exactly, second order bounded, (space-1) … (space-5). Theory: docs/theory/workspace.md. */
+/* Boxes of poses: first and second order exactly, third order bounded, (space-1) … (space-5). Theory: docs/theory/workspace.md. */
 #define NUMBER_DOUBLE
 #include "workspace/space.h"
 
@@ -80,23 +80,29 @@ static void find_turn(const space *s, box_view *view) {
     const double tilt = fmin(1, fabs(sin(view->centre[GOUGH_PITCH])) + w[1]);
     const double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2] + 2 * w[0] * w[2] * tilt;
     const double twist = w[outer] * w[1] + w[inner] * sqrt(w[outer] * w[outer] + w[1] * w[1]);
+    const double sum = w[0] + w[1] + w[2];
     view->turn = sqrt(square) * UPWARDS;
     view->bend = (square + twist) * UPWARDS;
+    view->twist = sum * sum * sum * UPWARDS;
+    view->yaw_outside = outer == 2;
 }
 
-/* (space-4): l = l_c ± (Σ |n·∂q_k| + ½ (v²/l_min + |arm| β)) */
+/* (space-4): −(Σ |n·∂q_k| + ½ |arm| β) ≤ l − l_c ≤ Σ |n·∂q_k| + ½ (v²/l_c + |arm| β) */
 static void find_lengths(box_view *view, int v) {
     const double l = view->g.length[v], moved = view->moved[v],
                  least = l - moved - 2 * view->rounding;
-    double wide = 0, slope[SIDES];
-    view->shortest[v] = least;
-    view->wide[v] = INFINITY;
-    if (!(least > 0)) return;
-    box_length_slopes(view, v, slope);
-    for (int k = 0; k < SIDES; k++) wide += fabs(slope[k]);
-    wide += 0.5 * (moved * moved / least + norm(view->arm[v]) * view->bend);
-    view->wide[v] = wide * UPWARDS + 2 * view->rounding;
-    view->shortest[v] = fmax(least, l - view->wide[v]);
+    const vector n = view->g.n[v];
+    double first = 0, along_way = 0;
+    for (int k = 0; k < SIDES; k++) {
+        const double slope = dot(n, box_joint_slope(view, v, k));
+        first += fabs(slope);
+        if (view->way) along_way += view->way[k] < 0 ? -slope : slope;
+    }
+    if (view->way) first = fabs(along_way);
+    first += 0.5 * norm(view->arm[v]) * view->bend;
+    view->less[v] = first * UPWARDS + 2 * view->rounding;
+    view->more[v] = (first + 0.5 * moved * moved / l) * UPWARDS + 2 * view->rounding;
+    view->shortest[v] = fmax(least, l - view->less[v]);
 }
 
 void box_view_of(const space *s, const gough_box *box, box_view *view) {
@@ -129,47 +135,69 @@ void box_view_of(const space *s, const gough_box *box, box_view *view) {
     for (int v = 0; v < LEGS; v++) find_lengths(view, v);
 }
 
-static void put(affine_vector *a, int k, vector slope) {
+static void put(taylor_vector *a, int k, vector slope) {
     a->x[0].g[k] = slope.x, a->x[1].g[k] = slope.y, a->x[2].g[k] = slope.z;
 }
 
-static affine_vector affine_vector_of(vector c, double r) {
-    affine_vector a = {{affine_of(c.x), affine_of(c.y), affine_of(c.z)}};
+static void put_curve(taylor_vector *a, int j, int k, vector curve) {
+    const int at = curve_at(j, k);
+    a->x[0].h[at] = curve.x, a->x[1].h[at] = curve.y, a->x[2].h[at] = curve.z;
+}
+
+static taylor_vector taylor_vector_of(vector c, double r) {
+    taylor_vector a = {{taylor_of(c.x), taylor_of(c.y), taylor_of(c.z)}};
     for (int i = 0; i < 3; i++) a.x[i].r = r;
     return a;
 }
 
 /* on a line there is one variable: all half widths grow together, each with the sign of its direction */
-static void fold(const box_view *view, affine_vector *a) {
-    for (int i = 0; i < 3 && view->way; i++) {
-        double sum = 0;
-        for (int k = 0; k < SIDES; k++) {
-            sum += view->way[k] < 0 ? -a->x[i].g[k] : a->x[i].g[k];
-            a->x[i].g[k] = 0;
+static void fold_one(const box_view *view, taylor *a) {
+    double slope = 0, curve = 0;
+    for (int k = 0; k < SIDES; k++) {
+        const double end = view->way[k] < 0 ? -1 : 1;
+        slope += end * a->g[k], a->g[k] = 0;
+        for (int j = 0; j <= k; j++) {
+            curve += (view->way[j] < 0 ? -end : end) * a->h[curve_at(j, k)];
+            a->h[curve_at(j, k)] = 0;
         }
-        a->x[i].g[0] = sum;
     }
+    a->g[0] = slope, a->h[0] = curve;
 }
 
-/* (space-2): slopes w_k ω_k × R a, and second order at most ½ |a| β */
-affine_vector box_turned(const box_view *view, vector Ra) {
-    const double size = norm(Ra), rest = 0.5 * size * view->bend * UPWARDS;
-    affine_vector a = affine_vector_of(Ra, rest + VECTOR_ROUNDED * size);
-    for (int k = 0; k < 3; k++) put(&a, 3 + k, scale(view->half[3 + k], cross(view->axis[k], Ra)));
+static void fold(const box_view *view, taylor_vector *a) {
+    for (int i = 0; i < 3 && view->way; i++) fold_one(view, &a->x[i]);
+}
+
+/* ∂_j ∂_k of a vector that turns with the top, (space-2): the outer angle turns the axis of the inner one */
+static vector turned_twice(const box_view *view, int j, int k, vector Ra) {
+    const int outer = view->yaw_outside ? k : j, inner = j + k - outer;
+    const vector once = cross(view->axis[inner - 3], Ra);
+    return scale(view->half[j] * view->half[k], cross(view->axis[outer - 3], once));
+}
+
+/* (space-2): slopes w_k ω_k × R a, curvatures, and third order at most |a| τ/6 */
+taylor_vector box_turned(const box_view *view, vector Ra) {
+    const double size = norm(Ra), rest = size * view->twist / 6 * UPWARDS;
+    taylor_vector a = taylor_vector_of(Ra, rest + VECTOR_ROUNDED * size);
+    for (int k = 3; k < 6; k++) {
+        put(&a, k, scale(view->half[k], cross(view->axis[k - 3], Ra)));
+        for (int j = 3; j <= k; j++)
+            put_curve(&a, j, k, scale(j < k ? 1 : 0.5, turned_twice(view, j, k, Ra)));
+    }
     fold(view, &a);
     return a;
 }
 
-void box_home_directions(const space *s, const box_view *view, int v, affine_vector *still,
-                         affine_vector *turned) {
+void box_home_directions(const space *s, const box_view *view, int v, taylor_vector *still,
+                         taylor_vector *turned) {
     const double rounding = 2 * view->rounding / s->reach->machine->home_length[v];
-    *still = affine_vector_of(s->along[v], rounding);
+    *still = taylor_vector_of(s->along[v], rounding);
     *turned = box_turned(view, out_of(&view->R, s->along[v]));
     for (int i = 0; i < 3; i++) turned->x[i].r += rounding;
 }
 
-affine_vector box_shifted(const box_view *view) {
-    affine_vector a = affine_vector_of(vector_of(view->centre), 0);
+taylor_vector box_shifted(const box_view *view) {
+    taylor_vector a = taylor_vector_of(vector_of(view->centre), 0);
     for (int k = 0; k < 3; k++) a.x[k].g[k] = view->half[k];
     fold(view, &a);
     return a;
@@ -182,43 +210,63 @@ vector box_joint_slope(const box_view *view, int v, int k) {
     return scale(view->half[k], way);
 }
 
-void box_length_slopes(const box_view *view, int v, double slope[SIDES]) {
-    double sum = 0;
+/* (space-4): slopes n·∂q_k, curvatures ∂q_j·P ∂q_k/l + n·∂_j∂_k q, and third order at most
+ * v³/(3√3 l_min²) + v |arm| β/(2 l_min) + |arm| τ/6 */
+taylor box_length(const box_view *view, int v) {
+    const vector n = view->g.n[v];
+    const double l = view->g.length[v], least = view->shortest[v], moved = view->moved[v],
+                 arm = norm(view->arm[v]);
+    const double rest = 0.19245008972987526 * moved * moved * moved / (least * least) +
+                        0.5 * moved * arm * view->bend / least + arm * view->twist / 6;
+    taylor a = {.c = l, .r = INFINITY};
+    vector slope[SIDES];
+    if (!(least > 0)) return a;
     for (int k = 0; k < SIDES; k++) {
-        slope[k] = dot(view->g.n[v], box_joint_slope(view, v, k));
-        if (!view->way) continue;
-        sum += view->way[k] < 0 ? -slope[k] : slope[k];
-        slope[k] = 0;
+        slope[k] = box_joint_slope(view, v, k);
+        a.g[k] = dot(n, slope[k]);
+        for (int j = 0; j <= k; j++) {
+            double curve = (dot(slope[j], slope[k]) - a.g[j] * a.g[k]) / l;
+            if (j > 2) curve += dot(n, turned_twice(view, j, k, view->arm[v]));
+            a.h[curve_at(j, k)] = j < k ? curve : 0.5 * curve;
+        }
     }
-    if (view->way) slope[0] = sum;
-}
-
-affine box_length(const box_view *view, int v) {
-    affine l = affine_of(view->g.length[v]);
-    box_length_slopes(view, v, l.g);
-    l.r = fmax(0, view->wide[v] - affine_slope(&l)) + ROUNDED * view->wide[v];
-    return l;
+    a.r = rest * UPWARDS + 2 * view->rounding * (1 + moved / l) * (1 + moved / l);
+    if (view->way) fold_one(view, &a);
+    return a;
 }
 
 void box_lengths(const box_view *view, int v, double bound[2]) {
     const double l = view->g.length[v], far = l + view->moved[v] + 2 * view->rounding;
     bound[0] = fmax(0, view->shortest[v]);
-    bound[1] = fmin(far, l + view->wide[v]);
+    bound[1] = fmin(far, l + view->more[v]);
 }
 
-/* (space-5): slopes P ∂q_k/l, and second order at most v²/(√3 l_min²) + |arm| β/(2 l_min) */
-affine_vector box_direction(const box_view *view, int v) {
+/* (space-5): slopes P ∂q_k/l, curvatures (P ∂_j∂_k q − (n·∂q_j) P∂q_k/l − (n·∂q_k) P∂q_j/l − (∂q_j·P∂q_k) n/l)/l, and third order
+ * at most v³/(2 l_min³) + v |arm| β/(√3 l_min²) + |arm| τ/(6 l_min) */
+taylor_vector box_direction(const box_view *view, int v) {
     const vector n = view->g.n[v];
-    const double l = view->g.length[v], least = view->shortest[v];
-    const double way = view->moved[v] / least;
-    const double rest =
-        0.57735026918962577 * way * way + 0.5 * norm(view->arm[v]) * view->bend / least;
-    affine_vector a =
-        affine_vector_of(n, rest * UPWARDS + 2 * view->rounding * (1 + view->moved[v] / l) / l);
-    if (!(least > 0)) return affine_vector_of(n, INFINITY);
-    for (int k = 0; k < GOUGH_COMPONENTS; k++) {
-        const vector slope = box_joint_slope(view, v, k);
-        put(&a, k, scale(1 / l, along(slope, -dot(n, slope), n)));
+    const double l = view->g.length[v], least = view->shortest[v], arm = norm(view->arm[v]);
+    const double way = view->moved[v] / least, far = 1 + view->moved[v] / l;
+    const double rest = 0.5 * way * way * way +
+                        0.57735026918962577 * way * arm * view->bend / least +
+                        arm * view->twist / (6 * least);
+    taylor_vector a = taylor_vector_of(n, rest * UPWARDS + 2 * view->rounding * far * far / l);
+    vector across[SIDES];
+    double ahead[SIDES];
+    if (!(least > 0)) return taylor_vector_of(n, INFINITY);
+    for (int k = 0; k < SIDES; k++) {
+        const vector slope = scale(1 / l, box_joint_slope(view, v, k));
+        ahead[k] = dot(n, slope), across[k] = along(slope, -ahead[k], n);
+        put(&a, k, across[k]);
+        for (int j = 0; j <= k; j++) {
+            vector curve = along(scale(-ahead[j], across[k]), -ahead[k], across[j]);
+            curve = along(curve, -dot(across[j], across[k]), n);
+            if (j > 2) {
+                const vector turned = scale(1 / l, turned_twice(view, j, k, view->arm[v]));
+                curve = add(curve, along(turned, -dot(n, turned), n));
+            }
+            put_curve(&a, j, k, scale(j < k ? 1 : 0.5, curve));
+        }
     }
     fold(view, &a);
     return a;

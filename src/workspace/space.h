@@ -1,11 +1,11 @@
-/* A box of poses as this room sees it: the machine at the centre, how its points move over the box, bounds of what second order
+/* A box of poses as this room sees it: the machine at the centre, how its points move over the box, bounds of what third order
  * adds, (space-1), (space-2). Base axes, radians. Theory: docs/theory/workspace.md. */
 #ifndef GOUGH_WORKSPACE_SPACE_H
 #define GOUGH_WORKSPACE_SPACE_H
 
 #include "gough/workspace.h"
 #include "kernel/top.h"
-#include "workspace/affine.h"
+#include "workspace/taylor.h"
 
 /* forces and accelerations of legs that motions and loads ask for */
 typedef struct asked_parts {
@@ -41,10 +41,13 @@ typedef struct box_view {
     vector arm[LEGS];      /* top joints from the point, base axes */
     double shift, turn;    /* how far the point moves; how far the top turns at most, in radians */
     double bend;           /* |R″u| ≤ bend |u| along any line of the box, (space-2) */
+    double twist;          /* |R‴u| ≤ twist |u| likewise */
+    bool yaw_outside;      /* the yaw turns the axes of the other two angles, not the roll */
     double moved[LEGS];    /* how far a top joint moves */
     double shortest[LEGS]; /* length that the leg keeps at least */
-    double wide[LEGS];     /* by how much its length differs from that at the centre at most */
-    double rounding;       /* of the computed vector of a leg */
+    double less[LEGS],
+        more[LEGS];  /* by how much its length is below or above that at the centre at most */
+    double rounding; /* of the computed vector of a leg */
 } box_view;
 
 /* Made for `reach`; poses are boxes, or parts of a line if `way` is set afterwards: then a box is that of a part of the line, and
@@ -53,23 +56,21 @@ void space_begin(space *s, const gough_reach *reach);
 void box_view_of(const space *s, const gough_box *box, box_view *view);
 
 /* (space-2): R a over the box for a vector of the top frame, R a given at the centre */
-affine_vector box_turned(const box_view *view, vector Ra);
+taylor_vector box_turned(const box_view *view, vector Ra);
 /* the point's displacement from home */
-affine_vector box_shifted(const box_view *view);
+taylor_vector box_shifted(const box_view *view);
 /* (space-5): direction of leg v */
-affine_vector box_direction(const box_view *view, int v);
+taylor_vector box_direction(const box_view *view, int v);
 
 /* the direction of leg v at home, and the same turned with the top */
-void box_home_directions(const space *s, const box_view *view, int v, affine_vector *still,
-                         affine_vector *turned);
+void box_home_directions(const space *s, const box_view *view, int v, taylor_vector *still,
+                         taylor_vector *turned);
 
-/* how top joint v moves with the k-th half width; on a line, all of them together make its way */
+/* how top joint v moves with the k-th half width */
 vector box_joint_slope(const box_view *view, int v, int k);
-/* w_k n·∂_k q of leg v */
-void box_length_slopes(const box_view *view, int v, double slope[SIDES]);
 
-/* the same as a number of the box */
-affine box_length(const box_view *view, int v);
+/* the length of leg v as a number of the box */
+taylor box_length(const box_view *view, int v);
 
 /* the least and the greatest length of leg v over the box, (space-4) */
 void box_lengths(const box_view *view, int v, double bound[2]);

@@ -9,15 +9,20 @@
 /* roundings of the products of a row and of its singular values, relative to the greatest */
 static const double MATRIX_ROUNDED = 256 * DBL_EPSILON;
 
+/* unit vectors that stand for all of a plane; the part of a distance between two rows that must be certain for them to be far from
+ * each other */
+enum { ANGLES = 12 };
+static const double FAR = 0.5;
+
 /* (legs-5): a row is the leg's direction and its moment about the top frame's origin */
-static void fill_rows(const space *s, const box_view *view, const affine_vector n[LEGS], stiff *J) {
+static void fill_rows(const space *s, const box_view *view, const taylor_vector n[LEGS], stiff *J) {
     const double inverse = 1 / s->h.reach;
     for (int v = 0; v < LEGS; v++) {
-        const affine_vector arm = box_turned(view, out_of(&view->x.q, s->h.top[v]));
-        const affine_vector moment = affine_cross(&arm, &n[v]);
+        const taylor_vector arm = box_turned(view, out_of(&view->x.q, s->h.top[v]));
+        const taylor_vector moment = taylor_cross(&arm, &n[v]);
         for (int i = 0; i < 3; i++) {
             J->row[v][i] = n[v].x[i];
-            J->row[v][3 + i] = affine_scale(inverse, moment.x[i]);
+            J->row[v][3 + i] = taylor_scale(inverse, moment.x[i]);
         }
     }
 }
@@ -35,15 +40,17 @@ static void invert_centre(stiff *J) {
 
 /* |J_c⁻¹ J − 1| in place (i, j), with rounding */
 static double deviation(const stiff *J, int i, int j) {
-    double c = 0, g[SIDES] = {0, 0, 0, 0, 0, 0}, rest = 0, size = 0, sum;
+    double c = 0, g[SIDES] = {0}, h[CURVES] = {0}, rest = 0, size = 0, sum;
     for (int m = 0; m < 6; m++) {
         const double y = J->inverse[i][m];
-        const affine *a = &J->row[m][j];
+        const taylor *a = &J->row[m][j];
         c += y * a->c, size += fabs(y * a->c), rest += fabs(y) * a->r;
         for (int k = 0; k < SIDES; k++) g[k] += y * a->g[k];
+        for (int k = 0; k < CURVES; k++) h[k] += y * a->h[k];
     }
     sum = fabs(c - (i == j)) + rest;
     for (int k = 0; k < SIDES; k++) sum += fabs(g[k]);
+    for (int k = 0; k < CURVES; k++) sum += fabs(h[k]);
     return sum * (1 + MATRIX_ROUNDED) + MATRIX_ROUNDED * size;
 }
 
@@ -69,7 +76,7 @@ static void bound_values(stiff *J, double part) {
     double(*a)[6] = J->column, square = 0, most, least;
     for (int i = 0; i < 6; i++)
         for (int j = 0; j < 6; j++) {
-            const double wide = affine_spread(&J->row[i][j]);
+            const double wide = taylor_spread(&J->row[i][j]);
             a[i][j] = J->row[i][j].c, square += wide * wide;
         }
     singular_values(a, &most, &least);
@@ -77,6 +84,7 @@ static void bound_values(stiff *J, double part) {
     J->least[0] = fmax(0, fmax(least - way, least * (1 - part)) - rounding);
     J->least[1] = least + way + rounding;
     J->most[0] = fmax(0, most - way - rounding), J->most[1] = most + way + rounding;
+    J->condition = J->least[0] > 0 ? J->most[1] / J->least[0] * (1 + ROUNDED) : INFINITY;
     if (!(most < greatest_condition * least)) J->sign = 0;
 }
 
@@ -117,7 +125,7 @@ static void find_turns(const stiff *J, turns *t) {
 }
 
 /* UᵀJV, rows and columns from the greatest singular value to the least */
-static void turned(const stiff *J, const turns *t, affine A[6][6]) {
+static void turned(const stiff *J, const turns *t, taylor A[6][6]) {
     int order[6];
     for (int j = 0; j < 6; j++) {
         int place = j;
@@ -126,64 +134,119 @@ static void turned(const stiff *J, const turns *t, affine A[6][6]) {
         order[place] = j;
     }
     for (int j = 0; j < 6; j++) {
-        affine right[6];
+        taylor right[6];
         for (int v = 0; v < 6; v++) {
-            right[v] = affine_of(0);
+            right[v] = taylor_of(0);
             for (int m = 0; m < 6; m++)
-                right[v] = affine_add(right[v], affine_scale(t->V[m][order[j]], J->row[v][m]));
+                right[v] = taylor_add(right[v], taylor_scale(t->V[m][order[j]], J->row[v][m]));
         }
         for (int i = 0; i < 6; i++) {
-            A[i][j] = affine_of(0);
+            A[i][j] = taylor_of(0);
             for (int m = 0; m < 6; m++)
-                A[i][j] = affine_add(A[i][j], affine_scale(t->U[m][order[i]], right[m]));
+                A[i][j] = taylor_add(A[i][j], taylor_scale(t->U[m][order[i]], right[m]));
         }
     }
 }
 
-/* lengths of the parts of column k and of row k from the element `from` to the one before `to` */
-static void sides_of(affine A[6][6], int k, int from, int to, double side[2]) {
-    double column = 0, row = 0;
-    for (int i = from; i < to; i++) {
-        const double above = affine_magnitude(&A[i][k]), beside = affine_magnitude(&A[k][i]);
-        column += above * above, row += beside * beside;
+/* AᵀA */
+static void squared(taylor A[6][6], taylor M[6][6]) {
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j <= i; j++) {
+            taylor sum = taylor_times(A[0][i], A[0][j]);
+            for (int m = 1; m < 6; m++) sum = taylor_add(sum, taylor_times(A[m][i], A[m][j]));
+            M[i][j] = M[j][i] = sum;
+        }
     }
-    side[0] = sqrt(column) * (1 + MATRIX_ROUNDED), side[1] = sqrt(row) * (1 + MATRIX_ROUNDED);
 }
 
-/* singular values of two rows (a, b), (c, d) of numbers that are not below 0: with the sum of their squares and the determinant */
-static void two_values(double a, double b, double c, double d, double *least, double *most) {
-    const double sum = a * a + b * b + c * c + d * d, det = fmax(0, a * d - b * c);
-    const double large = sqrt(0.5 * (sum + sqrt(fmax(0, (sum - 2 * det) * (sum + 2 * det)))));
-    *most = large * (1 + MATRIX_ROUNDED);
-    *least = large > 0 ? det / large * (1 - MATRIX_ROUNDED) - MATRIX_ROUNDED * (b * c) / large : 0;
+/* The eigenvalue of M at one end of their order, the least (sign 1) or the greatest (sign −1): numbers with this sign, the least of
+ * which is no greater than the eigenvalue with this sign. */
+typedef struct edge {
+    int forms;
+    taylor form[ANGLES];
+} edge;
+
+/* Row k of a symmetric matrix eliminated from the rows before it; false where the pivot less the end may be 0. */
+static bool eliminate(taylor T[6][6], int k, double end, double certain) {
+    const taylor pivot = taylor_add(T[k][k], taylor_of(-end));
+    if (!(taylor_least(&pivot) > certain * pivot.c)) return false;
+    const taylor share = taylor_inverse(pivot);
+    for (int i = 0; i < k; i++) {
+        const taylor part = taylor_times(T[k][i], share);
+        for (int j = 0; j <= i; j++) T[i][j] = taylor_less(T[i][j], taylor_times(part, T[k][j]));
+    }
+    return true;
 }
 
-/* One row and column after the other is added to a block: for the least value from the greatest on, for the greatest from the
- * least on. */
-void stiff_refine(stiff *J) {
+/* yᵀT y for unit vectors of a plane at equal angles; between two of them the least one is lower by as much as a circle exceeds a
+ * polygon about it */
+static void find_forms(taylor T[6][6], edge *e) {
+    const taylor half = taylor_scale(0.5, T[0][0]), other = taylor_scale(0.5, T[1][1]),
+                 mean = taylor_add(half, other), difference = taylor_less(half, other);
+    const double more = 1 / cos(REAL_PI / ANGLES) * (1 + ROUNDED);
+    for (int i = 0; i < ANGLES; i++) {
+        const double angle = 2 * REAL_PI * i / ANGLES;
+        const taylor turned = taylor_add(taylor_scale(more * cos(angle), difference),
+                                         taylor_scale(more * sin(angle), T[1][0]));
+        e->form[i] = taylor_add(mean, turned);
+    }
+    e->forms = ANGLES;
+}
+
+/* (space-19): rows are eliminated, the farthest from the end first. The last but one only where it is far from the last: else both
+ * stay together. False where the rows are not certain to lie beyond the end. */
+static bool find_edge(taylor M[6][6], double sign, edge *e) {
+    taylor T[6][6];
+    for (int i = 0; i < 6; i++)
+        for (int j = 0; j <= i; j++)
+            T[i][j] = taylor_scale(sign, sign > 0 ? M[5 - i][5 - j] : M[i][j]);
+    const double end = T[0][0].c;
+    for (int k = 5; k > 1; k--)
+        if (!eliminate(T, k, end, 0)) return false;
+    if (eliminate(T, 1, end, FAR))
+        e->form[0] = T[0][0], e->forms = 1;
+    else
+        find_forms(T, e);
+    return true;
+}
+
+/* The least number of the forms, with what UᵀU and VᵀV are off. */
+static double least_of(const edge *e) {
+    double least = INFINITY;
+    for (int i = 0; i < e->forms; i++) least = fmin(least, taylor_least(&e->form[i]));
+    return least;
+}
+
+/* the square of the condition: each of the one end over each of the other */
+static double greatest_ratio(const edge *low, const edge *high) {
+    double most = 0;
+    for (int i = 0; i < low->forms; i++) {
+        const taylor share = taylor_inverse(low->form[i]);
+        for (int j = 0; j < high->forms; j++) {
+            const taylor ratio = taylor_times(taylor_scale(-1, high->form[j]), share);
+            const double one = taylor_most(&ratio);
+            if (!(one <= most)) most = one;
+        }
+    }
+    return most;
+}
+
+void stiff_refine(stiff *J, bool both) {
     turns t;
-    affine A[6][6];
-    double least = INFINITY, most = 0, side[2], unused;
+    taylor A[6][6], M[6][6];
+    edge low, high;
     find_turns(J, &t);
     if (!(t.off < 0.5)) return;
     turned(J, &t, A);
-    for (int k = 0; k < 6; k++) {
-        const double own = fmax(0, affine_least(&A[k][k]));
-        sides_of(A, k, 0, k, side);
-        if (k == 0)
-            least = own;
-        else
-            two_values(least, side[0], side[1], own, &least, &unused);
-    }
-    for (int k = 5; k >= 0; k--) {
-        sides_of(A, k, k + 1, 6, side);
-        two_values(most, side[0], side[1], affine_magnitude(&A[k][k]), &unused, &most);
-    }
-    J->least[0] = fmax(J->least[0], least * (1 - t.off));
-    J->most[1] = fmin(J->most[1], most * (1 + 2 * t.off));
+    squared(A, M);
+    if (!find_edge(M, 1, &low)) return;
+    J->least[0] = fmax(J->least[0], sqrt(fmax(0, least_of(&low))) * (1 - t.off) * (1 - ROUNDED));
+    if (!both || !find_edge(M, -1, &high)) return;
+    J->most[1] = fmin(J->most[1], sqrt(fmax(0, -least_of(&high))) * (1 + 2 * t.off));
+    J->condition = fmin(J->condition, sqrt(greatest_ratio(&low, &high)) * (1 + 4 * t.off));
 }
 
-void stiff_of(const space *s, const box_view *view, const affine_vector n[LEGS], stiff *J) {
+void stiff_of(const space *s, const box_view *view, const taylor_vector n[LEGS], stiff *J) {
     fill_rows(s, view, n, J);
     invert_centre(J);
     bound_values(J, find_spread(J));

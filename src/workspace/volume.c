@@ -24,7 +24,7 @@ typedef struct cells {
 
 /* whether no pose of a cell is singular, and all are on the side of home */
 static bool is_regular(const space *s, const box_view *view) {
-    affine_vector n[LEGS];
+    taylor_vector n[LEGS];
     stiff J;
     for (int v = 0; v < LEGS; v++) n[v] = box_direction(view, v);
     stiff_of(s, view, n, &J);

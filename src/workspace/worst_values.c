@@ -14,17 +14,17 @@ static void put(values *to, int worst, double most, double sure, int leg) {
 }
 
 /* The angle between two directions: by its cosine, and where that has no digits, near 0, by its sine. */
-static void put_angle(values *to, int worst, const affine_vector *a, const affine_vector *b,
+static void put_angle(values *to, int worst, const taylor_vector *a, const taylor_vector *b,
                       int leg) {
-    const affine cosine = affine_dot(a, b);
-    const affine_vector sine = affine_cross(a, b);
+    const taylor cosine = taylor_dot(a, b);
+    const taylor_vector sine = taylor_cross(a, b);
     double square = 0, centre = 0;
     for (int i = 0; i < 3; i++) {
-        const double most = affine_magnitude(&sine.x[i]);
+        const double most = taylor_magnitude(&sine.x[i]);
         square += most * most, centre += sine.x[i].c * sine.x[i].c;
     }
-    double most = acos(fmin(1, fmax(-1, affine_least(&cosine))));
-    if (affine_least(&cosine) > 0)
+    double most = acos(fmin(1, fmax(-1, taylor_least(&cosine))));
+    if (taylor_least(&cosine) > 0)
         most = fmin(most, asin(fmin(1, sqrt(square) * (1 + 16 * ROUNDED))));
     put(to, worst, most * (1 + 4 * ROUNDED), atan2(sqrt(centre), cosine.c), leg);
 }
@@ -39,17 +39,17 @@ static void find_lengths(const box_view *view, values *to) {
     }
 }
 
-static void find_swing(const space *s, const box_view *view, const affine_vector n[LEGS],
+static void find_swing(const space *s, const box_view *view, const taylor_vector n[LEGS],
                        values *to) {
     for (int v = 0; v < LEGS; v++) {
-        affine_vector still, turned;
+        taylor_vector still, turned;
         box_home_directions(s, view, v, &still, &turned);
         put_angle(to, GOUGH_WORST_BASE_SWING, &n[v], &still, v);
         put_angle(to, GOUGH_WORST_TOP_SWING, &n[v], &turned, v);
     }
 }
 
-static void find_clearance(const space *s, const box_view *view, const affine_vector n[LEGS],
+static void find_clearance(const space *s, const box_view *view, const taylor_vector n[LEGS],
                            values *to) {
     const double *diameter = s->reach->limits.diameter;
     for (int v = 0; v < LEGS; v++) {
@@ -64,7 +64,7 @@ static void find_clearance(const space *s, const box_view *view, const affine_ve
 }
 
 /* forces, rates and accelerations; infinite where a singular pose is not excluded */
-static void find_asked(const space *s, const box_view *view, const affine_vector n[LEGS],
+static void find_asked(const space *s, const box_view *view, const taylor_vector n[LEGS],
                        const stiff *J, values *to) {
     const asked_parts parts = {true, true};
     asked_of_leg asked[LEGS];
@@ -84,7 +84,7 @@ void worst_values(const space *s, const box_view *view, unsigned wanted, values 
                             1U << GOUGH_WORST_SPEED | 1U << GOUGH_WORST_ACCELERATION;
     const unsigned matrix = forces | 1U << GOUGH_WORST_CONDITION | 1U << GOUGH_WORST_SINGULAR_VALUE;
     const unsigned swing = 1U << GOUGH_WORST_BASE_SWING | 1U << GOUGH_WORST_TOP_SWING;
-    affine_vector n[LEGS];
+    taylor_vector n[LEGS];
     stiff J;
     for (int i = 0; i < GOUGH_WORSTS; i++) {
         to->most[i] = to->sure[i] = -INFINITY;
@@ -96,9 +96,9 @@ void worst_values(const space *s, const box_view *view, unsigned wanted, values 
     if (wanted & 1U << GOUGH_WORST_CLEARANCE) find_clearance(s, view, n, to);
     if (!(wanted & matrix)) return;
     stiff_of(s, view, n, &J);
-    if (wanted & (1U << GOUGH_WORST_CONDITION | 1U << GOUGH_WORST_SINGULAR_VALUE)) stiff_refine(&J);
+    if (wanted & (1U << GOUGH_WORST_CONDITION | 1U << GOUGH_WORST_SINGULAR_VALUE))
+        stiff_refine(&J, wanted & 1U << GOUGH_WORST_CONDITION);
     put(to, GOUGH_WORST_SINGULAR_VALUE, -J.least[0], -J.least[1], -1);
-    put(to, GOUGH_WORST_CONDITION, J.least[0] > 0 ? J.most[1] / J.least[0] : INFINITY,
-        J.most[0] / J.least[1], -1);
+    put(to, GOUGH_WORST_CONDITION, J.condition, J.most[0] / J.least[1], -1);
     if (wanted & forces) find_asked(s, view, n, &J, to);
 }

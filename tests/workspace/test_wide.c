@@ -7,6 +7,7 @@
 #include "support/suite.h"
 #include "workspace/ask.h"
 #include "workspace/flight.h"
+#include "workspace/polynomial.h"
 #include "workspace/slope_parts.h"
 
 static gough_box box_about(const double at[GOUGH_COMPONENTS], const double half[GOUGH_COMPONENTS]) {
@@ -69,16 +70,16 @@ START_TEST(angles_about_almost_the_same_axis_add_up) {
         space_begin(&s, &reach);
         box_view_of(&s, &box, &view);
         gough_rotation_in_order(reach.order, at + GOUGH_ROLL, centre);
-        const affine_vector all = box_turned(&view, out_of(&view.R, x));
+        const taylor_vector all = box_turned(&view, out_of(&view.R, x));
         for (int corner = 0; corner < 8; corner++) {
             double pose[GOUGH_COMPONENTS], R[3][3], off = 0;
             for (int c = 0; c < GOUGH_COMPONENTS; c++)
                 pose[c] = c > 2 && corner >> (c - 3) & 1 ? box.least[c] : box.greatest[c];
             gough_rotation_in_order(reach.order, pose + GOUGH_ROLL, R);
+            double xi[GOUGH_COMPONENTS] = {0};
+            for (int c = 3; c < 6; c++) xi[c] = corner >> (c - 3) & 1 ? -1 : 1;
             for (int k = 0; k < 3; k++) {
-                double left = R[k][0] - all.x[k].c;
-                for (int c = 3; c < 6; c++)
-                    left -= all.x[k].g[c] * (corner >> (c - 3) & 1 ? -1 : 1);
+                const double left = R[k][0] - polynomial_at(&all.x[k], xi);
                 off += left * left;
             }
             const double swing = swing_of(R, centre);
@@ -101,7 +102,7 @@ START_TEST(lengths_of_wide_boxes_need_their_second_order) {
     gough_model *model = malloc(sizeof *model);
     gough_error error = {0};
     dice d = {72};
-    double need[2] = {0, 0};
+    double need[2] = {0, 0}, third[2] = {0, 0};
     for (int n = 0; n < 400; n++) {
         const int turns = n % 2;
         double at[GOUGH_COMPONENTS] = {0}, half[GOUGH_COMPONENTS] = {0}, p0[3], n0[3];
@@ -129,20 +130,31 @@ START_TEST(lengths_of_wide_boxes_need_their_second_order) {
         box_view view;
         space_begin(&s, &reach);
         box_view_of(&s, &box, &view);
-        const affine length = box_length(&view, 0);
+        const taylor length = box_length(&view, 0);
+        double bound[2];
+        box_lengths(&view, 0, bound);
         for (int i = 0; i < 4; i++) {
             double pose[GOUGH_COMPONENTS] = {0}, q[3], first = length.c;
             const double xi[GOUGH_COMPONENTS] = {0, i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 1 ? 1 : -1};
             for (int c = 0; c < GOUGH_COMPONENTS; c++)
                 pose[c] = xi[c] * half[c], first += xi[c] * length.g[c];
             joint_at(model, pose, 0, q);
-            const double off = fabs(distance_of(q, p.base[0]) - first);
+            const double now = distance_of(q, p.base[0]),
+                         off = fabs(now - polynomial_at(&length, xi));
             ck_assert_msg(off <= length.r, "box %d of seed 72: %g exceeds %g", n, off, length.r);
-            need[turns] = fmax(need[turns], off / length.r);
+            ck_assert_msg(now >= bound[0] && now <= bound[1], "box %d of seed 72: %g", n, now);
+            third[turns] = fmax(third[turns], off / length.r);
+            /* what the bounds of second order allow above the slopes, and below them */
+            const double slope = taylor_slope(&length);
+            need[turns] = fmax(need[turns], (now - first) / (bound[1] - length.c - slope));
+            need[turns] = fmax(need[turns], (first - now) / (length.c - bound[0] - slope));
         }
     }
-    printf("parts of the rest that poses need: %.3f of shifts, %.3f of turns\n", need[0], need[1]);
-    ck_assert(need[0] > 0.95 && need[1] > 0.9);
+    printf(
+        "parts of what bounds allow that poses need: second order %.3f of shifts, %.3f of turns; "
+        "third order %.3f, %.3f\n",
+        need[0], need[1], third[0], third[1]);
+    ck_assert(need[0] > 0.95 && need[1] > 0.9 && third[0] > 0.9 && third[1] > 0.1);
     free(model);
 }
 END_TEST
@@ -163,7 +175,7 @@ START_TEST(singular_values_need_the_loss_of_both_sides) {
             J.inverse[i][i] = 1 / value[i];
         }
         J.row[4][5].g[n % 6] = b, J.row[5][4].g[n % 6] = c;
-        stiff_refine(&J);
+        stiff_refine(&J, true);
         double least = INFINITY, most = 0;
         for (int i = 0; i < 1000; i++) {
             const double x = cos(i * pi / 1000), y = sin(i * pi / 1000);
@@ -200,7 +212,7 @@ START_TEST(forces_of_a_flat_machine_need_their_third_order) {
         const gough_box box = box_about(at, half);
         const gough_reach reach = flight_reach(model);
         const asked_parts parts = {true, false};
-        affine_vector way[LEGS];
+        taylor_vector way[LEGS];
         asked_of_leg asked[LEGS];
         space s;
         box_view view;
@@ -236,18 +248,18 @@ END_TEST
 START_TEST(rests_count_against_parts_of_boxes) {
     dice d = {75};
     judge j = judge_begin();
-    const affine plain = {0, {1, 0, 0, 0, 0, 0}, 0.25};
+    const taylor plain = {.g = {1}, .r = 0.25};
     /* in a quarter of the box on either side of the plane, the rest decides */
     judge_slope(&j, &plain, 0, 0, 1, GOUGH_BIND_LONGEST, 0);
     ck_assert(fabs(j.out - 0.375) < 1e-7 && fabs(j.in - 0.375) < 1e-7);
     for (int n = 0; n < 60; n++) {
         const double low = n % 2 ? dice_between(&d, 0, 0.2) : 0, high = n % 2 ? low * 0.5 : 0;
         enum { POINTS = 4000 };
-        affine m = affine_of(dice_between(&d, -0.5, 0.5));
+        taylor m = taylor_of(dice_between(&d, -0.5, 0.5));
         int below = 0, above = 0;
         for (int k = 0; k < 4; k++) m.g[k] = dice_between(&d, -0.5, 0.5);
         m.r = dice_between(&d, 0, 0.2);
-        if (!(affine_least(&m) - low < 0 && affine_most(&m) - high > 0)) continue;
+        if (!(taylor_least(&m) - low < 0 && taylor_most(&m) - high > 0)) continue;
         for (int i = 0; i < POINTS; i++) {
             double x = m.c;
             for (int k = 0; k < 3; k++) x += m.g[k] * dice_between(&d, -1, 1);
