@@ -86,8 +86,8 @@ typedef struct gough_binding {
     int other;       /**< the other leg of a clearance; else 0 */
 } gough_binding;
 
-/** Tests a box by one evaluation at its centre, (space-2) … (space-6): first order exactly, second order bounded. A box of one pose
- *  is allowed; it is undecided only within rounding of a limit.
+/** Tests a box by one evaluation at its centre, (space-2) … (space-6): first and second order exactly, third order bounded. A box
+ *  of one pose is allowed; it is undecided only within rounding of a limit.
  *  @param[out] binding  what is exceeded, or what is nearest to being so; may be NULL
  *  @return what holds of the box; GOUGH_UNDECIDED too if a number of the box is not finite or its ends are in the wrong order.
  *
@@ -211,8 +211,8 @@ typedef struct gough_envelope {
  *  Bounds are certified, with errors of rounding enclosed. They are drawn nearer until bound and sampled value differ by less
  *  than 1 % (of push and pull: or a quarter of that of the larger of both; lengths: 0.01 %; swing: or 0.1 degrees; clearance: or
  *  0.1 % of the least length), or until the search has tested its share of most_tests, 16000 boxes at most for each value. In a
- *  large box they may stay apart, condition and singular value sooner than the others: their difference is what is not known.
- *  Allocates nothing; uses about 400 KiB of stack. */
+ *  large box near singular poses they may stay apart, condition and singular value sooner than the others: their difference is
+ *  what is not known. Allocates nothing; uses about 450 KiB of stack. */
 GOUGH_API gough_status gough_workspace_envelope(const gough_reach *reach, const gough_box *box,
                                                 gough_envelope *envelope, gough_error *error);
 

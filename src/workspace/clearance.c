@@ -63,11 +63,12 @@ static taylor_vector across(const taylor_vector *a, const taylor_vector *n) {
     return taylor_cross(n, &once);
 }
 
-/* by how much the other end of a leg may lie nearer to the other leg than its point; sign: 1 if u points towards the leg */
+/* by how much the other end of a leg may lie nearer to the other leg than its point; sign: 1 if u points from the leg to the
+ * other, −1 if it comes from there */
 static double overhang(const side *one, const taylor_vector *u, double sign) {
     if (one->inner) return 0;
     const taylor along = taylor_dot(u, &one->leg);
-    const taylor away = taylor_scale(one->part > 0.5 ? sign : -sign, along);
+    const taylor away = taylor_scale(one->part > 0.5 ? -sign : sign, along);
     return fmax(0, taylor_most(&away));
 }
 

@@ -1,4 +1,4 @@
-/* A limit over a box of positions to first order: the part of the box that it cuts off, (space-21). */
+/* A limit over a box of positions by its slopes: the part of the box that it cuts off, (space-21). */
 #ifndef GOUGH_WORKSPACE_SLOPE_PARTS_H
 #define GOUGH_WORKSPACE_SLOPE_PARTS_H
 
@@ -35,15 +35,20 @@ static inline void judge_slope(judge *j, const taylor *m, double low, double hig
                                gough_bind bind, int which) {
     const gough_verdict verdict =
         judge_margin(j, taylor_least(m) - low, taylor_most(m) - high, size, bind, which);
-    double rest = m->r + taylor_curve(m) + ROUNDED * fabs(m->c), greatest = 0;
+    double rest = m->r + 8 * ROUNDED * (fabs(m->c) + taylor_curve(m)), greatest = 0;
+    taylor curves = *m;
     if (verdict != GOUGH_UNDECIDED) return;
     for (int k = 0; k < 3; k++) greatest = fmax(greatest, fabs(m->g[k]));
-    for (int k = 0; k < SIDES; k++)
+    for (int k = 0; k < SIDES; k++) {
         if (k > 2 || fabs(m->g[k]) <= NO_SLOPE * greatest) rest += fabs(m->g[k]);
-    /* m = c + g·ξ ± rest: not kept for certain below the lower plane, perhaps below the upper one */
+        curves.g[k] = 0;
+    }
+    /* m = c + g·ξ, and more by the rise of the curvatures at most, and by the rest: not kept for certain below the lower plane,
+     * perhaps below the upper one */
+    const double more = rest + taylor_rise(&curves, 1), less = rest + taylor_rise(&curves, -1);
     judge_parts(j,
-                fmax(0, part_below(m->g, high - m->c - rest - LIMIT_SLACK * size) - PART_ROUNDED),
-                fmin(1, part_below(m->g, low - m->c + rest) + PART_ROUNDED));
+                fmax(0, part_below(m->g, high - m->c - more - LIMIT_SLACK * size) - PART_ROUNDED),
+                fmin(1, part_below(m->g, low - m->c + less) + PART_ROUNDED));
 }
 
 /* the same without slopes */
