@@ -10,8 +10,8 @@ enum { WAITING = 60 * GOUGH_COMPONENTS + 1 };
 /* sides below this part of the machine's size, or of a radian, are not split */
 static const double NO_SIDE = 1e-13;
 
-/* An angle moves the joints and turns their arms besides: what is left of second order and more falls fastest if a side of angles counts
- * so many times as long as the way of the joints. */
+/* An angle moves the joints and turns their arms besides: what is left of second order and more falls fastest if a side of angles
+ * counts so many times as long as the way of the joints. */
 static const double TURNS = 2;
 
 judge pose_judge(const space *s, const double pose[GOUGH_COMPONENTS]) {

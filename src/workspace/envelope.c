@@ -16,6 +16,9 @@ enum {
     SHARES = 16
 };
 
+/* a clearance that is smaller, in sizes of the machine, is that of legs that touch: rounding */
+static const double TOUCHING = 1024 * DBL_EPSILON;
+
 /* how far bounds may lie beyond values that are found, in parts of the value; swing in radians besides */
 static const double PART = 0.01, PART_OF_LENGTH = 1e-4, SWING = 0.1 / 57.3;
 
@@ -192,7 +195,9 @@ static void search(const space *s, const gough_box *box, int worst, size_t most_
 }
 
 /* signs as users have them; an acceleration or speed that was not asked for is 0 */
-static gough_status finish(gough_envelope *e, gough_error *error) {
+static gough_status finish(const space *s, gough_envelope *e, gough_error *error) {
+    gough_extreme *clearance = &e->of[GOUGH_WORST_CLEARANCE];
+    if (fabs(clearance->sampled) <= TOUCHING * s->size) clearance->sampled = 0;
     for (int i = 0; i < GOUGH_WORSTS; i++) {
         gough_extreme *x = &e->of[i];
         /* no −0 */
@@ -221,7 +226,7 @@ gough_status gough_workspace_envelope(const gough_reach *reach, const gough_box 
     for (int i = 0; i < GOUGH_WORSTS && reach->most_tests > 0; i++) climb(&s, box, i, envelope);
     for (int i = 0; i < GOUGH_WORSTS; i++)
         search(&s, box, i, reach->most_tests / SHARES, &waiting, envelope);
-    return finish(envelope, error);
+    return finish(&s, envelope, error);
 }
 
 const char *gough_worst_name(gough_worst worst) {

@@ -82,6 +82,16 @@ static json_t *missing_object(const design_answer *a) {
     return object;
 }
 
+/* what the search left to spare, for the limits of which it left something */
+static json_t *spare_object(const design_answer *a) {
+    json_t *object = json_object();
+    for (int kind = 0; kind < GOUGH_BINDS; kind++)
+        if (a->result.spare[kind] > 0)
+            json_object_set_new(object, gough_bind_name((gough_bind)kind),
+                                json_number(a->result.spare[kind]));
+    return object;
+}
+
 int design_print_json(const design_answer *a) {
     const gough_design_result *r = &a->result;
     const workspace_answer w = design_workspace(a);
@@ -95,6 +105,9 @@ int design_print_json(const design_answer *a) {
     json_object_set_new(object, "objective", told ? objective_object(a) : json_null());
     json_object_set_new(object, "active", told ? active_array(a) : json_null());
     json_object_set_new(object, "certified", json_boolean(r->found));
+    json_object_set_new(object, "spare", told ? spare_object(a) : json_null());
+    json_object_set_new(object, "singular_value",
+                        told ? json_number(r->singular_value) : json_null());
     json_object_set_new(object, "missing", told && !r->found ? missing_object(a) : json_null());
     json_object_set_new(object, "envelope",
                         r->found && r->bounded ? workspace_envelope_json(&w) : json_null());

@@ -96,11 +96,22 @@ static void print_actives(const design_answer *a) {
     }
 }
 
+/* what the search asked for beyond the limits, so that the proof could be found */
+static void print_spare(const gough_design_result *r) {
+    for (int kind = 0; kind < GOUGH_BINDS; kind++)
+        if (r->spare[kind] > 0)
+            printf("  the search left %.3g %% of the limit %s to spare, so that a proof was found\n",
+                   100 * r->spare[kind], gough_bind_name((gough_bind)kind));
+    if (r->singular_value > 0)
+        printf("  the search asked for a least singular value of %.4g\n", r->singular_value);
+}
+
 static void print_certificate(const design_answer *a) {
     const gough_design_result *r = &a->result;
     printf("\nCertificate\n");
     if (r->found) {
         printf("  every pose of workspace.box keeps every limit; %zu boxes tested\n", r->tests);
+        print_spare(r);
         return;
     }
     const binding_words words = words_of_binding(&r->certificate.binding);

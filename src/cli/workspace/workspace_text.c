@@ -145,8 +145,12 @@ void workspace_print_envelope(const workspace_answer *a) {
         printf("  %-28s %13.6g %12.6g", head.text,
                unit == GOUGH_UNIT_NONE ? x->bound : in_units(a->unit, unit, x->bound),
                unit == GOUGH_UNIT_NONE ? x->sampled : in_units(a->unit, unit, x->sampled));
-        if (fabs(x->sampled) > 0) printf(" %8.2g %%", 100 * worst_gap(x));
+        if (fabs(x->sampled) > 0)
+            printf(" %8.2g %%", 100 * worst_gap(x));
+        else
+            printf(" %10s", "");
         if (x->leg >= 0) printf("  leg %d", x->leg + 1);
+        if (i == GOUGH_WORST_CLEARANCE && !(x->sampled > 0)) printf(" touches another leg");
         printf("\n");
     }
 }
