@@ -1,5 +1,5 @@
-/* Rows of the workspace: one box of poses tested against limits of lengths, of lengths and singular poses, of the least singular value,
- * and of forces for boxes of accelerations; whole searches; all as ratios to a warm start of the pose from leg lengths. */
+/* Rows of the workspace: one box of poses tested against limits of lengths, of lengths and singular poses, of the least singular
+ * value, and of forces for boxes of accelerations; whole searches; all as ratios to a warm start of the pose from leg lengths. */
 #include <math.h>
 
 #include "bench/bench.h"

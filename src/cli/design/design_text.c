@@ -100,8 +100,9 @@ static void print_actives(const design_answer *a) {
 static void print_spare(const gough_design_result *r) {
     for (int kind = 0; kind < GOUGH_BINDS; kind++)
         if (r->spare[kind] > 0)
-            printf("  the search left %.3g %% of the limit %s to spare, so that a proof was found\n",
-                   100 * r->spare[kind], gough_bind_name((gough_bind)kind));
+            printf(
+                "  the search left %.3g %% of the limit %s to spare, so that a proof was found\n",
+                100 * r->spare[kind], gough_bind_name((gough_bind)kind));
     if (r->singular_value > 0)
         printf("  the search asked for a least singular value of %.4g\n", r->singular_value);
 }
