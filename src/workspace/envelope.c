@@ -175,6 +175,8 @@ static void search(const space *s, const gough_box *box, int worst, size_t most_
     const size_t end = e->tests + most_tests;
     part whole = {.most = INFINITY};
     gough_extreme *x = &e->of[worst];
+    x->bound = INFINITY;
+    if (most_tests == 0) return;
     h->count = 0;
     bound_part(s, box, worst, &whole, h, e);
     while (h->of[0].most > x->sampled + allowance(e, worst) && e->tests < end) {

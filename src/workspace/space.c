@@ -124,6 +124,8 @@ void box_view_of(const space *s, const gough_box *box, box_view *view) {
     legs_at(&s->h, &view->x, &view->g);
 
     for (int c = 0; c < 3; c++) square += view->half[c] * view->half[c];
+    view->varies = false;
+    for (int c = 0; c < GOUGH_COMPONENTS; c++) view->varies |= view->half[c] > 0;
     view->shift = sqrt(square) * UPWARDS;
     find_turn(s, view);
     view->rounding = VECTOR_ROUNDED * (s->size + norm(vector_of(view->centre)));
@@ -144,9 +146,9 @@ static void put_curve(taylor_vector *a, int j, int k, vector curve) {
     a->x[0].h[at] = curve.x, a->x[1].h[at] = curve.y, a->x[2].h[at] = curve.z;
 }
 
-static taylor_vector taylor_vector_of(vector c, double r) {
+static taylor_vector taylor_vector_of(vector c, double r, bool varies) {
     taylor_vector a = {{taylor_of(c.x), taylor_of(c.y), taylor_of(c.z)}};
-    for (int i = 0; i < 3; i++) a.x[i].r = r;
+    for (int i = 0; i < 3; i++) a.x[i].r = r, a.x[i].varies = varies;
     return a;
 }
 
@@ -165,7 +167,7 @@ static void fold_one(const box_view *view, taylor *a) {
 }
 
 static void fold(const box_view *view, taylor_vector *a) {
-    for (int i = 0; i < 3 && view->way; i++) fold_one(view, &a->x[i]);
+    for (int i = 0; i < 3 && view->way && view->varies; i++) fold_one(view, &a->x[i]);
 }
 
 /* ∂_j ∂_k of a vector that turns with the top, (space-2): the outer angle turns the axis of the inner one */
@@ -178,8 +180,8 @@ static vector turned_twice(const box_view *view, int j, int k, vector Ra) {
 /* (space-2): slopes w_k ω_k × R a, curvatures, and third order at most |a| τ/6 */
 taylor_vector box_turned(const box_view *view, vector Ra) {
     const double size = norm(Ra), rest = size * view->twist / 6 * UPWARDS;
-    taylor_vector a = taylor_vector_of(Ra, rest + VECTOR_ROUNDED * size);
-    for (int k = 3; k < 6; k++) {
+    taylor_vector a = taylor_vector_of(Ra, rest + VECTOR_ROUNDED * size, view->varies);
+    for (int k = 3; k < 6 && view->varies; k++) {
         put(&a, k, scale(view->half[k], cross(view->axis[k - 3], Ra)));
         for (int j = 3; j <= k; j++)
             put_curve(&a, j, k, scale(j < k ? 1 : 0.5, turned_twice(view, j, k, Ra)));
@@ -191,13 +193,13 @@ taylor_vector box_turned(const box_view *view, vector Ra) {
 void box_home_directions(const space *s, const box_view *view, int v, taylor_vector *still,
                          taylor_vector *turned) {
     const double rounding = 2 * view->rounding / s->reach->machine->home_length[v];
-    *still = taylor_vector_of(s->along[v], rounding);
+    *still = taylor_vector_of(s->along[v], rounding, false);
     *turned = box_turned(view, out_of(&view->R, s->along[v]));
     for (int i = 0; i < 3; i++) turned->x[i].r += rounding;
 }
 
 taylor_vector box_shifted(const box_view *view) {
-    taylor_vector a = taylor_vector_of(vector_of(view->centre), 0);
+    taylor_vector a = taylor_vector_of(vector_of(view->centre), 0, view->varies);
     for (int k = 0; k < 3; k++) a.x[k].g[k] = view->half[k];
     fold(view, &a);
     return a;
@@ -218,10 +220,10 @@ taylor box_length(const box_view *view, int v) {
                  arm = norm(view->arm[v]);
     const double rest = 0.19245008972987526 * moved * moved * moved / (least * least) +
                         0.5 * moved * arm * view->bend / least + arm * view->twist / 6;
-    taylor a = {.c = l, .r = INFINITY};
+    taylor a = {.c = l, .r = INFINITY, .varies = view->varies};
     vector slope[SIDES];
     if (!(least > 0)) return a;
-    for (int k = 0; k < SIDES; k++) {
+    for (int k = 0; k < SIDES && view->varies; k++) {
         slope[k] = box_joint_slope(view, v, k);
         a.g[k] = dot(n, slope[k]);
         for (int j = 0; j <= k; j++) {
@@ -231,7 +233,7 @@ taylor box_length(const box_view *view, int v) {
         }
     }
     a.r = rest * UPWARDS + 2 * view->rounding * (1 + moved / l) * (1 + moved / l);
-    if (view->way) fold_one(view, &a);
+    if (view->way && view->varies) fold_one(view, &a);
     return a;
 }
 
@@ -250,11 +252,12 @@ taylor_vector box_direction(const box_view *view, int v) {
     const double rest = 0.5 * way * way * way +
                         0.57735026918962577 * way * arm * view->bend / least +
                         arm * view->twist / (6 * least);
-    taylor_vector a = taylor_vector_of(n, rest * UPWARDS + 2 * view->rounding * far * far / l);
+    const double rounding = 2 * view->rounding * far * far / l;
+    taylor_vector a = taylor_vector_of(n, rest * UPWARDS + rounding, view->varies);
     vector across[SIDES];
     double ahead[SIDES];
-    if (!(least > 0)) return taylor_vector_of(n, INFINITY);
-    for (int k = 0; k < SIDES; k++) {
+    if (!(least > 0)) return taylor_vector_of(n, INFINITY, view->varies);
+    for (int k = 0; k < SIDES && view->varies; k++) {
         const vector slope = scale(1 / l, box_joint_slope(view, v, k));
         ahead[k] = dot(n, slope), across[k] = along(slope, -ahead[k], n);
         put(&a, k, across[k]);

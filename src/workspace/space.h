@@ -39,6 +39,7 @@ typedef struct box_view {
     legs g;
     vector axis[3];        /* about which roll, pitch and yaw turn the top at the centre */
     vector arm[LEGS];      /* top joints from the point, base axes */
+    bool varies;           /* false: a box of one pose */
     double shift, turn;    /* how far the point moves; how far the top turns at most, in radians */
     double bend;           /* |R″u| ≤ bend |u| along any line of the box, (space-2) */
     double twist;          /* |R‴u| ≤ twist |u| likewise */

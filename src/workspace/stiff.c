@@ -45,8 +45,8 @@ static double deviation(const stiff *J, int i, int j) {
         const double y = J->inverse[i][m];
         const taylor *a = &J->row[m][j];
         c += y * a->c, size += fabs(y * a->c), rest += fabs(y) * a->r;
-        for (int k = 0; k < SIDES; k++) g[k] += y * a->g[k];
-        for (int k = 0; k < CURVES; k++) h[k] += y * a->h[k];
+        for (int k = 0; k < SIDES && a->varies; k++) g[k] += y * a->g[k];
+        for (int k = 0; k < CURVES && a->varies; k++) h[k] += y * a->h[k];
     }
     sum = fabs(c - (i == j)) + rest;
     for (int k = 0; k < SIDES; k++) sum += fabs(g[k]);

@@ -13,6 +13,8 @@ enum { SIDES = 6, CURVES = SIDES * (SIDES + 1) / 2 };
 /* c + Σ g_k ξ_k + Σ h_jk ξ_j ξ_k, j ≤ k, with each ξ_k in [−1, 1], to within ± r. */
 typedef struct taylor {
     double c, g[SIDES], h[CURVES], r;
+    bool
+        varies; /* false: slopes and curvatures are 0, as all are of a box of one pose, and are not computed with */
 } taylor;
 
 /* the place of h_jk, j ≤ k */
@@ -29,14 +31,14 @@ static inline taylor taylor_of(double c) {
 /* Σ|g_k|, rounded upwards */
 static inline double taylor_slope(const taylor *a) {
     double sum = 0;
-    for (int k = 0; k < SIDES; k++) sum += fabs(a->g[k]);
+    for (int k = 0; k < SIDES && a->varies; k++) sum += fabs(a->g[k]);
     return sum * (1 + 2 * ROUNDED);
 }
 
 /* Σ|h_jk| likewise */
 static inline double taylor_curve(const taylor *a) {
     double sum = 0;
-    for (int i = 0; i < CURVES; i++) sum += fabs(a->h[i]);
+    for (int i = 0; i < CURVES && a->varies; i++) sum += fabs(a->h[i]);
     return sum * (1 + 6 * ROUNDED);
 }
 
@@ -59,6 +61,7 @@ static inline bool taylor_rises(const double g[SIDES], const double h[CURVES],
 static inline double taylor_rise(const taylor *a, double sign) {
     bool free[SIDES], moved = true;
     double g[SIDES], h[CURVES], sum = 0;
+    if (!a->varies) return 0;
     for (int k = 0; k < SIDES; k++) g[k] = sign * a->g[k], free[k] = true;
     for (int i = 0; i < CURVES; i++) h[i] = sign * a->h[i];
     while (moved) {
@@ -97,19 +100,21 @@ static inline double taylor_magnitude(const taylor *a) {
 }
 
 static inline taylor taylor_scale(double s, taylor a) {
-    taylor b = {.c = s * a.c};
+    taylor b = {.c = s * a.c, .varies = a.varies};
     double size = fabs(b.c);
-    for (int k = 0; k < SIDES; k++) b.g[k] = s * a.g[k], size += fabs(b.g[k]);
-    for (int i = 0; i < CURVES; i++) b.h[i] = s * a.h[i], size += fabs(b.h[i]);
+    for (int k = 0; k < SIDES && b.varies; k++) b.g[k] = s * a.g[k], size += fabs(b.g[k]);
+    for (int i = 0; i < CURVES && b.varies; i++) b.h[i] = s * a.h[i], size += fabs(b.h[i]);
     b.r = fabs(s) * a.r * (1 + ROUNDED) + ROUNDED * size;
     return b;
 }
 
 static inline taylor taylor_add(taylor a, taylor b) {
-    taylor sum = {.c = a.c + b.c};
+    taylor sum = {.c = a.c + b.c, .varies = a.varies || b.varies};
     double size = fabs(sum.c);
-    for (int k = 0; k < SIDES; k++) sum.g[k] = a.g[k] + b.g[k], size += fabs(sum.g[k]);
-    for (int i = 0; i < CURVES; i++) sum.h[i] = a.h[i] + b.h[i], size += fabs(sum.h[i]);
+    for (int k = 0; k < SIDES && sum.varies; k++)
+        sum.g[k] = a.g[k] + b.g[k], size += fabs(sum.g[k]);
+    for (int i = 0; i < CURVES && sum.varies; i++)
+        sum.h[i] = a.h[i] + b.h[i], size += fabs(sum.h[i]);
     sum.r = (a.r + b.r) * (1 + ROUNDED) + ROUNDED * size;
     return sum;
 }
@@ -130,10 +135,10 @@ static inline void taylor_add_slopes(double f, const double a[SIDES], const doub
 static inline taylor taylor_times(taylor a, taylor b) {
     const double x = fabs(a.c), y = fabs(b.c), wide = taylor_slope(&a), broad = taylor_slope(&b),
                  bent = taylor_curve(&a), curved = taylor_curve(&b);
-    taylor p = {.c = a.c * b.c};
-    for (int k = 0; k < SIDES; k++) p.g[k] = a.c * b.g[k] + b.c * a.g[k];
-    for (int i = 0; i < CURVES; i++) p.h[i] = a.c * b.h[i] + b.c * a.h[i];
-    taylor_add_slopes(1, a.g, b.g, p.h);
+    taylor p = {.c = a.c * b.c, .varies = a.varies || b.varies};
+    for (int k = 0; k < SIDES && p.varies; k++) p.g[k] = a.c * b.g[k] + b.c * a.g[k];
+    for (int i = 0; i < CURVES && p.varies; i++) p.h[i] = a.c * b.h[i] + b.c * a.h[i];
+    if (p.varies) taylor_add_slopes(1, a.g, b.g, p.h);
     const double third = wide * curved + bent * (broad + curved);
     p.r = (x * b.r + y * a.r + third + (wide + bent) * b.r + a.r * (broad + curved + b.r)) *
               (1 + 4 * ROUNDED) +
@@ -145,11 +150,11 @@ static inline taylor taylor_times(taylor a, taylor b) {
 static inline taylor taylor_inverse(taylor a) {
     const double slope = taylor_slope(&a), rest = taylor_curve(&a) + a.r, wide = slope + rest,
                  least = taylor_least(&a), y = 1 / a.c;
-    taylor b = {.c = y, .r = INFINITY};
+    taylor b = {.c = y, .r = INFINITY, .varies = a.varies};
     if (!(least > 0) || !(a.c > 0)) return b;
-    for (int k = 0; k < SIDES; k++) b.g[k] = -a.g[k] * y * y;
-    for (int i = 0; i < CURVES; i++) b.h[i] = -a.h[i] * y * y;
-    taylor_add_slopes(y * y * y, a.g, a.g, b.h);
+    for (int k = 0; k < SIDES && b.varies; k++) b.g[k] = -a.g[k] * y * y;
+    for (int i = 0; i < CURVES && b.varies; i++) b.h[i] = -a.h[i] * y * y;
+    if (b.varies) taylor_add_slopes(y * y * y, a.g, a.g, b.h);
     b.r = (y * y * (a.r + y * (2 * slope + rest) * rest + y * wide * wide * wide / least)) *
               (1 + 8 * ROUNDED) +
           4 * ROUNDED * (y + y * y * wide + y * y * y * slope * slope);
@@ -160,12 +165,12 @@ static inline taylor taylor_inverse(taylor a) {
 static inline taylor taylor_root(taylor a) {
     const double slope = taylor_slope(&a), rest = taylor_curve(&a) + a.r, wide = slope + rest,
                  least = taylor_least(&a);
-    taylor b = {.c = sqrt(a.c), .r = INFINITY};
+    taylor b = {.c = sqrt(a.c), .r = INFINITY, .varies = a.varies};
     if (!(least > 0) || !(a.c > 0)) return b;
     const double y = 0.5 / b.c, z = 0.25 * y / a.c;
-    for (int k = 0; k < SIDES; k++) b.g[k] = a.g[k] * y;
-    for (int i = 0; i < CURVES; i++) b.h[i] = a.h[i] * y;
-    taylor_add_slopes(-z, a.g, a.g, b.h);
+    for (int k = 0; k < SIDES && b.varies; k++) b.g[k] = a.g[k] * y;
+    for (int i = 0; i < CURVES && b.varies; i++) b.h[i] = a.h[i] * y;
+    if (b.varies) taylor_add_slopes(-z, a.g, a.g, b.h);
     b.r = (a.r * y + z * (2 * slope + rest) * rest +
            wide * wide * wide / (16 * least * least * sqrt(least))) *
               (1 + 8 * ROUNDED) +

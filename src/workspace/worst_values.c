@@ -96,7 +96,8 @@ void worst_values(const space *s, const box_view *view, unsigned wanted, values 
     if (wanted & 1U << GOUGH_WORST_CLEARANCE) find_clearance(s, view, n, to);
     if (!(wanted & matrix)) return;
     stiff_of(s, view, n, &J);
-    if (wanted & (1U << GOUGH_WORST_CONDITION | 1U << GOUGH_WORST_SINGULAR_VALUE))
+    /* at a single pose the values themselves are known */
+    if (view->varies && wanted & (1U << GOUGH_WORST_CONDITION | 1U << GOUGH_WORST_SINGULAR_VALUE))
         stiff_refine(&J, wanted & 1U << GOUGH_WORST_CONDITION);
     put(to, GOUGH_WORST_SINGULAR_VALUE, -J.least[0], -J.least[1], -1);
     put(to, GOUGH_WORST_CONDITION, J.condition, J.most[0] / J.least[1], -1);

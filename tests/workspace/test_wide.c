@@ -175,6 +175,7 @@ START_TEST(singular_values_need_the_loss_of_both_sides) {
             J.inverse[i][i] = 1 / value[i];
         }
         J.row[4][5].g[n % 6] = b, J.row[5][4].g[n % 6] = c;
+        J.row[4][5].varies = J.row[5][4].varies = true;
         stiff_refine(&J, true);
         double least = INFINITY, most = 0;
         for (int i = 0; i < 1000; i++) {
@@ -248,7 +249,7 @@ END_TEST
 START_TEST(rests_count_against_parts_of_boxes) {
     dice d = {75};
     judge j = judge_begin();
-    const taylor plain = {.g = {1}, .r = 0.25};
+    const taylor plain = {.g = {1}, .r = 0.25, .varies = true};
     /* in a quarter of the box on either side of the plane, the rest decides */
     judge_slope(&j, &plain, 0, 0, 1, GOUGH_BIND_LONGEST, 0);
     ck_assert(fabs(j.out - 0.375) < 1e-7 && fabs(j.in - 0.375) < 1e-7);
@@ -258,7 +259,7 @@ START_TEST(rests_count_against_parts_of_boxes) {
         taylor m = taylor_of(dice_between(&d, -0.5, 0.5));
         int below = 0, above = 0;
         for (int k = 0; k < 4; k++) m.g[k] = dice_between(&d, -0.5, 0.5);
-        m.r = dice_between(&d, 0, 0.2);
+        m.r = dice_between(&d, 0, 0.2), m.varies = true;
         if (!(taylor_least(&m) - low < 0 && taylor_most(&m) - high > 0)) continue;
         for (int i = 0; i < POINTS; i++) {
             double x = m.c;
