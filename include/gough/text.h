@@ -38,7 +38,7 @@ GOUGH_API size_t gough_character_count(const char *text);
 
 /** The name that a misspelt word probably means: the nearest by number of letters inserted, left out, replaced or swapped with
  *  their neighbour, ignoring case; the first of several. At most a third of the word plus one letter may differ, and at most half
- *  of the longer of the two.
+ *  of the longer of the two. If no name is so near: the only one that begins with the word, if it has three letters or more.
  *  @param word,length  need not be terminated
  *  @param names        terminated; each ends at its first space
  *  @return its index, or -1 if none is near enough. Safe to call concurrently. */

@@ -4,7 +4,7 @@
 
 #include "gough/text.h"
 
-enum { LONGEST = 60 };
+enum { LONGEST = 60, LEAST_BEGUN = 3 };
 
 static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
 
@@ -28,6 +28,19 @@ static size_t distance(const char *a, size_t m, const char *b, size_t n) {
     return above[n];
 }
 
+/* The only name that begins with the word; -1: none or several do, or the word says too little. */
+static int begun(const char *word, size_t length, const char *const *names, size_t count) {
+    int found = -1;
+    for (size_t i = 0; i < count && length >= LEAST_BEGUN; i++) {
+        size_t same = 0;
+        while (same < length && lower(word[same]) == lower(names[i][same])) same++;
+        if (same < length || strcspn(names[i], " ") > LONGEST) continue;
+        if (found >= 0) return -1;
+        found = (int)i;
+    }
+    return found;
+}
+
 int gough_word_nearest(const char *word, size_t length, const char *const *names, size_t count) {
     size_t least = length / 3 + 2; /* farther off, it is another word */
     int nearest = -1;
@@ -40,5 +53,5 @@ int gough_word_nearest(const char *word, size_t length, const char *const *names
         least = d;
         nearest = (int)i;
     }
-    return nearest;
+    return nearest < 0 ? begun(word, length, names, count) : nearest;
 }

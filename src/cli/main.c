@@ -1,51 +1,20 @@
 /* The command `gough`: finds the verb and passes it the rest of the command line. Exit codes are those of gough_status. */
 #define _GNU_SOURCE
 #include <argp.h>
+#include <errno.h>
 #include <fcntl.h>
 #include <jansson.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "cli/common/memory.h"
+#include "cli/common/refusal.h"
 #include "cli/common/talk.h"
 #include "cli/common/verb.h"
-
-enum { LIST_WIDTH = 24 }; /* columns of "gough example NAME" in the list of verbs */
-
-static const char before[] = "Dynamics and control of Stewart-Gough platforms.\n\n";
-
-static const char after[] =
-    "\n'gough VERB --help' describes each verb.\vExit status: 0 success; 1 the run stopped early "
-    "(a "
-    "leg limit, a singular pose, no convergence; its results up to that time are complete) or "
-    "there is no solution; 2 the study or the command line is invalid; 3 reading or writing "
-    "failed.\n"
-    "\n"
-    "First steps:\n"
-    "  gough example paper-heave > heave.yaml\n"
-    "  gough check heave.yaml\n"
-    "  gough forces heave.yaml -o heave.h5\n"
-    "  gough plot heave.h5";
-
-/* The text of --help, with a line for each verb; an argument that may be left out without its brackets. */
-static char *make_text(void) {
-    char *text = NULL;
-    size_t length = 0;
-    FILE *stream = open_memstream(&text, &length);
-    if (!stream) out_of_memory();
-    fputs(before, stream);
-    for (size_t n = 0; verb_at(n); n++) {
-        const char *arguments = verb_at(n)->arguments + (*verb_at(n)->arguments == '[');
-        const int named = fprintf(stream, "  gough %s %.*s", verb_at(n)->name,
-                                  (int)strcspn(arguments, "]"), arguments);
-        fprintf(stream, "%*s%s\n", LIST_WIDTH + 2 - named, "", verb_at(n)->sentence);
-    }
-    fputs(after, stream);
-    if (fclose(stream) != 0) out_of_memory();
-    return text;
-}
+#include "cli/help/command_text.h"
 
 /* Opens /dev/null for a standard descriptor that is closed, in the mode that makes its use fail, so that no result file gets its
  * number. */
@@ -64,29 +33,67 @@ static void close_output(void) {
     }
 }
 
-static error_t read_verb(int key, char *argument, struct argp_state *state) {
-    const command_verb **found = state->input;
-    if (key == ARGP_KEY_NO_ARGS) {
-        argp_state_help(state, stderr, ARGP_HELP_USAGE | ARGP_HELP_DOC | ARGP_HELP_EXIT_ERR);
-        return EINVAL;
-    }
-    if (key != ARGP_KEY_ARG) return ARGP_ERR_UNKNOWN;
+/* What a command line has before its verb. */
+typedef struct beginning {
+    const command_verb *verb;
+    int at;         /* of the verb */
+    word_list word; /* options to be passed on to it */
+    word_list text; /* those of them that were composed here */
+} beginning;
 
-    enum { MOST_VERBS = 40 };
-    const char *name[MOST_VERBS];
-    size_t verbs = 0;
-    for (; verbs < MOST_VERBS && verb_at(verbs); verbs++) {
-        name[verbs] = verb_at(verbs)->name;
-        if (strcmp(argument, name[verbs]) == 0) *found = verb_at(verbs);
+static void pass_setting(beginning *found, const char *setting) {
+    char *word = allocate(strlen(setting) + sizeof "--set=");
+    strcat(strcpy(word, "--set="), setting);
+    word_list_add(&found->word, word);
+    word_list_add(&found->text, word);
+}
+
+static error_t read_beginning(int key, char *argument, struct argp_state *state) {
+    beginning *found = state->input;
+    switch (key) {
+    case 'q':
+        word_list_add(&found->word, "--quiet");
+        return 0;
+    case KEY_JSON:
+        talk_in_json();
+        word_list_add(&found->word, "--json");
+        return 0;
+    case KEY_DIMENSIONLESS:
+        word_list_add(&found->word, "--dimensionless");
+        return 0;
+    case KEY_SET:
+        pass_setting(found, argument);
+        return 0;
+    case ARGP_KEY_ERROR:
+        refuse_option(state);
+        return EINVAL;
+    case ARGP_KEY_NO_ARGS:
+        if (talks_in_json()) usage_error(state, "the verb is missing");
+        print_command_help(stderr);
+        exit(GOUGH_ERROR_INPUT);
+    case ARGP_KEY_ARG:
+        found->verb = find_verb(state, argument);
+        found->at = state->next - 1;
+        state->next = state->argc; /* the rest belongs to the verb */
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
     }
-    if (!*found) {
-        const char *near = nearest_word(argument, name, verbs);
-        usage_error(state,
-                    near ? "there is no verb '%s'; did you mean '%s'?" : "there is no verb '%s'",
-                    argument, near);
-    }
-    state->next = state->argc; /* the rest belongs to the verb */
-    return 0;
+}
+
+/* Runs the verb with the options before it and the words behind it. */
+static gough_status run_verb(const beginning *found, int count, char **argument) {
+    char title[32];
+    snprintf(title, sizeof title, "gough %s", found->verb->name);
+    char **word = allocate(((size_t)count + found->word.count + 1) * sizeof *word);
+    int words = 0;
+    word[words++] = title;
+    for (size_t i = 0; i < found->word.count; i++) word[words++] = (char *)found->word.word[i];
+    for (int i = found->at + 1; i < count; i++) word[words++] = argument[i];
+    word[words] = NULL;
+    const gough_status status = verb_run(found->verb, words, word);
+    free(word);
+    return status;
 }
 
 /* An answer is written as a whole, unless someone is reading along. */
@@ -95,29 +102,43 @@ static void buffer_output(void) {
     if (!isatty(STDOUT_FILENO)) setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
 }
 
+/* Help in lines of the terminal's width, unless the user has other wishes. */
+static void shape_help(void) {
+    enum { NARROW = 50, USUAL = 79, WIDE = 99 };
+    struct winsize size = {0};
+    int width = USUAL;
+    if (isatty(STDOUT_FILENO) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+        width = size.ws_col - 1;
+    if (width < NARROW) width = NARROW;
+    if (width > WIDE) width = WIDE;
+    char format[64];
+    snprintf(format, sizeof format, "no-dup-args-note,rmargin=%d", width);
+    setenv("ARGP_HELP_FMT", format, 0);
+}
+
 int main(int count, char **argument) {
     occupy_standard_descriptors();
     buffer_output();
     json_set_alloc_funcs(allocate, free); /* no member of an object is missing for want of memory */
     atexit(close_output);
     signal(SIGXFSZ, SIG_IGN); /* a file too large is a failed write with its message, not a death */
+    shape_help();
     argp_program_version = "gough " GOUGH_VERSION;
-    argp_err_exit_status = GOUGH_ERROR_INPUT;
 
-    const command_verb *found = NULL;
-    char name[] = "gough", *text = make_text();
-    const struct argp argp = {.parser = read_verb, .args_doc = "VERB ...", .doc = text};
+    beginning found = {0};
+    char name[] = "gough", *text = command_text();
+    const struct argp_child children[] = {{.argp = &help_argp}, {0}};
+    const struct argp argp = {.options = leading_options,
+                              .parser = read_beginning,
+                              .args_doc = "VERB ...",
+                              .doc = text,
+                              .children = children};
     if (count > 0) argument[0] = name; /* not what the caller made of it */
-    int leading = 1;                   /* options that stand before the verb */
-    while (leading < count && argument[leading][0] == '-') leading++;
-    refuse_strange_option(&argp, leading, argument);
-    argp_parse(&argp, count, argument, ARGP_IN_ORDER, NULL, &found);
+    argp_parse(&argp, count, argument, ARGP_IN_ORDER | ARGP_OWN_VOICE, NULL, &found);
     free(text);
-
-    int first = 1; /* only options that end the process stand before the verb */
-    while (first < count && strcmp(argument[first], found->name) != 0) first++;
-    char title[32];
-    snprintf(title, sizeof title, "gough %s", found->name);
-    argument[first] = title;
-    return (int)verb_run(found, count - first, argument + first);
+    const gough_status status = run_verb(&found, count, argument);
+    for (size_t i = 0; i < found.text.count; i++) free((void *)found.text.word[i]);
+    free(found.text.word);
+    free(found.word.word);
+    return (int)status;
 }

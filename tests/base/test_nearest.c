@@ -22,6 +22,10 @@ START_TEST(the_nearest_name_is_found_and_no_far_one) {
     ck_assert_int_eq(nearest("stifness"), 4); /* left out */
     ck_assert_int_eq(nearest("dampingg"), 5); /* inserted */
     ck_assert_int_eq(nearest("dempimg"), 5);  /* replaced, twice */
+    ck_assert_int_eq(nearest("stif"), 4);     /* begun */
+    ck_assert_int_eq(nearest("Dam"), 5);
+    ck_assert_int_eq(nearest("st"), -1);
+    ck_assert_int_eq(nearest("stiffnesses-of-all"), -1);
     ck_assert_int_eq(nearest("nothing"), -1);
     ck_assert_int_eq(nearest("x"), -1);
     ck_assert_int_eq(nearest(""), -1);

@@ -43,6 +43,9 @@ json() {
 json example.json example
 hold '## example' example.json
 
+json keys.json keys
+hold '## keys' keys.json
+
 json check-1.json check own-machine.yaml
 json check-2.json check gain-sweep.yaml
 json check-3.json check flight-simulator.yaml

@@ -1,6 +1,7 @@
 /* gough check: validates a study and prints the machine that it describes, in the study's units. */
 #include <math.h>
 
+#include "cli/check/check_json.h"
 #include "cli/check/check_limits.h"
 #include "cli/check/check_loop.h"
 #include "cli/check/check_pose.h"
@@ -19,19 +20,6 @@
 #include "cli/common/study_fields.h"
 #include "cli/common/talk.h"
 #include "cli/sweep/sweep_report.h"
-
-/* Everything that is printed; ranges in the study's units. */
-typedef struct check {
-    const gough_study *study;
-    const gough_sweep *sweep; /* NULL: none */
-    const gough_model *model;
-    const gough_machine *machine;
-    machine_view view;
-    const gough_units *unit;
-    double least[GOUGH_COMPONENTS], greatest[GOUGH_COMPONENTS];
-    pose_view pose;
-    sampled_view sampled;
-} check;
 
 typedef struct check_line {
     command_line line;
@@ -59,10 +47,6 @@ static const option pose_option[] = {
 
 static const option_group pose_group = {pose_option, NULL, NULL};
 
-static double own(const check *c, gough_unit unit, double value) {
-    return in_units(c->unit, unit, value);
-}
-
 /* Words and the value of a key of the study. */
 static void print_part(const check *c, const char *words, const char *path) {
     printf("%s", words);
@@ -88,28 +72,14 @@ static void print_legs(const check *c) {
                              {top.text, "x", {0}, 5},   {top.text, "y", {0}, 5},
                              {top.text, "z", {0}, 5},   {0}};
     for (int i = 0; i < GOUGH_LEGS; i++) {
-        column[0].value[i] = own(c, GOUGH_UNIT_LENGTH, c->machine->home_length[i]);
+        column[0].value[i] = check_own(c, GOUGH_UNIT_LENGTH, c->machine->home_length[i]);
         for (int k = 0; k < 3; k++) {
-            column[1 + k].value[i] = own(c, GOUGH_UNIT_LENGTH, platform->base[i][k]);
-            column[4 + k].value[i] = own(c, GOUGH_UNIT_LENGTH, platform->top[i][k]);
+            column[1 + k].value[i] = check_own(c, GOUGH_UNIT_LENGTH, platform->base[i][k]);
+            column[4 + k].value[i] = check_own(c, GOUGH_UNIT_LENGTH, platform->top[i][k]);
         }
     }
     table_print(stdout, column, false);
     print_limits(c->study, c->unit);
-}
-
-/* Which motion the legs resist least: the largest component of its singular vector. */
-static const char *weakest_name(const machine_view *view) {
-    int largest = 0;
-    for (int i = 1; i < 6; i++)
-        if (fabs(view->weakest[i]) > fabs(view->weakest[largest])) largest = i;
-    return gough_component_name(largest);
-}
-
-/* of J, in length^3 */
-static double determinant_of(const check *c) {
-    const double length = own(c, GOUGH_UNIT_LENGTH, 1);
-    return length * length * length * c->view.determinant;
 }
 
 static void print_singularity(const check *c) {
@@ -120,13 +90,13 @@ static void print_singularity(const check *c) {
     else
         printf("  condition            over 1e8: home is singular, and leg forces cannot carry "
                "every load there\n");
-    printf("  |det J|              %.6g%s%s\n", fabs(determinant_of(c)),
+    printf("  |det J|              %.6g%s%s\n", fabs(check_determinant_of(c)),
            unit_word(c->unit, GOUGH_UNIT_LENGTH),
            *unit_word(c->unit, GOUGH_UNIT_LENGTH) ? "^3" : "");
     printf("  least singular value %.6g of J (moments divided by %.6g%s; 0 is singular);\n"
            "                       the weakest direction is %s\n",
-           view->least_singular, own(c, GOUGH_UNIT_LENGTH, view->arm),
-           unit_word(c->unit, GOUGH_UNIT_LENGTH), weakest_name(view));
+           view->least_singular, check_own(c, GOUGH_UNIT_LENGTH, view->arm),
+           unit_word(c->unit, GOUGH_UNIT_LENGTH), check_weakest_name(view));
 }
 
 static void print_load(const check *c) {
@@ -137,9 +107,10 @@ static void print_load(const check *c) {
     print_part(c, ", centre of mass ", "load.center_of_mass");
     printf("\n");
     printf("  principal moments    %.6g, %.6g, %.6g%s\n",
-           own(c, GOUGH_UNIT_INERTIA, c->view.moments[0]),
-           own(c, GOUGH_UNIT_INERTIA, c->view.moments[1]),
-           own(c, GOUGH_UNIT_INERTIA, c->view.moments[2]), unit_word(c->unit, GOUGH_UNIT_INERTIA));
+           check_own(c, GOUGH_UNIT_INERTIA, c->view.moments[0]),
+           check_own(c, GOUGH_UNIT_INERTIA, c->view.moments[1]),
+           check_own(c, GOUGH_UNIT_INERTIA, c->view.moments[2]),
+           unit_word(c->unit, GOUGH_UNIT_INERTIA));
     static const char *const axis_names[] = {"axis of the first", "axis of the second",
                                              "axis of the third"};
     for (int a = 0; a < 3; a++) {
@@ -160,8 +131,9 @@ static void print_leg_mass(const check *c) {
     if (!c->machine->platform.legs_have_mass) return;
     printf("  mass of the legs     %.6g%s, of which the top bears %.6g%s at home (%.4g %% of the "
            "load)\n",
-           own(c, GOUGH_UNIT_MASS, view->leg_mass), mass, own(c, GOUGH_UNIT_MASS, view->hanging),
-           mass, 100 * view->hanging / c->machine->load.mass);
+           check_own(c, GOUGH_UNIT_MASS, view->leg_mass), mass,
+           check_own(c, GOUGH_UNIT_MASS, view->hanging), mass,
+           100 * view->hanging / c->machine->load.mass);
 }
 
 static void gain_range(const double gain[GOUGH_LEGS], double range[2]) {
@@ -196,11 +168,12 @@ static void print_friction(const check *c) {
     gain_range(m->smoothing_speed, creep);
     if (!(breakaway[1] > 0)) return;
     printf("  dry friction         breakaway ");
-    print_range(breakaway, own(c, GOUGH_UNIT_FORCE, 1), unit_word(c->unit, GOUGH_UNIT_FORCE));
+    print_range(breakaway, check_own(c, GOUGH_UNIT_FORCE, 1), unit_word(c->unit, GOUGH_UNIT_FORCE));
     printf(", of which the smooth law reaches about %.3g %%;\n"
            "                       a leg that should rest under half of it creeps at about ",
            100 * reached);
-    print_range(creep, own(c, GOUGH_UNIT_SPEED, 1 / sqrt(3)), unit_word(c->unit, GOUGH_UNIT_SPEED));
+    print_range(creep, check_own(c, GOUGH_UNIT_SPEED, 1 / sqrt(3)),
+                unit_word(c->unit, GOUGH_UNIT_SPEED));
     printf("\n");
 }
 
@@ -222,7 +195,7 @@ static bool print_formulas(const check *c, const gough_formula formula[3], gough
         double now[3];
         gough_formula_evaluate(&formula[i], 0, now);
         any |= varies(&formula[i], c->study->simulation.duration);
-        printf("%s%.6g", i ? ", " : "", own(c, unit, now[0]) + 0.0);
+        printf("%s%.6g", i ? ", " : "", check_own(c, unit, now[0]) + 0.0);
     }
     printf("%s", unit_word(c->unit, unit));
     return any;
@@ -242,8 +215,8 @@ static void print_external(const check *c) {
         changes |= print_formulas(c, e->moment, GOUGH_UNIT_MOMENT);
         printf(
             "%s\n                       at %.6g, %.6g, %.6g%s in the top frame, axes of the %s\n",
-            changes ? " at t = 0" : "", own(c, GOUGH_UNIT_LENGTH, at[0]),
-            own(c, GOUGH_UNIT_LENGTH, at[1]), own(c, GOUGH_UNIT_LENGTH, at[2]),
+            changes ? " at t = 0" : "", check_own(c, GOUGH_UNIT_LENGTH, at[0]),
+            check_own(c, GOUGH_UNIT_LENGTH, at[1]), check_own(c, GOUGH_UNIT_LENGTH, at[2]),
             unit_word(c->unit, GOUGH_UNIT_LENGTH), e->turns ? "top" : "base");
     }
 }
@@ -252,7 +225,7 @@ static void print_groups(const check *c) {
     const gough_machine *m = c->machine;
     const double R = m->base_radius, M = m->load.mass, g = m->gravity_magnitude;
     printf("\nDimensionless groups\n");
-    printf("  R_b                  %.6g%s\n", own(c, GOUGH_UNIT_LENGTH, R),
+    printf("  R_b                  %.6g%s\n", check_own(c, GOUGH_UNIT_LENGTH, R),
            unit_word(c->unit, GOUGH_UNIT_LENGTH));
     printf("  h/R_b                %.6g\n", m->platform.height / R);
     printf("  r/R_b                %.6g\n", c->view.top_radius / R);
@@ -270,7 +243,7 @@ static void print_groups(const check *c) {
     printf("  D sqrt(R_b/g)/M      ");
     print_range(damping, c->view.time_unit / M, "\n");
     printf("  sqrt(R_b/g)          %.6g%s, the unit of time\n",
-           own(c, GOUGH_UNIT_TIME, c->view.time_unit), unit_word(c->unit, GOUGH_UNIT_TIME));
+           check_own(c, GOUGH_UNIT_TIME, c->view.time_unit), unit_word(c->unit, GOUGH_UNIT_TIME));
 }
 
 static void print_program(const check *c) {
@@ -281,8 +254,8 @@ static void print_program(const check *c) {
     else if (motion->kind == GOUGH_MOTION_SAMPLES)
         printf("  %zu samples, t = %.6g to %.6g%s, interpolated by a cubic spline (C2, not-a-knot "
                "ends)\n",
-               motion->samples.count, own(c, GOUGH_UNIT_TIME, motion->samples.time[0]),
-               own(c, GOUGH_UNIT_TIME, motion->samples.time[motion->samples.count - 1]),
+               motion->samples.count, check_own(c, GOUGH_UNIT_TIME, motion->samples.time[0]),
+               check_own(c, GOUGH_UNIT_TIME, motion->samples.time[motion->samples.count - 1]),
                unit_word(c->unit, GOUGH_UNIT_TIME));
     else
         printf("  formulas in t\n");
@@ -324,11 +297,12 @@ static void print_control(const check *c) {
            control->feedforward ? "the program's forces" : "none");
     print_ignored(c);
     printf("  stiffness G          ");
-    print_range(stiffness, own(c, GOUGH_UNIT_STIFFNESS, 1),
+    print_range(stiffness, check_own(c, GOUGH_UNIT_STIFFNESS, 1),
                 unit_word(c->unit, GOUGH_UNIT_STIFFNESS));
     printf("%s%s\n  damping D            ", loop_matrix_words(control, control->cross_stiffness),
            stiffness[1] > 0 || control->coupled ? "" : ": open loop");
-    print_range(damping, own(c, GOUGH_UNIT_DAMPING, 1), unit_word(c->unit, GOUGH_UNIT_DAMPING));
+    print_range(damping, check_own(c, GOUGH_UNIT_DAMPING, 1),
+                unit_word(c->unit, GOUGH_UNIT_DAMPING));
     printf("%s\n", loop_matrix_words(control, control->cross_damping));
     print_loop(c->study, c->unit);
     print_sampling(c->study, c->unit, &c->sampled);
@@ -351,8 +325,8 @@ static void print_settings(const check *c) {
     if (s->method >= GOUGH_RATTLE2)
         printf("kept by the method\n");
     else if (s->constraints == GOUGH_BAUMGARTE)
-        printf("Baumgarte, alpha %.6g, beta %.6g\n", own(c, GOUGH_UNIT_RATE, s->baumgarte[0]),
-               own(c, GOUGH_UNIT_RATE, s->baumgarte[1]));
+        printf("Baumgarte, alpha %.6g, beta %.6g\n", check_own(c, GOUGH_UNIT_RATE, s->baumgarte[0]),
+               check_own(c, GOUGH_UNIT_RATE, s->baumgarte[1]));
     else
         printf("%s\n", s->constraints == GOUGH_PROJECTION ? "projection" : "none");
 }
@@ -377,126 +351,8 @@ static void print_check(const check *c) {
     if (c->sweep) sweep_describe(c->sweep);
 }
 
-static json_t *groups_object(const check *c) {
-    const gough_machine *m = c->machine;
-    const double R = m->base_radius, M = m->load.mass, g = m->gravity_magnitude;
-    double inertia[3], stiffness[GOUGH_LEGS], damping[GOUGH_LEGS];
-    for (int k = 0; k < 3; k++) inertia[k] = c->view.moments[k] / (M * R * R);
-    for (int i = 0; i < GOUGH_LEGS; i++) {
-        stiffness[i] = g > 0 ? c->model->control.stiffness[i] * R / (M * g) : NAN;
-        damping[i] = c->model->control.damping[i] * c->view.time_unit / M;
-    }
-    json_t *groups = json_object();
-    json_object_set_new(groups, "height", json_number(m->platform.height / R));
-    json_object_set_new(groups, "top_radius", json_number(c->view.top_radius / R));
-    json_object_set_new(groups, "inertia", json_numbers(inertia, 3));
-    json_object_set_new(groups, "stiffness", json_numbers(stiffness, GOUGH_LEGS));
-    json_object_set_new(groups, "damping", json_numbers(damping, GOUGH_LEGS));
-    return groups;
-}
-
-static json_t *program_object(const check *c) {
-    static const char *const kinds[] = {"formulas", "moves", "samples"};
-    const gough_motion *motion = &c->model->motion;
-    json_t *program = json_object();
-    json_object_set_new(program, "kind", json_string(kinds[motion->kind]));
-    json_object_set_new(program, "order", json_field(c->study, "motion.order"));
-    if (motion->kind == GOUGH_MOTION_SAMPLES) {
-        const two_numbers span = two_in_units(c->unit, GOUGH_UNIT_TIME, motion->samples.time[0],
-                                              motion->samples.time[motion->samples.count - 1]);
-        json_object_set_new(program, "samples", json_integer((json_int_t)motion->samples.count));
-        json_object_set_new(program, "span", json_numbers(span.value, 2));
-        json_object_set_new(program, "ends", json_string("not-a-knot"));
-        if (c->study->record)
-            json_object_set_new(program, "record", record_object(c->study->record));
-    }
-    for (int k = 0; k < GOUGH_COMPONENTS; k++)
-        json_object_set_new(program, gough_component_name(k),
-                            json_numbers((double[]){c->least[k], c->greatest[k]}, 2));
-    return program;
-}
-
-static json_t *own_numbers(const check *c, gough_unit unit, const double *value, int count) {
-    json_t *array = json_array();
-    for (int i = 0; i < count; i++)
-        json_array_append_new(array, json_number(own(c, unit, value[i])));
-    return array;
-}
-
-static json_t *external_array(const check *c) {
-    const gough_machine *m = c->machine;
-    json_t *array = json_array();
-    for (size_t n = 0; n < m->externals; n++) {
-        const gough_external *e = &m->external[n];
-        double value[6];
-        for (int i = 0; i < 6; i++) {
-            double now[3];
-            gough_formula_evaluate(i < 3 ? &e->force[i] : &e->moment[i - 3], 0, now);
-            value[i] = now[0];
-        }
-        json_t *object = json_object();
-        json_object_set_new(object, "force", own_numbers(c, GOUGH_UNIT_FORCE, value, 3));
-        json_object_set_new(object, "moment", own_numbers(c, GOUGH_UNIT_MOMENT, value + 3, 3));
-        json_object_set_new(
-            object, "at",
-            own_numbers(c, GOUGH_UNIT_LENGTH, e->at_given ? e->at : m->load.center_of_mass, 3));
-        json_object_set_new(object, "axes", json_string(e->turns ? "top" : "base"));
-        json_array_append_new(array, object);
-    }
-    return array;
-}
-
-static int print_check_json(const check *c) {
-    const gough_machine *m = c->machine;
-    const gough_simulation *s = &c->study->simulation;
-    json_t *object = json_object(), *axes = json_array(), *simulation = json_object();
-    for (int a = 0; a < 3; a++) {
-        double axis[3];
-        for (int k = 0; k < 3; k++) axis[k] = m->principal_axes[k][a];
-        json_array_append_new(axes, json_numbers(axis, 3));
-    }
-    json_object_set_new(simulation, "duration", json_field(c->study, "simulation.duration"));
-    json_object_set_new(simulation, "output_step", json_field(c->study, "simulation.output_step"));
-    json_object_set_new(simulation, "method", json_field(c->study, "simulation.method"));
-    json_object_set_new(simulation, "step",
-                        json_number(s->step > 0 ? own(c, GOUGH_UNIT_TIME, s->step) : NAN));
-    json_object_set_new(simulation, "tolerance", json_number(s->step > 0 ? NAN : s->tolerance));
-
-    json_object_set_new(object, "verb", json_string("check"));
-    json_object_set_new(object, "title", json_words(c->study->title));
-    json_object_set_new(object, "units", json_units(c->unit));
-    json_object_set_new(object, "home_length",
-                        own_numbers(c, GOUGH_UNIT_LENGTH, m->home_length, GOUGH_LEGS));
-    json_object_set_new(object, "stroke", limits_common_length(c->study));
-    json_object_set_new(object, "limits", limits_object(c->study));
-    json_object_set_new(object, "condition", json_number(c->view.condition));
-    json_object_set_new(object, "determinant", json_number(determinant_of(c)));
-    json_object_set_new(object, "least_singular_value", json_number(c->view.least_singular));
-    json_object_set_new(object, "weakest_motion", json_string(weakest_name(&c->view)));
-    json_object_set_new(object, "principal_moments",
-                        own_numbers(c, GOUGH_UNIT_INERTIA, c->view.moments, 3));
-    json_object_set_new(object, "principal_axes", axes);
-    json_object_set_new(object, "leg_mass", json_number(own(c, GOUGH_UNIT_MASS, c->view.leg_mass)));
-    json_object_set_new(object, "leg_mass_on_top",
-                        json_number(own(c, GOUGH_UNIT_MASS, c->view.hanging)));
-    json_object_set_new(object, "external", external_array(c));
-    json_object_set_new(object, "pose", pose_view_object(c->model, c->unit, &c->pose));
-    json_object_set_new(object, "base_radius",
-                        json_number(own(c, GOUGH_UNIT_LENGTH, m->base_radius)));
-    json_object_set_new(object, "time_unit",
-                        json_number(own(c, GOUGH_UNIT_TIME, c->view.time_unit)));
-    json_object_set_new(object, "groups", groups_object(c));
-    json_object_set_new(object, "program", program_object(c));
-    json_object_set_new(object, "control", control_object(c->study, c->unit));
-    json_object_set_new(object, "actuators", drives_object(c->study, c->unit));
-    json_object_set_new(object, "sampling", sampled_view_object(c->unit, &c->sampled));
-    json_object_set_new(object, "simulation", simulation);
-    if (c->sweep) json_object_set_new(object, "sweep", sweep_object(c->sweep));
-    return json_print(object);
-}
-
 static gough_status check_study(const command_line *line, const pose_view *pose,
-                                const gough_study *study, const gough_sweep *sweep) {
+                                const gough_study *study, const gough_sweep *sweep, json_t *list) {
     check c = {.study = study,
                .sweep = sweep,
                .model = study->model,
@@ -520,32 +376,67 @@ static gough_status check_study(const command_line *line, const pose_view *pose,
     pose_view_find(c.model, c.unit, &c.pose);
     sampled_view_find(study, NULL, &c.sampled);
     check_warnings(line->verb, study, c.unit);
-    if (line->json) return print_check_json(&c) ? GOUGH_ERROR_FILE : GOUGH_OK;
-    if (!line->quiet) print_check(&c);
+    if (list)
+        json_array_append_new(list, check_object(&c));
+    else if (line->json)
+        return json_print(check_object(&c)) ? GOUGH_ERROR_FILE : GOUGH_OK;
+    else if (!line->quiet)
+        print_check(&c);
     return GOUGH_OK;
 }
 
-static gough_status run(const void *given) {
-    const check_line *asked = given;
+/* One study; with `list` its object joins those of the others. */
+static gough_status check_file(const check_line *asked, const char *path, json_t *list) {
     const command_line *line = &asked->line;
     gough_study *study = NULL;
     gough_sweep *sweep = NULL;
     pose_view pose = asked->pose;
-    if (pose.asked && asked->lengths.given) {
-        complain(line->verb, "--pose and --lengths both give the pose; give only one of them");
-        return GOUGH_ERROR_INPUT;
-    }
-    gough_status status = read_study(line, line->file.word[0], &study);
+    gough_status status = read_study(line, path, &study);
     if (!status && study->swept) status = read_sweep(line, study, &sweep);
     if (!status && asked->lengths.given) {
         pose.asked = true;
         status = lengths_pose(line->verb, study, &asked->lengths, pose.pose);
     }
-    if (!status) status = check_study(line, &pose, study, sweep);
+    if (!status) status = check_study(line, &pose, study, sweep, list);
     gough_sweep_free(sweep);
     gough_study_free(study);
     return status;
 }
+
+/* Several studies, one after the other, also after one that is wrong. The greatest status counts. */
+static gough_status check_files(const check_line *asked) {
+    const command_line *line = &asked->line;
+    json_t *list = line->json ? json_array() : NULL;
+    gough_status worst = GOUGH_OK;
+    for (size_t i = 0; i < line->file.count; i++) {
+        const char *path = line->file.word[i];
+        const size_t before = json_array_size(list);
+        if (!line->json && !line->quiet) print_line(stdout, "%s%s", i ? "\n" : "", path);
+        const gough_status status = check_file(asked, path, list);
+        if (status > worst) worst = status;
+        if (list && json_array_size(list) == before) json_array_append_new(list, json_object());
+        json_t *object = json_array_get(list, i);
+        json_object_set_new(object, "file", json_words(path));
+        json_object_set_new(object, "valid", json_boolean(status == GOUGH_OK));
+    }
+    if (!list) return worst;
+    json_t *whole = json_object();
+    json_object_set_new(whole, "studies", list);
+    if (json_print(whole)) return GOUGH_ERROR_FILE;
+    return worst;
+}
+
+static gough_status run(const void *given) {
+    const check_line *asked = given;
+    const command_line *line = &asked->line;
+    if (asked->pose.asked && asked->lengths.given) {
+        complain(line->verb, "--pose and --lengths both give the pose; give only one of them");
+        return GOUGH_ERROR_INPUT;
+    }
+    return line->file.count > 1 ? check_files(asked) : check_file(asked, line->file.word[0], NULL);
+}
+
+enum { MOST_STUDIES = 100000 };
 
 static const group_use groups[] = {
     USES_JSON,
@@ -559,8 +450,8 @@ static const group_use groups[] = {
 extern const command_verb check_verb;
 const command_verb check_verb = {
     .name = "check",
-    .arguments = "STUDY",
-    .sentence = "validate a study and describe its machine",
+    .arguments = "STUDY...",
+    .sentence = "validate studies and describe their machines",
     .text =
         "Validate a study and describe its machine: leg lengths, condition and least singular "
         "value at home, principal moments of inertia, external loads, stiffness and compliance at "
@@ -568,10 +459,12 @@ const command_verb check_verb = {
         "the stiffnesses "
         "between which it holds the platform) and simulation "
         "settings. Suspicious values are reported as "
-        "warnings.\vSTUDY is a study file, or - for standard input.",
+        "warnings.\vSTUDY is a study file, or - for standard input. Several are checked one after "
+        "the other, also after one that is "
+        "wrong; the exit status is the greatest of theirs, and the JSON a list.",
     .endings = "yaml yml",
     .least_files = 1,
-    .most_files = 1,
+    .most_files = MOST_STUDIES,
     .groups = groups,
     .size = sizeof(check_line),
     .run = run};

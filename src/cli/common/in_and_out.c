@@ -7,16 +7,8 @@
 #include <unistd.h>
 
 #include "cli/common/in_and_out.h"
+#include "cli/common/study_messages.h"
 #include "cli/common/talk.h"
-
-static void say_messages(char *messages) {
-    if (messages) {
-        fputs(messages, stderr);
-        const size_t length = strlen(messages);
-        if (length && messages[length - 1] != '\n') fputc('\n', stderr);
-    }
-    gough_study_free_messages(messages);
-}
 
 /* The folder that a file is to go to. */
 gough_status check_folder(const char *verb, const char *path) {
@@ -209,7 +201,7 @@ gough_status read_study(const command_line *line, const char *path, gough_study 
     const gough_status status =
         gough_study_read(path, line->settings.list, line->settings.count, study, &messages);
     if (status == GOUGH_ERROR_FILE && !messages) complain(line->verb, "out of memory");
-    say_messages(messages);
+    say_study_messages(line->verb, messages);
     if (status) return status;
     say_record(line, (*study)->record);
     return check_inputs(line, path, *study);
@@ -221,7 +213,7 @@ gough_status read_sweep(const command_line *line, const gough_study *study, goug
         gough_sweep_parse(study->name, study->text, strlen(study->text), line->settings.list,
                           line->settings.count, sweep, &messages);
     if (status == GOUGH_ERROR_FILE && !messages) complain(line->verb, "out of memory");
-    say_messages(messages);
+    say_study_messages(line->verb, messages);
     return status;
 }
 
@@ -232,7 +224,7 @@ gough_status read_design(const command_line *line, const gough_study *study,
         gough_design_study_parse(study->name, study->text, strlen(study->text), line->settings.list,
                                  line->settings.count, design, &messages);
     if (status == GOUGH_ERROR_FILE && !messages) complain(line->verb, "out of memory");
-    say_messages(messages);
+    say_study_messages(line->verb, messages);
     return status;
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/common/memory.h"
 #include "cli/common/option_values.h"
+#include "cli/common/refusal.h"
 #include "cli/common/talk.h"
 #include "cli/common/verb.h"
 
@@ -99,8 +100,8 @@ GROUP(quiet_group, NULL, NULL, .name = "quiet", .letter = 'q', .read = read_flag
 GROUP(json_group, NULL, NULL, .name = "json", .read = read_flag,
       .text = "print the results as JSON");
 GROUP(dimensionless_group, NULL, NULL, .name = "dimensionless", .read = read_flag);
-GROUP(settings_group, NULL, free_settings, .name = "set", .value = "KEY=VALUE", .many = true,
-      .read = add_setting,
+GROUP(settings_group, NULL, free_settings, .name = "set", .value = "KEY=VALUE",
+      .choices = CHOICES_KEYS, .many = true, .read = add_setting,
       .text = "override a key of the study, as in --set control.stiffness=50; may be repeated");
 GROUP(output_group, NULL, free_words, .name = "output", .letter = 'o', .value = "FILE",
       .choices = CHOICES_FILES, .many = true, .read = add_output);
@@ -155,6 +156,7 @@ static void refuse_twice(struct argp_state *state, const command_line *line, con
 static error_t read_option(int key, char *text, struct argp_state *state) {
     const reader *r = state->input;
     command_line *line = r->line;
+    if (key == ARGP_KEY_ERROR) refuse_option(state);
     if (key == ARGP_KEY_ARG) {
         refuse_twice(state, line, text);
         if (line->file.count == r->verb->most_files)
@@ -188,6 +190,14 @@ static void end_groups(const command_verb *verb, command_line *line) {
     free_words(&line->file);
 }
 
+/* Messages about the command line itself are JSON too if it asks for JSON. */
+static void begin_talk(const command_verb *verb, int count, char **argument) {
+    bool knows = false;
+    for (const group_use *use = verb->groups; use->group; use++) knows |= use->group == &json_group;
+    for (int i = 1; knows && i < count; i++)
+        if (strcmp(argument[i], "--json") == 0) talk_in_json();
+}
+
 gough_status verb_run(const command_verb *verb, int count, char **argument) {
     struct argp_option known[MOST_OPTIONS + 1] = {{0}};
     const group_use *use;
@@ -196,7 +206,9 @@ gough_status verb_run(const command_verb *verb, int count, char **argument) {
         if (n == MOST_OPTIONS) abort(); /* unreachable: a verb with more needs more room here */
         known[n] = (struct argp_option){o->name, key_of(o, n), o->value, 0, option_text(o, use), 0};
     }
+    const struct argp_child children[] = {{.argp = &help_argp}, {0}};
     const struct argp argp = {.options = known,
+                              .children = children,
                               .parser = read_option,
                               .args_doc = verb->arguments,
                               .doc = verb->text,
@@ -205,8 +217,8 @@ gough_status verb_run(const command_verb *verb, int count, char **argument) {
     memset(line, 0, verb->size);
     line->verb = verb->name;
     begin_groups(verb, line);
-    refuse_strange_option(&argp, count, argument);
-    argp_parse(&argp, count, argument, 0, NULL, &(reader){verb, line});
+    begin_talk(verb, count, argument);
+    argp_parse(&argp, count, argument, ARGP_OWN_VOICE, NULL, &(reader){verb, line});
     const gough_status status = verb->run(line);
     end_groups(verb, line);
     free(line);

@@ -2,10 +2,18 @@
 #define _GNU_SOURCE
 #include "cli/common/talk.h"
 
+#include <jansson.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+#include "cli/common/study_messages.h"
+
+static bool in_json; /* --json was given: messages are JSON too */
+
+void talk_in_json(void) { in_json = true; }
+bool talks_in_json(void) { return in_json; }
 
 bool colourful(FILE *stream) {
     const char *refused = getenv("NO_COLOR");
@@ -50,8 +58,50 @@ void print_title(FILE *stream, const char *title) {
     if (title && *title) print_line(stream, "%s", title);
 }
 
+void say_json(const char *kind, const char *verb, json_t *what) {
+    json_t *line = json_object();
+    if (verb) json_object_set_new(what, "verb", json_string(verb));
+    json_object_set_new(line, kind, what);
+    char *text = json_dumps(line, JSON_COMPACT | JSON_PRESERVE_ORDER);
+    fprintf(stderr, "%s\n", text ? text : "{\"error\":{\"message\":\"out of memory\"}}");
+    free(text);
+    json_decref(line);
+}
+
+/* Text that is not UTF-8 comes as it is shown. */
+static json_t *json_shown(const char *text) {
+    json_t *words = json_string(text);
+    const size_t length = strlen(text), size = gough_text_show(text, length, NULL, 0) + 1;
+    char *shown = words ? NULL : malloc(size);
+    if (shown) {
+        gough_text_show(text, length, shown, size);
+        words = json_string(shown);
+    }
+    free(shown);
+    return words ? words : json_string("");
+}
+
+static void say_sentence(const char *kind, const char *verb, const char *format, va_list list) {
+    static const char warning[] = "warning: ";
+    char *sentence = NULL;
+    if (vasprintf(&sentence, format, list) < 0) sentence = NULL;
+    const char *text = sentence ? sentence : "out of memory";
+    if (strncmp(text, warning, sizeof warning - 1) == 0) {
+        kind = "warning";
+        text += sizeof warning - 1;
+    }
+    json_t *what = json_object();
+    json_object_set_new(what, "message", json_shown(text));
+    say_json(kind, verb, what);
+    free(sentence);
+}
+
 static void say(const char *verb, bool wrong, const char *format, va_list list) {
     fflush(stdout); /* keep the order if both streams go to one place */
+    if (in_json) {
+        say_sentence(wrong ? "error" : "remark", verb, format, list);
+        return;
+    }
     fputs("gough", stderr);
     if (verb) fprintf(stderr, " %s", verb);
     if (wrong)
@@ -62,45 +112,13 @@ static void say(const char *verb, bool wrong, const char *format, va_list list) 
 }
 
 void usage_error(const struct argp_state *state, const char *format, ...) {
-    char *sentence = NULL, *shown = NULL;
+    const char *verb = strncmp(state->name, "gough ", 6) == 0 ? state->name + 6 : NULL;
     va_list list;
     va_start(list, format);
-    if (vasprintf(&sentence, format, list) < 0) sentence = NULL;
+    say(verb, true, format, list);
     va_end(list);
-    if (sentence) {
-        const size_t length = strlen(sentence);
-        const size_t size = gough_text_show(sentence, length, NULL, 0) + 1;
-        if ((shown = malloc(size))) gough_text_show(sentence, length, shown, size);
-    }
-    argp_error(state, "%s", shown ? shown : "out of memory");
-    free(shown);
-    free(sentence);
-}
-
-static bool is_strange(const char *text) {
-    const size_t length = strlen(text);
-    return text[0] == '-' && gough_text_show(text, length, NULL, 0) != length;
-}
-
-/* Takes every option and argument as they come, and sees where the first one is that argp does not know. */
-static error_t find_unknown(int key, char *text, struct argp_state *state) {
-    (void)text;
-    if (key != ARGP_KEY_ERROR) return 0;
-    for (int i = state->next - 1; i <= state->next && i < state->argc; i++) {
-        if (!is_strange(state->argv[i])) continue;
-        state->flags &= ~(unsigned)(ARGP_NO_ERRS | ARGP_NO_EXIT);
-        usage_error(state, "unrecognized option '%s'", state->argv[i]);
-    }
-    return 0;
-}
-
-void refuse_strange_option(const struct argp *argp, int count, char **argument) {
-    const struct argp finder = {.options = argp->options, .parser = find_unknown};
-    bool strange = false;
-    for (int i = 1; i < count; i++) strange |= is_strange(argument[i]);
-    if (strange)
-        argp_parse(&finder, count, argument, ARGP_NO_ERRS | ARGP_NO_EXIT | ARGP_NO_HELP, NULL,
-                   NULL);
+    if (!in_json) fprintf(stderr, "'%s --help' says what it takes\n", state->name);
+    exit(GOUGH_ERROR_INPUT);
 }
 
 void complain(const char *verb, const char *format, ...) {
@@ -121,7 +139,17 @@ void complain_of(const char *verb, const gough_study *study, gough_error *error)
     gough_error_say(error, &study->units);
     const char *sentence = error->message;
     char *place = place_of(study, sentence);
-    complain(verb, "%s: %s", place ? place : study->name, sentence);
+    const char *where = place ? place : study->name;
+    if (in_json) {
+        json_t *what = json_object();
+        json_set_place(what, where, strlen(where));
+        if (error->key) json_object_set_new(what, "key", json_string(error->key));
+        json_object_set_new(what, "message", json_shown(sentence));
+        fflush(stdout);
+        say_json("error", verb, what);
+    } else {
+        complain(verb, "%s: %s", where, sentence);
+    }
     free(place);
 }
 

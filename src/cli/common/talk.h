@@ -3,6 +3,7 @@
 #define GOUGH_CLI_TALK_H
 
 #include <argp.h>
+#include <jansson.h>
 #include <stdbool.h>
 #include <stdio.h>
 
@@ -13,11 +14,14 @@
 void print_line(FILE *stream, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* Prints the title of a study on a line of its own, or nothing if the title is NULL or "". */
 void print_title(FILE *stream, const char *title);
-/* Ends the process with a sentence about the command line, how to ask for help, and exit code 2. */
+/* Ends the process with a sentence about the command line, how to ask for help, and exit code 2: "gough VERB: error: …". */
 void usage_error(const struct argp_state *state, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-/* The same for an option that does not exist, where its name is not printable: argp would print it as it is. */
-void refuse_strange_option(const struct argp *argp, int count, char **argument);
+/* From here on messages are lines of JSON on standard error: {"error": {"message": …, "verb": …}}; or "warning", or "remark". */
+void talk_in_json(void);
+bool talks_in_json(void);
+/* Writes such a line of this kind; takes over the object. */
+void say_json(const char *kind, const char *verb, json_t *what);
 /* "gough VERB: error: …"; texts of the user likewise */
 void complain(const char *verb, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* "own.yaml:12:10", the place of the key that a sentence begins with, to be freed; NULL: the study does not give it */

@@ -33,6 +33,7 @@ struct command_option {
 /* choices that are not words */
 #define CHOICES_FILES "FILES"
 #define CHOICES_FIGURES "FIGURES"
+#define CHOICES_KEYS "KEYS"
 
 option_reader read_flag; /* a bool */
 option_reader read_word; /* a const char *, as it is */
@@ -115,7 +116,8 @@ typedef struct command_verb {
     const char *arguments; /* "STUDY", as in --help */
     const char *sentence;  /* what it does, in the list of verbs */
     const char *text;      /* the text of --help before \v and after the options */
-    const char *endings; /* of files that are its arguments: "yaml yml"; NULL: names of examples */
+    const char *endings;   /* of files that are its arguments: "yaml yml"; NULL: they are words */
+    const char *words;     /* what these are: "example", of those that _gough_examples() lists */
     size_t least_files, most_files;
     const group_use *groups; /* ends with one without a group */
     size_t size;             /* of its line, a struct that begins with a command_line */

@@ -124,7 +124,7 @@ extern const command_verb design_verb;
 const command_verb design_verb = {
     .name = "design",
     .arguments = "STUDY",
-    .sentence = "a better machine: choose keys so that a required box of poses is certified",
+    .sentence = "a better machine, certified over a box of poses",
     .text =
         "Choose values of the keys under design.vary, each between its bounds, so that the box of "
         "poses workspace.box is certified with the motions and loads of workspace, and so that "

@@ -64,7 +64,30 @@ static const embedded_file *find_example(const char *name) {
     return NULL;
 }
 
+/* "'flight-design', 'flight-simulator'": the examples whose names contain a word, and how many they are. */
+static size_t containing(const char *word, char *list, size_t size) {
+    size_t count = 0, used = 0;
+    for (const embedded_file *file = embedded_files; file->name; file++) {
+        const size_t stem = stem_length(file);
+        if (strlen(word) < 3 || !memmem(file->name, stem, word, strlen(word))) continue;
+        if (used < size)
+            used += (size_t)snprintf(list + used, size - used, "%s'%.*s'", count ? ", " : "",
+                                     (int)stem, file->name);
+        count++;
+    }
+    return count;
+}
+
 static void complain_of_unknown(const char *name) {
+    char list[300];
+    const size_t alike = containing(name, list, sizeof list);
+    if (alike > 0 && alike < 6) {
+        complain("example",
+                 alike == 1 ? "there is no example '%s'; did you mean %s?"
+                            : "there is no example '%s'; did you mean one of %s?",
+                 name, list);
+        return;
+    }
     const char *known[64];
     size_t count = 0;
     for (const embedded_file *file = embedded_files; file->name && count < 64; file++)
@@ -112,6 +135,7 @@ extern const command_verb example_verb;
 const command_verb example_verb = {
     .name = "example",
     .arguments = "[NAME]",
+    .words = "example",
     .sentence = "print an example study to start from, or list them",
     .text = "Print an example study to start from; without NAME, list the examples.\vNAME without "
             "an ending is a study, such as 'flight-simulator'; with one it is a file that belongs "

@@ -35,7 +35,8 @@ static bool completes(const option *o, const char *choices) {
 }
 
 static bool has_words(const option *o) {
-    return o->choices && !completes(o, CHOICES_FILES) && !completes(o, CHOICES_FIGURES);
+    return o->choices && !completes(o, CHOICES_FILES) && !completes(o, CHOICES_FIGURES) &&
+           !completes(o, CHOICES_KEYS);
 }
 
 /* ---- bash --------------------------------------------------------------------------------------------------------- */
@@ -123,7 +124,10 @@ static void write_zsh_option(FILE *stream, const manual_entry *entry) {
     if (has_words(o))
         fprintf(stream, "(%s)", o->choices);
     else if (o->choices)
-        fputs(completes(o, CHOICES_FILES) ? "_files" : "_gough_figures", stream);
+        fputs(completes(o, CHOICES_FILES)  ? "_files"
+              : completes(o, CHOICES_KEYS) ? "_gough_settings"
+                                           : "_gough_figures",
+              stream);
     fputc('\'', stream);
 }
 
@@ -140,7 +144,8 @@ static void write_zsh_options(FILE *stream, const manual *m) {
             manual_join(stream, verb_at(v)->endings, "|");
             fputs(")\"'\n            ;;\n", stream);
         } else {
-            fputs("example:_gough_examples'\n            ;;\n", stream);
+            fprintf(stream, "%s:_gough_%ss'\n            ;;\n", verb_at(v)->words,
+                    verb_at(v)->words);
         }
     }
 }
@@ -174,6 +179,8 @@ static void write_fish_options(FILE *stream, const manual *m) {
             fprintf(stream, "-x -a \"%s\" ", o->choices);
         else if (completes(o, CHOICES_FIGURES))
             fputs("-x -a \"(__gough_figures)\" ", stream);
+        else if (completes(o, CHOICES_KEYS))
+            fputs("-x -a \"(__gough_settings)\" ", stream);
         else if (o->value)
             fputs("-x ", stream);
         fputs("-d \"", stream);
@@ -184,7 +191,13 @@ static void write_fish_options(FILE *stream, const manual *m) {
 
 static void write_fish_endings(FILE *stream, const manual *m) {
     for (size_t v = 0; v < m->verbs; v++) {
-        if (!verb_at(v)->endings) continue;
+        if (!verb_at(v)->endings) {
+            fprintf(stream,
+                    "complete -c gough -n \"__fish_seen_subcommand_from %s\" -a "
+                    "\"(__gough_%ss)\"\n",
+                    verb_at(v)->name, verb_at(v)->words);
+            continue;
+        }
         fprintf(stream,
                 "complete -c gough -n \"__fish_seen_subcommand_from %s\" -a "
                 "\"(__fish_complete_suffix .%.*s)\"\n",

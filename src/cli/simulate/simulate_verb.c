@@ -24,7 +24,7 @@ extern const command_verb simulate_verb;
 const command_verb simulate_verb = {
     .name = "simulate",
     .arguments = "STUDY",
-    .sentence = "the motion under leg forces, control and disturbances",
+    .sentence = "the motion under leg forces, control, disturbances",
     .text = "Compute the motion under leg forces, control and disturbance (forward dynamics), "
             "and its deviation from the program (the commanded motion).\vSTUDY is a study "
             "file, or - for standard input. The run ends early at the first exceeded limit, at "

@@ -336,7 +336,7 @@ extern const command_verb stability_verb;
 const command_verb stability_verb = {
     .name = "stability",
     .arguments = "STUDY",
-    .sentence = "modes, stiffness thresholds, growth along the program",
+    .sentence = "modes, stiffness thresholds, growth of deviations",
     .text = "Determine whether the control law holds the platform: eigenvalues and modes at rest, "
             "the least stiffness G that each mode needs, Floquet multipliers along a periodic "
             "program.\vThe loop is linearised exactly: about rest at home or in --pose, and about "

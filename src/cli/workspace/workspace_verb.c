@@ -117,8 +117,7 @@ extern const command_verb workspace_verb;
 const command_verb workspace_verb = {
     .name = "workspace",
     .arguments = "STUDY",
-    .sentence =
-        "where a machine can go: travel of each axis, the largest box, worst values, volume",
+    .sentence = "where a machine can go: travel, boxes, worst values",
     .text =
         "Find how far each axis of a machine reaches, which limit ends its travel, and the "
         "largest box of poses, of the shape workspace.box or of these travels, in which all "
