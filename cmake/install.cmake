@@ -7,11 +7,21 @@ install(TARGETS gough_shared gough_analyse_shared gough_files_shared EXPORT goug
 install(DIRECTORY include/gough DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h" PATTERN "*.def")
 install(FILES ${PROJECT_BINARY_DIR}/include/gough/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gough)
 
-# find_package(gough): targets gough::gough (core), gough::analyse and gough::files
+# find_package(gough): targets gough::gough (core), gough::analyse and gough::files; gough::static is the core as libgough.a
 set(GOUGH_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/gough)
 install(EXPORT gough-targets NAMESPACE gough:: DESTINATION ${GOUGH_CMAKE_FOLDER})
-file(WRITE ${PROJECT_BINARY_DIR}/gough-config.cmake
-    "include(\"\${CMAKE_CURRENT_LIST_DIR}/gough-targets.cmake\")\n")
+list(JOIN GOUGH_MATH "$<SEMICOLON>" GOUGH_STATIC_NEEDS)
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/gough-config.cmake CONTENT
+    "include(CMakeFindDependencyMacro)
+find_dependency(Threads)
+include(\"\${CMAKE_CURRENT_LIST_DIR}/gough-targets.cmake\")
+get_filename_component(gough_libraries \"\${CMAKE_CURRENT_LIST_DIR}/../..\" ABSOLUTE)
+add_library(gough::static STATIC IMPORTED)
+set_target_properties(gough::static PROPERTIES IMPORTED_LOCATION \"\${gough_libraries}/libgough.a\")
+get_target_property(gough_includes gough::gough INTERFACE_INCLUDE_DIRECTORIES)
+target_include_directories(gough::static INTERFACE \${gough_includes})
+target_link_libraries(gough::static INTERFACE ${GOUGH_STATIC_NEEDS} Threads::Threads)
+")
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/gough-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/gough-config.cmake ${PROJECT_BINARY_DIR}/gough-config-version.cmake
     DESTINATION ${GOUGH_CMAKE_FOLDER})

@@ -103,15 +103,14 @@ endfunction()
 
 gough_room_libraries("")
 
-# Installed: libgough.a, libgough.so, libgough-analyse.so, libgough-files.so. The archive is one object whose inner names are made local, so
-# that a user's program sees only what GOUGH_API shows, as in the shared libraries.
+# Installed: libgough.a, libgough.so, libgough-analyse.so, libgough-files.so. A program linked to the archive with --gc-sections has only the
+# functions that it calls; its inner names cannot clash with those of the program.
+target_compile_options(gough_core_objects PRIVATE -ffunction-sections -fdata-sections)
 add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/libgough.a
-    COMMAND ${CMAKE_C_COMPILER} -r -nostdlib -o gough-core.o $<TARGET_OBJECTS:gough_core_objects>
-    COMMAND ${CMAKE_OBJCOPY} --localize-hidden gough-core.o
-    COMMAND ${CMAKE_COMMAND} -E rm -f libgough.a
-    COMMAND ${CMAKE_AR} rcs libgough.a gough-core.o
-    DEPENDS gough_core_objects $<TARGET_OBJECTS:gough_core_objects>
-    WORKING_DIRECTORY ${PROJECT_BINARY_DIR} COMMAND_EXPAND_LISTS VERBATIM)
+    COMMAND ${CMAKE_COMMAND} -DFILE=${PROJECT_BINARY_DIR}/libgough.a "-DOBJECTS=$<TARGET_OBJECTS:gough_core_objects>"
+            -DREADELF=${CMAKE_READELF} -DOBJCOPY=${CMAKE_OBJCOPY} -DAR=${CMAKE_AR} -P ${PROJECT_SOURCE_DIR}/cmake/archive.cmake
+    DEPENDS gough_core_objects $<TARGET_OBJECTS:gough_core_objects> ${PROJECT_SOURCE_DIR}/cmake/archive.cmake
+    VERBATIM)
 add_custom_target(gough_archive ALL DEPENDS ${PROJECT_BINARY_DIR}/libgough.a)
 add_library(gough_shared SHARED $<TARGET_OBJECTS:gough_core_objects>)
 add_library(gough_analyse_shared SHARED $<TARGET_OBJECTS:gough_analyse_objects>)

@@ -52,7 +52,7 @@ for signal in INT TERM HUP; do
     interrupted $signal "gough forces: stopped before the end; nothing was written" '' forces own.yaml "${long[@]}" -o out/a.csv
     interrupted $signal "gough stability: stopped before the end; nothing was written" '' stability own.yaml --set 'motion={heave: 0.02*sin(9*t)}' \
         --sweep-stiffness 100:50000:2001 --sweep-frequency 0.5:2:801 -o out/map.csv -o out/map.svg
-    interrupted $signal "gough report: stopped before the end; nothing was written" '' report own.yaml "${long[@]}" -o out/a.html
+    has_page && interrupted $signal "gough report: stopped before the end; nothing was written" '' report own.yaml "${long[@]}" -o out/a.html
 done
 
 # gnuplot that takes its time: the first of its name in PATH

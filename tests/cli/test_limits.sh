@@ -23,7 +23,8 @@ done
 jq -es '.[0].end.legs == .[1].end.legs and (.[0].end.time - .[1].end.time | fabs) < 1e-4' "$scratch"/{forces,simulate}.json >/dev/null ||
     fail "forces and simulate name other legs: $(jq -c .end.legs "$scratch"/{forces,simulate}.json | paste -sd' ')"
 pair=$(jq -r '.end.legs | "legs \(.[0]) and \(.[1])"' "$scratch/forces.json")
-grep -qE "error: .*: $pair exceed their greatest speed 0\.2 m/s at t = [0-9.]+ s$" "$scratch/err" || fail "the sentence: $(cat "$scratch/err")"
+jq -r '.error | "error: \(.file): \(.message)"' "$scratch/err" >"$scratch/said"
+grep -qE "error: .*: $pair exceed their greatest speed 0\.2 m/s at t = [0-9.]+ s$" "$scratch/said" || fail "the sentence: $(cat "$scratch/err")"
 
 # by other means: peaks, first and last times beyond, number of excesses, from a table of close rows
 "$GOUGH" forces "$scratch/surge.yaml" --set simulation.output_step=0.0005 -q -o "$scratch/fine.csv" 2>/dev/null

@@ -19,6 +19,10 @@ placed() { # placed PLACE ARGUMENT…
     shift
     run "$@"
     expect_code 2 "$@"
+    if [[ $* == *--json* ]]; then
+        command -v jq >/dev/null || return 0
+        jq -r '.error | "error: \(.file):\(.line):\(.column): \(.message)"' err >said && mv said err || fail "$*: no line of JSON: $(cat err)"
+    fi
     grep -qE "(^|error: )$place: .*(not finite|motion.heave)" err || fail "$*: not at $place but: $(cat err)"
 }
 run check study.yaml --set simulation.duration=1

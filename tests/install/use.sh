@@ -37,12 +37,15 @@ project(user C)
 find_package(gough 0.1 REQUIRED)
 add_executable(program program.c)
 target_link_libraries(program gough::gough m)
+add_executable(static program.c)
+target_link_libraries(static gough::static)
 add_executable(files files.c)
 target_link_libraries(files gough::files)
 END
     cmake -S "$scratch/user" -B "$scratch/user/build" -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/log" 2>&1 &&
         cmake --build "$scratch/user/build" >>"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
     expect "find_package, gough::gough" 1.000000000000 "$scratch/user/build/program"
+    (unset LD_LIBRARY_PATH; expect "find_package, gough::static" 1.000000000000 "$scratch/user/build/static")
     expect "find_package, gough::files" "$title" "$scratch/user/build/files" "$SOURCE/examples/paper-heave.yaml"
 
     expect "the command" "gough $(sed -n 's/^Version: //p' "$config/gough.pc")" "$prefix/bin/gough" --version

@@ -38,6 +38,15 @@ void json_set_place(json_t *object, const char *place, size_t length) {
     json_object_set_new(object, "column", json_integer(column));
 }
 
+size_t leading_place(const char *sentence) {
+    for (const char *colon = strstr(sentence, ": "); colon; colon = strstr(colon + 1, ": ")) {
+        size_t length = (size_t)(colon - sentence);
+        if (last_number(sentence, &length) >= 0 && last_number(sentence, &length) >= 0)
+            return (size_t)(colon - sentence);
+    }
+    return 0;
+}
+
 /* The end of a line, and the beginning of the next. */
 static const char *line_end(const char *line) { return line + strcspn(line, "\n"); }
 static const char *next_line(const char *line) {

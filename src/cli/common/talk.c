@@ -91,6 +91,11 @@ static void say_sentence(const char *kind, const char *verb, const char *format,
         text += sizeof warning - 1;
     }
     json_t *what = json_object();
+    const size_t place = leading_place(text);
+    if (place) {
+        json_set_place(what, text, place);
+        text += place + 2;
+    }
     json_object_set_new(what, "message", json_shown(text));
     say_json(kind, verb, what);
     free(sentence);
@@ -135,21 +140,27 @@ char *place_of(const gough_study *study, const char *sentence) {
     return place;
 }
 
+static void say_at(const char *verb, const char *place, const char *key, const char *sentence) {
+    if (!in_json) {
+        complain(verb, "%s: %s", place, sentence);
+        return;
+    }
+    json_t *what = json_object();
+    json_set_place(what, place, strlen(place));
+    if (key) json_object_set_new(what, "key", json_string(key));
+    json_object_set_new(what, "message", json_shown(sentence));
+    fflush(stdout);
+    say_json("error", verb, what);
+}
+
+void complain_at(const char *verb, const char *place, const char *sentence) {
+    say_at(verb, place, NULL, sentence);
+}
+
 void complain_of(const char *verb, const gough_study *study, gough_error *error) {
     gough_error_say(error, &study->units);
-    const char *sentence = error->message;
-    char *place = place_of(study, sentence);
-    const char *where = place ? place : study->name;
-    if (in_json) {
-        json_t *what = json_object();
-        json_set_place(what, where, strlen(where));
-        if (error->key) json_object_set_new(what, "key", json_string(error->key));
-        json_object_set_new(what, "message", json_shown(sentence));
-        fflush(stdout);
-        say_json("error", verb, what);
-    } else {
-        complain(verb, "%s: %s", where, sentence);
-    }
+    char *place = place_of(study, error->message);
+    say_at(verb, place ? place : study->name, error->key, error->message);
     free(place);
 }
 

@@ -24,6 +24,8 @@ bool talks_in_json(void);
 void say_json(const char *kind, const char *verb, json_t *what);
 /* "gough VERB: error: …"; texts of the user likewise */
 void complain(const char *verb, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* The same about a file, or a place of one: "gough VERB: error: own.yaml:12:10: …" */
+void complain_at(const char *verb, const char *place, const char *sentence);
 /* "own.yaml:12:10", the place of the key that a sentence begins with, to be freed; NULL: the study does not give it */
 char *place_of(const gough_study *study, const char *sentence);
 /* The same of a sentence about a study: "gough VERB: error: own.yaml:12:10: …" with the place of the key that it begins with, or

@@ -36,7 +36,7 @@ typedef struct pose_record {
 /* ---- reading ---- */
 
 static gough_status refuse(const pose_record *r, const char *sentence) {
-    complain(r->line->line.verb, "%s: %s", r->line->asked.samples, sentence);
+    complain_at(r->line->line.verb, r->line->asked.samples, sentence);
     return GOUGH_ERROR_INPUT;
 }
 

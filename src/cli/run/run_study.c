@@ -86,7 +86,7 @@ static int by_beginning(const void *left, const void *right) {
 /* Says why a run ended; the table and the summary are the answer, this is the reason for the exit code. */
 static void explain_end(const command_line *line, const run_report *report) {
     if (report->end.cause == GOUGH_END_DONE) return;
-    complain(line->verb, "%s: %s", report->study->name, report->end.message);
+    complain_at(line->verb, report->study->name, report->end.message);
 }
 
 static gough_status write_tables(const command_line *line, const gough_result *result) {
