@@ -8,7 +8,7 @@ import subprocess
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from . import _gough
+from . import _errors, _gough
 from ._errors import fail
 from ._study import Study
 
@@ -69,8 +69,12 @@ def run(verb: str, studies: Sequence[Study | str], options: Mapping[str, Any], a
     done = subprocess.run(arguments, input=text or b"", capture_output=True, check=False)
     said = done.stderr.decode("utf-8", "replace")
     if done.returncode not in (0, 1) or (as_json and not done.stdout):
+        if as_json:
+            said = _errors.plain(said)
         fail(done.returncode, said.replace("standard input:", "study:") if text else said)
     remarks = [line.partition(": ")[2] for line in said.splitlines() if line.startswith("gough ")]
+    if as_json:
+        remarks = _errors.remarks_in(said)
     return done.returncode, json.loads(done.stdout) if as_json else done.stdout, remarks
 
 

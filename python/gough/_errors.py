@@ -1,6 +1,7 @@
 """Exceptions with the place and the key that they are about."""
 from __future__ import annotations
 
+import json
 import re
 from typing import NamedTuple, NoReturn
 
@@ -66,9 +67,42 @@ def messages(text: str) -> list[Message]:
     return found
 
 
+def _lines(said: str) -> list[tuple[str, dict | str]]:
+    """Kind and object of each line of JSON; ("", text) of a line that is none."""
+    found: list[tuple[str, dict | str]] = []
+    for line in said.splitlines():
+        try:
+            [(kind, value)] = json.loads(line).items()
+            found.append((kind, value))
+        except (ValueError, AttributeError):
+            found.append(("", line))
+    return found
+
+
+def plain(said: str) -> str:
+    """The errors among messages in JSON, as the command writes them without it."""
+    text = []
+    for kind, value in _lines(said):
+        if isinstance(value, str):
+            text.append(value)
+        elif kind == "error":
+            place = ":".join(str(value[name]) for name in ("file", "line", "column") if name in value)
+            place = place or ("--set " + value["setting"] if "setting" in value else f"gough {value.get('verb', '')}".strip())
+            text.append(f"{place}: error: {value['message']}")
+    return "\n".join(text)
+
+
+def remarks_in(said: str) -> list[str]:
+    """The remarks, warnings and errors among messages in JSON, as sentences."""
+    return [
+        value if isinstance(value, str) else ("warning: " if kind == "warning" else "") + value["message"]
+        for kind, value in _lines(said)
+    ]
+
+
 def fail(status: int, text: str, key: str | None = None) -> NoReturn:
     """Raises the exception for a status of the library with what it says."""
-    usage = [line for line in text.splitlines() if not line.startswith("Try `gough")]  # there is no command line here
+    usage = [line for line in text.splitlines() if not line.startswith("'gough ")]  # there is no command line here
     text = "\n".join(line.partition(": ")[2] if re.match(r"gough \w+: (?!error: )", line) else line for line in usage)
     found = messages(text) or [Message(text.strip(), None, None, None, key)]
     raise _CLASSES.get(status, GoughError)(text, found)
