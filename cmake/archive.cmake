@@ -1,6 +1,6 @@
-# Run by `cmake -P`: an archive of the objects in OBJECTS, as FILE, so that a program takes only the functions that it needs. Names that
-# objects share with each other but not with a program (hidden ones) begin with gough_inner_ there, so that none can clash with a
-# name of the program.
+# Run by `cmake -P`: an archive of the objects in OBJECTS, as FILE, so that a program takes only the functions that it needs. Names
+# that objects share with each other but not with a program (hidden ones) begin with gough_inner_ there and end with the edition,
+# so that none can clash with a name of the program or of another edition.
 set(hidden)
 foreach(object IN LISTS OBJECTS)
     execute_process(COMMAND ${READELF} --symbols --wide ${object} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
@@ -11,8 +11,7 @@ foreach(object IN LISTS OBJECTS)
     endforeach()
 endforeach()
 list(REMOVE_DUPLICATES hidden)
-list(FILTER hidden EXCLUDE REGEX "^gough_")
-list(TRANSFORM hidden REPLACE "(.+)" "\\1 gough_inner_\\1" OUTPUT_VARIABLE names)
+list(TRANSFORM hidden REPLACE "(.+)" "\\1 gough_inner_\\1_e${EDITION}" OUTPUT_VARIABLE names)
 list(JOIN names "\n" names)
 file(WRITE ${FILE}.names "${names}\n")
 

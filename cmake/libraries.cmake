@@ -108,7 +108,7 @@ gough_room_libraries("")
 target_compile_options(gough_core_objects PRIVATE -ffunction-sections -fdata-sections)
 add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/libgough.a
     COMMAND ${CMAKE_COMMAND} -DFILE=${PROJECT_BINARY_DIR}/libgough.a "-DOBJECTS=$<TARGET_OBJECTS:gough_core_objects>"
-            -DREADELF=${CMAKE_READELF} -DOBJCOPY=${CMAKE_OBJCOPY} -DAR=${CMAKE_AR} -P ${PROJECT_SOURCE_DIR}/cmake/archive.cmake
+            -DEDITION=${GOUGH_EDITION} -DREADELF=${CMAKE_READELF} -DOBJCOPY=${CMAKE_OBJCOPY} -DAR=${CMAKE_AR} -P ${PROJECT_SOURCE_DIR}/cmake/archive.cmake
     DEPENDS gough_core_objects $<TARGET_OBJECTS:gough_core_objects> ${PROJECT_SOURCE_DIR}/cmake/archive.cmake
     VERBATIM)
 add_custom_target(gough_archive ALL DEPENDS ${PROJECT_BINARY_DIR}/libgough.a)
