@@ -124,9 +124,12 @@ static double growth_of_heave(gough_model *model, double stiffness) {
     if (gough_floquet_sampled(model, NULL, &f, NULL) != GOUGH_OK) return NAN;
     for (size_t k = 0; k < f.listed; k++) {
         const gough_multiplier *m = &f.multiplier[k];
+        const double largest = hypot(f.multiplier[0].value[0], f.multiplier[0].value[1]);
+        /* beside one that is so much larger, a map takes it for rounding */
+        if (hypot(m->value[0], m->value[1]) <= 1e-9 * largest) break;
         if (strcmp(m->mode.name, "heave") == 0) most = fmax(most, hypot(m->value[0], m->value[1]));
     }
-    return pow(most, 1 / (double)f.periods);
+    return most > 0 ? pow(most, 1 / (double)f.periods) : NAN;
 }
 
 /* Points are those of single analyses, with the periods that fit; an edge lies where growth passes 1. */
