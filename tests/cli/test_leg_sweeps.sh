@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # Legs and external loads in sweeps: each run of a sweep over their numbers is the single run with that number, bit for bit; six equal
 # numbers are one; legs of mass 0 move as legs without mass, whose equations are others.
 # Not sanitized: it looks at digits, and other tests run the same verbs under sanitizers.

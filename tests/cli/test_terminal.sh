@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # No text of the user drives the terminal: control bytes, marks of direction and bytes that are not UTF-8, in every kind of place
 # and every verb, come out escaped in messages and summaries; JSON keeps the text.
 # Sanitized: campaign: other tests of the command run each verb under sanitizers, and base/text escapes.

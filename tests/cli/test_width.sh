@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # What the verbs print on standard output, and their help, fits 100 columns: every example through check, forces, simulate and
 # stability, a run that exceeds its limits, a map, a sweep and a choice of the feedback.
 # Not sanitized: it looks at words, and other tests run the same verbs under sanitizers.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # The guide to designs: its commands run as they stand, and its numbers come out; the design holds its box by another verb.
 # shellcheck source=tests/examples/common.sh
 source "$(dirname "$0")/common.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # The guide to choosing the feedback: its commands run as they stand, and what it says of the G named comes out.
 # shellcheck source=tests/examples/common.sh
 source "$(dirname "$0")/common.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # The commands that the first lines of each example tell its reader to run do run, and every example starts by saying what it shows.
 # shellcheck source=tests/examples/common.sh
 source "$(dirname "$0")/common.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # The guide "What can my machine reach?": its commands run as they stand, and its numbers are theirs.
 # shellcheck source=tests/examples/common.sh
 source "$(dirname "$0")/common.sh"

@@ -1,6 +1,6 @@
 /* Numbers on the axes of stability maps: the text at each tick is the value at its place. Places are told by lines whose data are
  * known here: the curve of growth in maps of one row, the edges of an interval in maps of several.
- * Label: standard.
+ * Label: thorough.
  * Not sanitized: most of its time is gnuplot's, and figure/sweep draws under sanitizers. */
 #define _XOPEN_SOURCE 700
 #include <math.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # Each panel of each kind of figure of each verb names the unit of its numbers, in SI, dimensionless, and where tables of both are
 # compared, and its numbers are in this unit: read from ticks and line, they are those of the table in SI times a factor. Units and
 # factors (own-machine: R_b = 0.25 m, M = 6 kg, g = 9.80665 m/s²) are written out here.
