@@ -56,7 +56,7 @@ control: {stiffness: 4e5, damping: 1.5e4}
 STUDY
 "${GOUGH:-$BUILD/gough}" stability "$scratch/matrix.yaml" --matrix -q >"$scratch/matrix.csv" || fail "the study of the matrix does not run"
 # four digits of each element; what rounding leaves of zeros is below 1e-9
-digits() { awk '{ for (i = 1; i <= NF; i++) printf "%.4g ", $i > -1e-9 && $i < 1e-9 ? 0 : $i; print "" }'; }
+digits() { awk '{ for (i = 1; i <= NF; i++) printf("%.4g ", $i > -1e-9 && $i < 1e-9 ? 0 : $i); print "" }'; }
 [[ $(sed 's/.*= //' "$scratch/matrix.txt" | digits) == "$(sed '1d; s/,/ /g' "$scratch/matrix.csv" | digits)" ]] ||
     fail "the matrix: $(cat "$scratch/matrix.txt"); that of the study: $(cat "$scratch/matrix.csv")"
 [[ $(sed 's/^d\(.*\)\/dt .*/\1/' "$scratch/matrix.txt" | paste -sd,) == "$(head -1 "$scratch/matrix.csv")" ]] ||
