@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # gough stability: the map's tongues are where the theory has them, in tables and pictures, and as JSON.
 source "$(dirname "$0")/support.sh"
 command -v jq >/dev/null || { echo "skipped: no jq"; exit 77; }

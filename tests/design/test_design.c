@@ -1,4 +1,5 @@
-/* Designs whose best is known in closed form, what binds them, and what is refused; the same bits for the same seed. */
+/* Designs whose best is known in closed form, what binds them, and what is refused; the same bits for the same seed.
+ * Label: standard. */
 #include <math.h>
 #include <pthread.h>
 #include <string.h>

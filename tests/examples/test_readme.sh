@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # The README's promises: its commands run, its program compiles and prints forces that carry the load, what it links to is there.
 # shellcheck source=tests/examples/common.sh
 source "$(dirname "$0")/common.sh"

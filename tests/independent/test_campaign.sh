@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Label: thorough.
 # Twenty random studies of the campaign: each number that check, forces and simulate print, as text, JSON and CSV, in SI and
 # dimensionless, is that of the independent computation beside this file. `make campaign` runs a thousand.
 set -euo pipefail

@@ -1,6 +1,7 @@
 /* Runs of controllers that are sampled, late, counting, limited and integrating, and of drives that lag, against the same motion of
  * thirteen rigid bodies with a controller written anew from the book's equations, stepped from event to event.
- * Sanitized: campaign: independent/thirteen_bodies runs the same bodies under sanitizers. */
+ * Sanitized: campaign: independent/thirteen_bodies runs the same bodies under sanitizers.
+ * Label: standard. */
 #include <check.h>
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 /* Sampled loops at rest: against the windows of the paper's machine and closed forms of its modes, and against what must hold for
- * every machine. */
+ * every machine.
+ * Label: standard. */
 #include <stdio.h>
 
 #include "gough/linear.h"

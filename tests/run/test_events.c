@@ -1,6 +1,7 @@
 /* What a study states is met, however short: pulses of a hundredth of an output step after a long rest, in every kind of
  * disturbance and program, at random times, against runs of small fixed steps; corners end a step.
- * Not sanitized: it would take two minutes, and run/ends and batch/batch run the same texts. */
+ * Not sanitized: it would take two minutes, and run/ends and batch/batch run the same texts.
+ * Label: standard. */
 #include <stdio.h>
 
 #include "gough/batch.h"

