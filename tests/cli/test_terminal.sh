@@ -132,8 +132,10 @@ done
 run sweep "$name/$name.yaml" "${short[@]}" "${sweep[@]}" -o "$name/sweep.csv"
 expect_code 0 "a sweep"
 shows "the summary of a sweep"
-run report "$name/$name.yaml" "${short[@]}"
-shows "the page of report"
+if has_page; then
+    run report "$name/$name.yaml" "${short[@]}"
+    shows "the page of report"
+fi
 run plot "$name/simulate.csv"
 expect_code 0 plot
 shows "the picture of plot"
