@@ -68,7 +68,7 @@ def messages(text: str) -> list[Message]:
 
 
 def _lines(said: str) -> list[tuple[str, dict | str]]:
-    """Kind and object of each line of JSON; ("", text) of a line that is none."""
+    """For each line its kind and its object in JSON; a line that is not JSON gives "" and its text."""
     found: list[tuple[str, dict | str]] = []
     for line in said.splitlines():
         try:

@@ -95,7 +95,7 @@ same "--json --set load.mass=2 check $study" "check $study --json --set load.mas
 same "-q check $study" "check $study -q"
 same "--dimensionless forces $study -o -" "forces $study -o - --dimensionless"
 
-# every key that is listed is one of the reader's, which knows no others
+# the keys: none twice, and these among them
 "$GOUGH" keys --names >"$scratch/keys"
 [[ $(wc -l <"$scratch/keys") -gt 150 && -z $(sort "$scratch/keys" | uniq -d) ]] || fail "too few keys, or one twice"
 refused "" check "$study" --set control.stiffnes=3
@@ -126,6 +126,8 @@ if command -v jq >/dev/null; then
     [[ $(said --json zzz | jq -r .error.message) == "there is no verb 'zzz'" ]] || fail "JSON of a wrong verb"
     "$GOUGH" example own-machine >"$scratch/own.yaml"
     [[ $(said check "$scratch/own.yaml" --set gravity=9810 --json | jq -rs 'map(keys[0]) | unique[]') == warning ]] || fail "JSON of warnings"
+    cp "$scratch/bad.yaml" "$scratch/"$'\xff.yaml'
+    [[ $(said check "$scratch/"$'\xff.yaml' --json | jq -r .error.file) == *'\xff.yaml' ]] || fail "JSON of a name that is not UTF-8"
     printf 'a: [1\n# : error: nothing\n' >"$scratch/two.yaml"
     [[ $(said check "$scratch/two.yaml" --json | jq -s length) == 1 ]] || fail "a line of the study is taken for an error"
 fi

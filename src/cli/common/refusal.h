@@ -1,5 +1,5 @@
-/* What every command line of argp knows here: --help, --usage and --version; and sentences about what is wrong with one, in the
- * voice of all other errors. */
+/* The options that the command and every verb have, --help, --usage and --version; and errors of a command line, which read like
+ * all other errors. */
 #ifndef GOUGH_CLI_REFUSAL_H
 #define GOUGH_CLI_REFUSAL_H
 

@@ -3,14 +3,16 @@
 
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "cli/common/memory.h"
 #include "cli/common/talk.h"
 #include "gough/gough.h"
 
 static const char mark[] = ": error: ";
 
-/* The number behind the last colon of a place, which is taken off; -1: there is none. */
+/* Takes the last colon of a place and the number behind it off, and returns the number; -1 if the place has no such end. */
 static int last_number(const char *place, size_t *length) {
     size_t at = *length;
     int value = 0, power = 1;
@@ -23,16 +25,28 @@ static int last_number(const char *place, size_t *length) {
     return value;
 }
 
+json_t *json_shown(const char *text, size_t length) {
+    json_t *words = json_stringn(text, length);
+    const size_t size = gough_text_show(text, length, NULL, 0) + 1;
+    char *shown = words ? NULL : allocate(size);
+    if (shown) {
+        gough_text_show(text, length, shown, size);
+        words = json_string(shown);
+    }
+    free(shown);
+    return words;
+}
+
 void json_set_place(json_t *object, const char *place, size_t length) {
     static const char setting[] = "--set ";
     const size_t skipped = sizeof setting - 1;
     if (length >= skipped && memcmp(place, setting, skipped) == 0) {
-        json_object_set_new(object, "setting", json_stringn(place + skipped, length - skipped));
+        json_object_set_new(object, "setting", json_shown(place + skipped, length - skipped));
         return;
     }
     const int column = last_number(place, &length);
     const int line = column < 0 ? -1 : last_number(place, &length);
-    json_object_set_new(object, "file", json_stringn(place, length));
+    json_object_set_new(object, "file", json_shown(place, length));
     if (line < 0) return;
     json_object_set_new(object, "line", json_integer(line));
     json_object_set_new(object, "column", json_integer(column));
@@ -70,7 +84,7 @@ static void say_in_json(const char *verb, const char *line, const char *found) {
     json_t *error = json_object();
     json_set_place(error, line, (size_t)(found - line));
     json_object_set_new(error, "message",
-                        json_stringn(sentence, (size_t)(line_end(line) - sentence)));
+                        json_shown(sentence, (size_t)(line_end(line) - sentence)));
     say_json("error", verb, error);
 }
 

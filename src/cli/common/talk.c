@@ -68,19 +68,6 @@ void say_json(const char *kind, const char *verb, json_t *what) {
     json_decref(line);
 }
 
-/* Text that is not UTF-8 comes as it is shown. */
-static json_t *json_shown(const char *text) {
-    json_t *words = json_string(text);
-    const size_t length = strlen(text), size = gough_text_show(text, length, NULL, 0) + 1;
-    char *shown = words ? NULL : malloc(size);
-    if (shown) {
-        gough_text_show(text, length, shown, size);
-        words = json_string(shown);
-    }
-    free(shown);
-    return words ? words : json_string("");
-}
-
 static void say_sentence(const char *kind, const char *verb, const char *format, va_list list) {
     static const char warning[] = "warning: ";
     char *sentence = NULL;
@@ -96,7 +83,7 @@ static void say_sentence(const char *kind, const char *verb, const char *format,
         json_set_place(what, text, place);
         text += place + 2;
     }
-    json_object_set_new(what, "message", json_shown(text));
+    json_object_set_new(what, "message", json_shown(text, strlen(text)));
     say_json(kind, verb, what);
     free(sentence);
 }
@@ -148,7 +135,7 @@ static void say_at(const char *verb, const char *place, const char *key, const c
     json_t *what = json_object();
     json_set_place(what, place, strlen(place));
     if (key) json_object_set_new(what, "key", json_string(key));
-    json_object_set_new(what, "message", json_shown(sentence));
+    json_object_set_new(what, "message", json_shown(sentence, strlen(sentence)));
     fflush(stdout);
     say_json("error", verb, what);
 }
