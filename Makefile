@@ -8,6 +8,7 @@
 # make install    into PREFIX (default /usr/local), under DESTDIR if given
 # make python     a wheel of the package for Python in build/; plain make leaves the package itself in build/python
 # make package    a Debian package in build/
+# make dist       a tarball of the sources in build/, with the page bundled: it builds without npm and without a network
 # make fuzz       each fuzzing target for FUZZ_SECONDS under sanitizers
 # make campaign   STUDIES=1000 random studies, each number printed against an independent computation
 # make bench      timings beside those of other programs, one table; BENCH=--json for machines
@@ -31,13 +32,13 @@ ifeq ($(filter ON OFF,$(PYTHON)),)
 $(error PYTHON must be ON or OFF, not '$(PYTHON)')
 endif
 
-# groups of packages, of scripts/install-packages.sh; without the page its tools are not needed, and without LLVM, which they bring,
-# the tests of formatting and reference are skipped
-build_groups = compiler tools libraries figures $(if $(filter ON,$(PAGE)),bundler webassembly) \
-               $(if $(filter ON,$(PYTHON)),python)
-test_groups  = $(build_groups) test $(if $(filter ON,$(PYTHON)),pytest) $(if $(filter ON,$(PAGE)),format docs browser)
+# groups of packages, of scripts/install-packages.sh; without the page its tools are not needed, nor with the page that a source
+# tarball brings bundled; without LLVM, which they bring, the tests of formatting and reference are skipped
+bundles      = $(if $(wildcard web/report.html),,$(filter ON,$(PAGE)))
+build_groups = compiler tools libraries figures $(if $(bundles),bundler webassembly) $(if $(filter ON,$(PYTHON)),python)
+test_groups  = $(build_groups) test $(if $(filter ON,$(PYTHON)),pytest) $(if $(bundles),format docs browser)
 
-.PHONY: all configure test quick test-thorough test-more coverage demo install python package fuzz campaign bench lint docs clean
+.PHONY: all configure test quick test-thorough test-more coverage demo install python package dist fuzz campaign bench lint docs clean
 
 all: configure
 	@cmake --build "$(BUILD)" --target gough_command gough_archive gough_shared gough_files_shared \
@@ -80,6 +81,11 @@ python: configure
 package:
 	@scripts/install-packages.sh $(build_groups) package lintian
 	@PAGE=$(PAGE) scripts/package.sh "$(BUILD)"
+
+dist: configure
+	@$(if $(bundles),,echo "make dist bundles the page: it needs PAGE=ON and the sources from git, without web/report.html" >&2; exit 1)
+	@scripts/install-packages.sh dist
+	@scripts/dist.sh "$(BUILD)"
 
 fuzz:
 	@scripts/install-packages.sh compiler tools libraries webassembly fuzz

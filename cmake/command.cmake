@@ -13,7 +13,6 @@ add_custom_command(OUTPUT ${GOUGH_EMBEDDED}
 # The page travels inside it too, as the assembler takes it in; without the page its length is 0.
 set(GOUGH_PAGE_OBJECT ${PROJECT_BINARY_DIR}/generated/page_template.c)
 if(TARGET page_template)
-    set(GOUGH_PAGE_TEMPLATE ${PROJECT_BINARY_DIR}/web/report.html)
     file(CONFIGURE OUTPUT ${GOUGH_PAGE_OBJECT} @ONLY CONTENT [[
 #include "cli/report/page_study.h"
 
@@ -39,7 +38,16 @@ else()
 gough_page_template page_template(void) { return (gough_page_template){"", 0}; }
 ]])
 endif()
-add_library(gough_verbs OBJECT ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED} ${GOUGH_PAGE_OBJECT})
+
+# What `gough --version` prints: asked for in each build, for a commit changes no source.
+set(GOUGH_REVISION_SOURCE ${PROJECT_BINARY_DIR}/generated/command_version.c)
+add_custom_target(gough_revision
+    COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DVERSION=${PROJECT_VERSION} -DOUTPUT=${GOUGH_REVISION_SOURCE}
+            -P ${PROJECT_SOURCE_DIR}/cmake/revision.cmake
+    BYPRODUCTS ${GOUGH_REVISION_SOURCE} VERBATIM)
+
+add_library(gough_verbs OBJECT ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED} ${GOUGH_PAGE_OBJECT} ${GOUGH_REVISION_SOURCE})
+add_dependencies(gough_verbs gough_revision)
 if(TARGET page_template)
     add_dependencies(gough_verbs page_template)
 endif()
@@ -68,7 +76,9 @@ add_custom_target(gough_pages ALL DEPENDS ${GOUGH_MANUAL})
 
 # for the tests of the command
 if(GOUGH_TESTS_SANITIZED)
-    add_executable(gough_command_sanitized src/cli/main.c ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED} ${GOUGH_PAGE_OBJECT})
+    add_executable(gough_command_sanitized src/cli/main.c ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED} ${GOUGH_PAGE_OBJECT}
+        ${GOUGH_REVISION_SOURCE})
+    add_dependencies(gough_command_sanitized gough_revision)
     if(TARGET page_template)
         add_dependencies(gough_command_sanitized page_template)
     endif()

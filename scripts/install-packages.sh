@@ -20,6 +20,7 @@ docs        | the API reference, and the test that it is complete
 browser     | tests of the page
 package     | making the Debian package, and the test of it
 lintian     | checking the Debian package
+dist        | making the source tarball
 fuzz        | fuzzing with libFuzzer
 lint        | static analysis
 counts      | benchmarks: counting operations
@@ -69,6 +70,7 @@ browser   | chromium         | command -v chromium
 package   | dpkg-dev         | command -v dpkg-shlibdeps
 package   | file             | command -v file
 lintian   | lintian          | command -v lintian
+dist      | git              | command -v git
 fuzz      | libclang-rt-dev  | ls "$(clang -print-resource-dir)"/lib/*/libclang_rt.fuzzer*
 lint      | clang-tidy       | command -v clang-tidy
 lint      | cppcheck         | command -v cppcheck

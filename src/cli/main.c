@@ -123,7 +123,7 @@ int main(int count, char **argument) {
     atexit(close_output);
     signal(SIGXFSZ, SIG_IGN); /* a file too large is a failed write with its message, not a death */
     shape_help();
-    argp_program_version = "gough " GOUGH_VERSION;
+    argp_program_version = command_version;
 
     beginning found = {0};
     char name[] = "gough", *text = command_text();

@@ -14,6 +14,9 @@ expect() { # expect WHAT WANTED PROGRAM…
     echo "ok: $what"
 }
 
+# without the revision of the sources, which follows in brackets
+version_of() { "$1" --version | cut -d' ' -f1-2; }
+
 use_package() {
     local prefix=$1 config libraries title
     config=$(dirname "$(find "$prefix" -name gough.pc)")
@@ -48,7 +51,7 @@ END
     (unset LD_LIBRARY_PATH; expect "find_package, gough::static" 1.000000000000 "$scratch/user/build/static")
     expect "find_package, gough::files" "$title" "$scratch/user/build/files" "$SOURCE/examples/paper-heave.yaml"
 
-    expect "the command" "gough $(sed -n 's/^Version: //p' "$config/gough.pc")" "$prefix/bin/gough" --version
+    expect "the command" "gough $(sed -n 's/^Version: //p' "$config/gough.pc")" version_of "$prefix/bin/gough"
     local file
     for file in share/man/man1/gough.1 share/bash-completion/completions/gough share/fish/vendor_completions.d/gough.fish \
         share/doc/gough/examples/paper-heave.yaml share/doc/gough/copyright include/gough/version.h; do

@@ -3,7 +3,7 @@
 set -euo pipefail
 : "${GOUGH:?}" "${BUILD:?}"
 here=$(cd "$(dirname "$0")" && pwd)
-[[ -e $BUILD/web/core.wasm ]] || { echo "skipped: built without the page"; exit 77; }
+[[ -e $BUILD/web/core.wasm ]] || { echo "skipped: the page was not bundled in this build"; exit 77; }
 command -v node >/dev/null || { echo "skipped: no node"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

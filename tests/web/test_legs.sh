@@ -4,7 +4,7 @@
 # folder, in web/pictures.
 set -euo pipefail
 : "${GOUGH:?}" "${BUILD:?}" "${SOURCE:?}"
-[[ -e $BUILD/web/report.html ]] || { echo "skipped: built without the page"; exit 77; }
+[[ -e $BUILD/web/report.html ]] || { echo "skipped: the page was not bundled in this build"; exit 77; }
 CHROMIUM=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || { echo "skipped: no chromium"; exit 77; }
 SCRATCH=$(mktemp -d)
 trap 'rm -rf "$SCRATCH"' EXIT

@@ -7,6 +7,9 @@
 
 #include "cli/common/verb.h"
 
+/* What --version prints: version and revision, written by the build (cmake/revision.cmake). */
+extern const char command_version[];
+
 /* The text of --help, with a line for each verb; to be freed. */
 char *command_text(void);
 

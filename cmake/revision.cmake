@@ -1,0 +1,66 @@
+# The revision of the sources: the version, then, unless the commit has the tag vVERSION, the number of commits since the latest tag
+# (without a tag: of all commits) and the commit, such as 0.1.0+681.gad9eedb; .changed behind it tells that tracked files differ
+# from the commit. A source tarball has it in the file REVISION; without that file and without git it is the version alone.
+#
+# gough_revision(VARIABLE SOURCE VERSION). As a script it writes it into a C file that changes only when the revision does, or, without
+# OUTPUT, prints it: cmake -DSOURCE=… -DVERSION=… [-DOUTPUT=…] -P revision.cmake
+cmake_policy(VERSION 3.25)
+
+# run git there; the answer is empty if it fails
+function(gough_git variable source)
+    execute_process(COMMAND git ${ARGN} WORKING_DIRECTORY ${source}
+        OUTPUT_VARIABLE answer OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+    if(failed)
+        set(answer "")
+    endif()
+    set(${variable} "${answer}" PARENT_SCOPE)
+endfunction()
+
+function(gough_revision variable source version)
+    set(${variable} ${version} PARENT_SCOPE)
+    if(EXISTS ${source}/REVISION)
+        file(STRINGS ${source}/REVISION revision LIMIT_COUNT 1)
+        set(${variable} ${revision} PARENT_SCOPE)
+        return()
+    endif()
+    # sources inside somebody else's repository have no revision of their own
+    gough_git(top ${source} rev-parse --show-prefix)
+    gough_git(commit ${source} rev-parse --short=7 HEAD)
+    if(commit STREQUAL "" OR NOT top STREQUAL "")
+        return()
+    endif()
+    gough_git(described ${source} describe --tags --long --match "v[0-9]*")
+    if(described MATCHES "-([0-9]+)-g[0-9a-f]+$")
+        set(count ${CMAKE_MATCH_1})
+    else()
+        gough_git(count ${source} rev-list --count HEAD)
+    endif()
+    gough_git(tags ${source} tag --points-at HEAD)
+    string(REPLACE "\n" ";" tags "${tags}")
+    gough_git(changed ${source} status --porcelain --untracked-files=no)
+    set(revision ${version})
+    if(NOT "v${version}" IN_LIST tags)
+        string(APPEND revision "+${count}.g${commit}")
+    endif()
+    if(NOT changed STREQUAL "")
+        if(revision STREQUAL version)
+            string(APPEND revision "+changed")
+        else()
+            string(APPEND revision ".changed")
+        endif()
+    endif()
+    set(${variable} ${revision} PARENT_SCOPE)
+endfunction()
+
+if(DEFINED CMAKE_SCRIPT_MODE_FILE)
+    gough_revision(revision ${SOURCE} ${VERSION})
+    if(DEFINED OUTPUT)
+        set(words "gough ${VERSION}")
+        if(NOT revision STREQUAL VERSION)
+            string(APPEND words " (${revision})")
+        endif()
+        file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#include \"cli/help/command_text.h\"\n\nconst char command_version[] = \"${words}\";\n")
+    else()
+        message(NOTICE "${revision}")
+    endif()
+endif()
