@@ -7,6 +7,7 @@
 # make demo       install what is missing, build, run the paper's whole study into out/
 # make install    into PREFIX (default /usr/local), under DESTDIR if given
 # make python     a wheel of the package for Python in build/; plain make leaves the package itself in build/python
+# make mpi        install an MPI and build build/gough-mpi, which runs sweeps on many machines; plain make builds it where an MPI is there
 # make package    a Debian package in build/
 # make dist       a tarball of the sources in build/, with the page bundled: it builds without npm and without a network
 # make fuzz       each fuzzing target for FUZZ_SECONDS under sanitizers
@@ -38,10 +39,10 @@ bundles      = $(if $(wildcard web/report.html),,$(filter ON,$(PAGE)))
 build_groups = compiler tools libraries figures $(if $(bundles),bundler webassembly) $(if $(filter ON,$(PYTHON)),python)
 test_groups  = $(build_groups) test $(if $(filter ON,$(PYTHON)),pytest) $(if $(bundles),format docs browser)
 
-.PHONY: all configure test quick test-thorough test-more coverage demo install python package dist fuzz campaign bench lint docs clean
+.PHONY: all configure test quick test-thorough test-more coverage demo install python mpi package dist fuzz campaign bench lint docs clean
 
 all: configure
-	@cmake --build "$(BUILD)" --target gough_command gough_archive gough_shared gough_files_shared \
+	@cmake --build "$(BUILD)" --target gough_command gough_archive gough_shared gough_files_shared gough_mpi \
         $(if $(filter ON,$(PYTHON)),gough_python)
 
 configure:
@@ -62,7 +63,7 @@ test-thorough:
 	@PAGE=$(PAGE) PYTHON=$(PYTHON) scripts/test.sh "$(BUILD)" thorough
 
 test-more:
-	@scripts/install-packages.sh $(test_groups) package
+	@scripts/install-packages.sh $(test_groups) package mpi engines
 	@PAGE=$(PAGE) PYTHON=$(PYTHON) scripts/test.sh "$(BUILD)" campaign
 
 coverage:
@@ -77,6 +78,10 @@ install: all
 
 python: configure
 	@cmake --build "$(BUILD)" --target gough_wheel
+
+mpi:
+	@scripts/install-packages.sh $(build_groups) mpi
+	@$(MAKE) --no-print-directory all
 
 package:
 	@scripts/install-packages.sh $(build_groups) package lintian

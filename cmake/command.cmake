@@ -1,7 +1,10 @@
 # The command. The examples travel inside it, as bytes in generated C.
 file(GLOB_RECURSE GOUGH_CLI_SOURCES CONFIGURE_DEPENDS src/cli/*.c)
 file(GLOB GOUGH_MANUAL_SOURCES CONFIGURE_DEPENDS src/cli/manual/*.c)
-list(REMOVE_ITEM GOUGH_CLI_SOURCES ${GOUGH_MANUAL_SOURCES} ${PROJECT_SOURCE_DIR}/src/cli/main.c)
+file(GLOB GOUGH_MPI_SOURCES CONFIGURE_DEPENDS src/cli/mpi/*.c)
+# who runs a sweep: the command's own threads or the processes of MPI
+set(GOUGH_OWN_CREW ${PROJECT_SOURCE_DIR}/src/cli/sweep/sweep_crew_threads.c)
+list(REMOVE_ITEM GOUGH_CLI_SOURCES ${GOUGH_MANUAL_SOURCES} ${GOUGH_MPI_SOURCES} ${GOUGH_OWN_CREW} ${PROJECT_SOURCE_DIR}/src/cli/main.c)
 file(GLOB GOUGH_EXAMPLES CONFIGURE_DEPENDS examples/*.yaml examples/*.awk)
 set(GOUGH_EMBEDDED ${PROJECT_BINARY_DIR}/generated/examples.c)
 add_custom_command(OUTPUT ${GOUGH_EMBEDDED}
@@ -52,12 +55,25 @@ if(TARGET page_template)
     add_dependencies(gough_verbs page_template)
 endif()
 target_link_libraries(gough_verbs PUBLIC gough_files PkgConfig::JANSSON)
-add_executable(gough_command src/cli/main.c)
+add_executable(gough_command src/cli/main.c ${GOUGH_OWN_CREW})
 set_target_properties(gough_command PROPERTIES OUTPUT_NAME gough)
 target_link_libraries(gough_command PRIVATE gough_verbs)
 
+# gough-mpi, where there is an MPI: the same command, whose sweeps run on the processes that mpirun starts.
+if(GOUGH_MPI AND NOT GOUGH_SANITIZE AND NOT GOUGH_FUZZ)
+    find_package(MPI QUIET COMPONENTS C)
+endif()
+if(MPI_C_FOUND)
+    add_executable(gough_mpi src/cli/main.c ${GOUGH_MPI_SOURCES})
+    set_target_properties(gough_mpi PROPERTIES OUTPUT_NAME gough-mpi)
+    target_link_libraries(gough_mpi PRIVATE gough_verbs MPI::MPI_C)
+else()
+    message(STATUS "No MPI (Debian packages libopenmpi-dev and openmpi-bin): building without gough-mpi")
+    add_custom_target(gough_mpi) # has nothing to build
+endif()
+
 # The man page and the completions, from their templates and the tables of verbs and options.
-add_executable(gough_manual ${GOUGH_MANUAL_SOURCES})
+add_executable(gough_manual ${GOUGH_MANUAL_SOURCES} ${GOUGH_OWN_CREW})
 target_link_libraries(gough_manual PRIVATE gough_verbs)
 set(GOUGH_MANUAL)
 foreach(triple man|docs/man/gough.1 bash|completions/gough.bash zsh|completions/_gough fish|completions/gough.fish)
@@ -76,7 +92,7 @@ add_custom_target(gough_pages ALL DEPENDS ${GOUGH_MANUAL})
 
 # for the tests of the command
 if(GOUGH_TESTS_SANITIZED)
-    add_executable(gough_command_sanitized src/cli/main.c ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED} ${GOUGH_PAGE_OBJECT}
+    add_executable(gough_command_sanitized src/cli/main.c ${GOUGH_OWN_CREW} ${GOUGH_CLI_SOURCES} ${GOUGH_EMBEDDED} ${GOUGH_PAGE_OBJECT}
         ${GOUGH_REVISION_SOURCE})
     add_dependencies(gough_command_sanitized gough_revision)
     if(TARGET page_template)

@@ -25,6 +25,8 @@ fuzz        | fuzzing with libFuzzer
 lint        | static analysis
 counts      | benchmarks: counting operations
 peers       | benchmarks: timings beside MuJoCo and GSL
+mpi         | building gough-mpi, and running it
+engines     | the test of the recipes for GNU parallel and Dask
 sundials    | benchmarks: timings beside SUNDIALS
 END
 }
@@ -78,6 +80,10 @@ lint      | shellcheck       | command -v shellcheck
 counts    | g++              | command -v g++
 peers     | libgsl-dev       | pkg-config --exists gsl
 peers     | libmujoco-dev    | test -e /usr/include/mujoco/mujoco.h
+mpi       | libopenmpi-dev   | command -v mpicc
+mpi       | openmpi-bin      | command -v mpirun
+engines   | parallel         | command -v parallel
+engines   | python3-distributed | /usr/bin/python3 -c 'import distributed'
 sundials  | libsundials-dev  | test -e /usr/include/cvode/cvode.h
 END
 }

@@ -164,6 +164,19 @@ static inline gough_sweep_options gough_sweep_options_default(void) {
 GOUGH_API gough_status gough_sweep_run(const gough_sweep *sweep, const gough_sweep_options *options,
                                        gough_sweep_sink sink, void *context, gough_error *error);
 
+/** A function that runs a sweep in place of gough_sweep_run() and keeps its promises, such as one that shares the runs out among
+ *  machines. @p context is the caller's own. */
+typedef gough_status (*gough_sweep_runner)(void *context, const gough_sweep *sweep,
+                                           const gough_sweep_options *options,
+                                           gough_sweep_sink sink, void *sink_context,
+                                           gough_error *error);
+
+/** A digest of everything that the numbers of a sweep depend on: study, settings, values, recorded motion, the kind of run, the
+ *  version, and numbers that this build computes on this machine. Processes that share a sweep have the same digest.
+ *  @return 0 if out of memory, or for options of another size */
+GOUGH_API uint64_t gough_sweep_identity(const gough_sweep *sweep,
+                                        const gough_sweep_options *options);
+
 /* ---- its files ------------------------------------------------------------------------------------------------ */
 
 /** Least and greatest value of a quantity over the runs of a sweep, in units of the study and radians. */
@@ -199,10 +212,12 @@ typedef struct gough_sweep_output {
         *path; /**< .h5 or .csv; "-": CSV on standard output; NULL: none; for a shard: .shard */
     bool
         dimensionless; /**< in R_b, M and √(R_b/g) of the study as written; swept values keep its units */
-    size_t shard;            /**< number of this shard, from 1; 0: the whole sweep */
-    size_t shards;           /**< number of shards; 0: the whole sweep */
-    const char *const *also; /**< further tables with the same rows; not for a shard */
-    size_t also_count;       /**< number of further tables */
+    size_t shard;              /**< number of this shard, from 1; 0: the whole sweep */
+    size_t shards;             /**< number of shards; 0: the whole sweep */
+    const char *const *also;   /**< further tables with the same rows; not for a shard */
+    size_t also_count;         /**< number of further tables */
+    gough_sweep_runner runner; /**< runs the sweep; NULL: gough_sweep_run() */
+    void *runner_context;      /**< passed to it */
 } gough_sweep_output;
 
 /** Runs a sweep into a file, which is complete or absent. Until it is complete, finished runs are kept in PATH.part, to which

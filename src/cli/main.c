@@ -15,6 +15,7 @@
 #include "cli/common/talk.h"
 #include "cli/common/verb.h"
 #include "cli/help/command_text.h"
+#include "cli/sweep/sweep_crew.h"
 
 /* Opens /dev/null for a standard descriptor that is closed, in the mode that makes its use fail, so that no result file gets its
  * number. */
@@ -69,10 +70,14 @@ static error_t read_beginning(int key, char *argument, struct argp_state *state)
         return EINVAL;
     case ARGP_KEY_NO_ARGS:
         if (talks_in_json()) usage_error(state, "the verb is missing");
+        if (the_crew.only) usage_error(state, "the verb is missing: %s", the_crew.only);
         print_command_help(stderr);
         exit(GOUGH_ERROR_INPUT);
     case ARGP_KEY_ARG:
         found->verb = find_verb(state, argument);
+        if (the_crew.only && strcmp(found->verb->name, the_crew.only) != 0)
+            usage_error(state, "%s has the verb '%s' only; use 'gough %s'", the_crew.command,
+                        the_crew.only, argument);
         found->at = state->next - 1;
         state->next = state->argc; /* the rest belongs to the verb */
         return 0;
@@ -84,7 +89,7 @@ static error_t read_beginning(int key, char *argument, struct argp_state *state)
 /* Runs the verb with the options before it and the words behind it. */
 static gough_status run_verb(const beginning *found, int count, char **argument) {
     char title[32];
-    snprintf(title, sizeof title, "gough %s", found->verb->name);
+    snprintf(title, sizeof title, "%s %s", the_crew.command, found->verb->name);
     char **word = allocate(((size_t)count + found->word.count + 1) * sizeof *word);
     int words = 0;
     word[words++] = title;
@@ -117,6 +122,7 @@ static void shape_help(void) {
 }
 
 int main(int count, char **argument) {
+    if (the_crew.begin) the_crew.begin(&count, &argument);
     occupy_standard_descriptors();
     buffer_output();
     json_set_alloc_funcs(allocate, free); /* no member of an object is missing for want of memory */
@@ -126,7 +132,8 @@ int main(int count, char **argument) {
     argp_program_version = command_version;
 
     beginning found = {0};
-    char name[] = "gough", *text = command_text();
+    char name[16], *text = the_crew.text ? strdup(the_crew.text) : command_text();
+    snprintf(name, sizeof name, "%s", the_crew.command);
     const struct argp_child children[] = {{.argp = &help_argp}, {0}};
     const struct argp argp = {.options = leading_options,
                               .parser = read_beginning,

@@ -3,7 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gough/sizes.h"
 #include "gough/version.h"
+#include "sweep/sweep_bytes.h"
 #include "sweep/sweep_identity.h"
 #include "sweep/sweep_part.h"
 #include "table/table.h"
@@ -77,6 +79,21 @@ sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_sweep_options *o
     if (good) return head;
     sweep_head_free(head);
     return NULL;
+}
+
+uint64_t gough_sweep_identity(const gough_sweep *sweep, const gough_sweep_options *options) {
+    const gough_units units = gough_units_si();
+    size_t length;
+    if (gough_size_check(options->size, sizeof *options, "gough_sweep_options", NULL) != GOUGH_OK)
+        return 0;
+    sweep_head *head = sweep_head_of(sweep, options, &units, 0, 0);
+    unsigned char *bytes = head ? sweep_head_bytes(head, &length) : NULL;
+    /* without the checksum at its end, behind which a digest of the whole is 0 */
+    const uint64_t sum = bytes ? sweep_digest(0, bytes, length - 8) : 0;
+    const bool made = bytes != NULL;
+    sweep_head_free(head);
+    free(bytes);
+    return made && sum == 0 ? 1 : sum;
 }
 
 void sweep_head_free(sweep_head *head) {

@@ -1,5 +1,5 @@
 /* The table of a sweep: a row for each run with its number, the swept values, the state at the end, peaks, and how it ended. Made
- * from the records a stretch at a time for CSV, a column at a time for HDF5. */
+ * from the records, a stretch of rows at a time. */
 #define _POSIX_C_SOURCE 200809L
 #include "sweep/sweep_table.h"
 
@@ -48,9 +48,10 @@ typedef struct table {
     double *factor;
     char flags[400];
     void *records;
-    double *value;  /* swept values of a record */
-    double *number; /* numbers of a row */
-    double *whole;  /* a column */
+    double *value;       /* swept values of a record */
+    double *number;      /* numbers of a row */
+    double *stretch;     /* all columns of some rows, one after the other */
+    size_t first, count; /* which rows */
 } table;
 
 /* ---- columns ----------------------------------------------------------------------------------------------------- */
@@ -146,7 +147,7 @@ static void close_table(table *t) {
     free(t->number);
     free(t->value);
     free(t->records);
-    free(t->whole);
+    free(t->stretch);
 }
 
 /* Calls for each record in order; false where one cannot be read or the call says so. */
@@ -231,29 +232,40 @@ static gough_status write_csv(const table *t, const char *path, gough_error *err
 
 /* ---- HDF5 -------------------------------------------------------------------------------------------------------- */
 
-typedef struct column_reader {
-    table *table;
-    int column;
-    size_t row;
-} column_reader;
-
-static bool take_number(void *context, const void *record) {
-    column_reader *r = context;
-    take_row(r->table, record);
-    r->table->whole[r->row++] = r->table->number[r->column];
-    return true;
+/* Takes rows first … first + count − 1 into the stretch, column by column. */
+static bool read_stretch(table *t, size_t first, size_t count) {
+    const size_t size = sweep_record_size(t->part[0].head);
+    size_t row = 0, begin = 0; /* begin: the number of rows before part p */
+    for (size_t p = 0; p < t->parts && row < count; begin += t->part[p++].done) {
+        while (row < count && first + row < begin + t->part[p].done) {
+            const size_t left = count - row;
+            const size_t got = sweep_part_get(&t->part[p], first + row - begin,
+                                              left < STRETCH ? left : STRETCH, t->records);
+            if (got == 0) return false;
+            for (size_t i = 0; i < got; i++, row++) {
+                take_row(t, (const char *)t->records + i * size);
+                for (int c = 0; c < t->columns; c++)
+                    t->stretch[(size_t)c * count + row] = t->number[c];
+            }
+        }
+    }
+    return row == count;
 }
 
-static const double *column_values(void *context, int column) {
+static const double *column_values(void *context, int column, size_t first, size_t count) {
     table *t = context;
-    column_reader reader = {t, column, 0};
-    return each_record(t, take_number, &reader) ? t->whole : NULL;
+    if (t->stretch == NULL || t->first != first || t->count != count) {
+        free(t->stretch);
+        t->stretch = calloc((size_t)t->columns * count + 1, sizeof *t->stretch);
+        if (t->stretch == NULL || !read_stretch(t, first, count)) return NULL;
+        t->first = first;
+        t->count = count;
+    }
+    return t->stretch + (size_t)column * count;
 }
 
 static gough_status write_hdf5(table *t, const char *path, gough_error *error) {
     const sweep_head *head = t->part[0].head;
-    t->whole = calloc(t->rows + 1, sizeof *t->whole);
-    if (t->whole == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     const result_attribute attribute[] = {
         {"title", head->title, 0}, {"study", head->study, 0},     {"settings", head->settings, 0},
         {"software", "gough", 0},  {"version", head->version, 0}, {"verb", "sweep", 0}};

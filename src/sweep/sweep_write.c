@@ -68,7 +68,8 @@ static int report(void *context, size_t done) {
 }
 
 static gough_status run_rest(const gough_sweep *sweep, const gough_sweep_options *options,
-                             sweep_part *part, gough_error *error) {
+                             const gough_sweep_output *output, sweep_part *part,
+                             gough_error *error) {
     recording r = {part, options, part->done, {.message = ""}, GOUGH_OK};
     gough_sweep_options own = *options;
     own.first = part->head->first + part->done;
@@ -76,7 +77,9 @@ static gough_status run_rest(const gough_sweep *sweep, const gough_sweep_options
     own.progress = report;
     own.context = &r;
     if (own.first > own.last) return GOUGH_OK;
-    gough_status status = gough_sweep_run(sweep, &own, record, &r, error);
+    gough_status status =
+        output->runner ? output->runner(output->runner_context, sweep, &own, record, &r, error)
+                       : gough_sweep_run(sweep, &own, record, &r, error);
     if (r.status == GOUGH_OK) r.status = sweep_part_flush(part, &r.error);
     if (r.status != GOUGH_OK) status = gough_fail(error, r.status, "%s", r.error.message);
     return status;
@@ -92,7 +95,7 @@ static gough_status run_into(const gough_sweep *sweep, const gough_sweep_options
                              const gough_sweep_output *output, sweep_part *part,
                              gough_sweep_summary *summary, gough_error *error) {
     const size_t resumed = part->done;
-    const gough_status status = run_rest(sweep, options, part, error);
+    const gough_status status = run_rest(sweep, options, output, part, error);
     gough_error ignored;
     const gough_status summed = sweep_table_sum(part, 1, summary, status ? &ignored : error);
     summary->resumed = resumed;

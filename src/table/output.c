@@ -43,7 +43,7 @@ static char *room_beside(const result_output *output, size_t *size) {
 static int open_nameless(const char *folder) {
 #ifdef O_TMPFILE
     if (access("/proc/self/fd", X_OK) == 0)
-        return open(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+        return open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
 #endif
     (void)folder;
     return -1;
@@ -64,7 +64,7 @@ static gough_status create_beside(result_output *output, gough_error *error) {
     }
     for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
         name_beside(output, beside, size, attempt);
-        output->file = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
+        output->file = open(beside, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
         if (output->file >= 0 || errno != EEXIST) break;
     }
     if (output->file >= 0) {

@@ -74,8 +74,9 @@ typedef struct result_file {
     size_t rows;
     const result_attribute *attribute;
     int attributes;
-    const double *(*values)(void *context,
-                            int column); /* valid until the next call; NULL: they cannot be had */
+    /* Numbers of a column in rows first … first + count − 1; NULL: they cannot be read. Asked for in stretches of rows, all columns
+     * of a stretch before the next; valid until the next stretch. */
+    const double *(*values)(void *context, int column, size_t first, size_t count);
     void *context;
 } result_file;
 /* Puts the attributes "tolerance", "step", "max_speed" and "max_force" of a run, each if it is not NaN, into an array with room for

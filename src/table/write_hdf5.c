@@ -1,16 +1,23 @@
 /* HDF5: one one-dimensional dataset a column on the dimension scale that the first is, in the order of the table, with units
- * and long_name; the root carries the study. The file is built in memory, without times, so that the same run gives the same
- * bytes; it then goes the way of every output. Laid out by the HDF5 Dimension Scale specification, which is what netCDF-4
- * reads. */
+ * and long_name; the root carries the study. The file has no times, so that the same run gives the same bytes. It is written
+ * straight into the output, a stretch of rows at a time, so that memory does not grow with the rows; for a pipe or a device it is
+ * built in memory. Laid out by the HDF5 Dimension Scale specification, which is what netCDF-4 reads. */
+#include <errno.h>
 #include <hdf5.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "gough/version.h"
+#include "table/hdf5_output.h"
 #include "table/table.h"
 
-enum { IMAGE_STEP = 1 << 20 };
+enum {
+    IMAGE_STEP = 1 << 20,
+    STRETCH_NUMBERS = 1 << 19, /* numbers of a stretch of rows: 4 MiB of doubles */
+    LEAST_STRETCH = 512,
+    SIEVE = 4096 /* bytes: stretches are larger, and need no buffer of HDF5's */
+};
 
 /* One entry of the scale's list of the datasets that stand on it. */
 typedef struct scale_user {
@@ -99,18 +106,37 @@ static bool put_flags(hid_t dataset, const char *meanings, int count) {
     return good;
 }
 
-static bool put_column(hid_t file, hid_t creation, const result_file *content, int i,
+/* Rows of a stretch. */
+static size_t stretch_of(const result_file *content) {
+    const size_t rows = STRETCH_NUMBERS / (size_t)content->columns;
+    return rows > LEAST_STRETCH ? rows : LEAST_STRETCH;
+}
+
+/* Writes some rows of a column. */
+static bool put_rows(hid_t dataset, const result_file *content, int column, size_t first,
+                     size_t count) {
+    const double *values = content->values(content->context, column, first, count);
+    if (values == NULL) return false;
+    if (count == 0) return true;
+    const hsize_t start = first, size = count;
+    const hid_t memory = H5Screate_simple(1, &size, NULL), space = H5Dget_space(dataset);
+    const bool good = H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, NULL, &size, NULL) >= 0 &&
+                      H5Dwrite(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values) >= 0;
+    H5Sclose(space);
+    H5Sclose(memory);
+    return good;
+}
+
+/* Creates a column with its first rows. */
+static bool put_column(hid_t file, hid_t creation, const result_file *content, int i, size_t count,
                        hobj_ref_t *scale) {
     const result_column *column = &content->column[i];
     const hsize_t rows = content->rows;
-    const double *values = content->values(content->context, i);
     const hid_t space = H5Screate_simple(1, &rows, NULL);
     const hid_t type = column->whole ? H5T_STD_I32LE : H5T_IEEE_F64LE;
     const hid_t dataset =
         H5Dcreate2(file, column->name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
-    bool good = dataset >= 0 && values != NULL;
-    if (good && rows > 0)
-        good = H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
+    bool good = dataset >= 0 && put_rows(dataset, content, i, 0, count);
     if (good) good = i == 0 ? put_scale(dataset, column->name) : put_dimension(dataset, scale);
     if (good) good = put_text(dataset, "units", column->unit);
     if (good) good = put_text(dataset, "long_name", column->long_name);
@@ -120,7 +146,33 @@ static bool put_column(hid_t file, hid_t creation, const result_file *content, i
     return good;
 }
 
-static bool put_columns(hid_t file, const result_file *content) {
+/* Whether HDF5 has written so far what it was told to. */
+static bool went_well(const hdf5_output *output) { return !output || output->failed == 0; }
+
+/* The rows behind the first stretch. */
+static bool put_rest(hid_t file, const result_file *content, const hdf5_output *output) {
+    const size_t stretch = stretch_of(content);
+    if (content->rows <= stretch) return true;
+    hid_t *dataset = calloc((size_t)content->columns, sizeof *dataset);
+    bool good = dataset != NULL;
+    int open = 0;
+    for (; good && open < content->columns; open++) {
+        dataset[open] = H5Dopen2(file, content->column[open].name, H5P_DEFAULT);
+        good = dataset[open] >= 0;
+    }
+    for (size_t at = stretch; good && at < content->rows; at += stretch) {
+        const size_t left = content->rows - at, count = left < stretch ? left : stretch;
+        for (int i = 0; i < content->columns && good; i++)
+            good = put_rows(dataset[i], content, i, at, count) && went_well(output);
+    }
+    for (int i = 0; i < open; i++) good = H5Dclose(dataset[i]) >= 0 && good;
+    free(dataset);
+    return good;
+}
+
+static bool put_columns(hid_t file, const result_file *content, const hdf5_output *output) {
+    const size_t stretch = stretch_of(content);
+    const size_t count = content->rows < stretch ? content->rows : stretch;
     const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
     scale_user *users = calloc((size_t)content->columns, sizeof *users);
     bool good =
@@ -128,7 +180,7 @@ static bool put_columns(hid_t file, const result_file *content) {
         H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0;
     hobj_ref_t scale = 0;
     for (int i = 0; i < content->columns && good; i++) {
-        good = put_column(file, creation, content, i, &scale);
+        good = put_column(file, creation, content, i, count, &scale) && went_well(output);
         void *reference = i == 0 ? &scale : &users[i - 1].dataset;
         if (good) good = H5Rcreate(reference, file, content->column[i].name, H5R_OBJECT, -1) >= 0;
     }
@@ -139,7 +191,7 @@ static bool put_columns(hid_t file, const result_file *content) {
         H5Dclose(first);
     }
     free(users);
-    return good;
+    return good && put_rest(file, content, output);
 }
 
 static bool put_root(hid_t file, const result_file *content) {
@@ -152,13 +204,20 @@ static bool put_root(hid_t file, const result_file *content) {
     return good;
 }
 
-/* An empty file in memory, order of links and attributes kept, no times. */
-static hid_t create_file(void) {
+/* An empty file in an output, or in memory; order of links and attributes kept, no times. driver: to be closed behind the file */
+static hid_t create_file(hdf5_output *output, hid_t *driver) {
     const unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS), creation = H5Pcreate(H5P_FILE_CREATE);
     hid_t file = -1;
-    if (access >= 0 && creation >= 0 && H5Pset_fapl_core(access, IMAGE_STEP, false) >= 0 &&
-        H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18) >= 0 &&
+    *driver = -1;
+    bool good = access >= 0 && creation >= 0 && H5Pset_sieve_buf_size(access, SIEVE) >= 0;
+    if (good && output) {
+        *driver = hdf5_output_set(access, output);
+        good = *driver >= 0;
+    } else if (good) {
+        good = H5Pset_fapl_core(access, IMAGE_STEP, false) >= 0;
+    }
+    if (good && H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18) >= 0 &&
         H5Pset_link_creation_order(creation, order) >= 0 &&
         H5Pset_attr_creation_order(creation, order) >= 0 &&
         H5Pset_obj_track_times(creation, false) >= 0)
@@ -168,12 +227,25 @@ static hid_t create_file(void) {
     return file;
 }
 
+/* Writes the file into an output that can be written anywhere. */
+static bool write_directly(const result_file *content, hdf5_output *output) {
+    hid_t driver;
+    const hid_t file = create_file(output, &driver);
+    bool good = file >= 0 && put_root(file, content) && put_columns(file, content, output) &&
+                H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
+    hdf5_output_finish(output);
+    if (file >= 0) good = H5Fclose(file) >= 0 && good;
+    hdf5_output_close(driver);
+    return good && output->failed == 0;
+}
+
 /* The file's bytes, for the caller to free; NULL on failure. */
 static void *build_image(const result_file *content, size_t *length) {
-    const hid_t file = create_file();
+    hid_t driver;
+    const hid_t file = create_file(NULL, &driver);
     if (file < 0) return NULL;
     void *image = NULL;
-    if (put_root(file, content) && put_columns(file, content) &&
+    if (put_root(file, content) && put_columns(file, content, NULL) &&
         H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0) {
         const ssize_t size = H5Fget_file_image(file, NULL, 0);
         image = size > 0 ? malloc((size_t)size) : NULL;
@@ -187,18 +259,51 @@ static void *build_image(const result_file *content, size_t *length) {
     return image;
 }
 
-gough_status result_write_hdf5_file(const result_file *content, const char *path,
-                                    gough_error *error) {
+/* Adds the file to an output that takes bytes in their order only. */
+static gough_status add_image(const result_file *content, result_output *output,
+                              gough_error *error) {
     size_t length = 0;
     void *image = NULL;
     H5E_BEGIN_TRY { image = build_image(content, &length); }
     H5E_END_TRY;
+    gough_status status = GOUGH_ERROR_FILE;
     if (image == NULL)
-        return gough_fail(error, GOUGH_ERROR_FILE,
-                          "%s: cannot build the HDF5 file in memory (%zu rows)", path,
-                          content->rows);
-    const gough_status status = gough_write_file(path, image, length, error);
+        gough_fail(error, status, "%s: cannot build the HDF5 file in memory (%zu rows)",
+                   output->path, content->rows);
+    else
+        status = result_output_add(output, image, length, error);
     free(image);
+    return status;
+}
+
+static gough_status add_file(const result_file *content, result_output *output,
+                             gough_error *error) {
+    if (output->final == NULL) return add_image(content, output, error);
+    hdf5_output direct = {.file = output->file};
+    bool good = false;
+    H5E_BEGIN_TRY { good = write_directly(content, &direct); }
+    H5E_END_TRY;
+    if (good) return GOUGH_OK;
+    if (direct.failed)
+        return gough_fail(error, GOUGH_ERROR_FILE, "%s: cannot write: %s", output->path,
+                          strerror(direct.failed));
+    return gough_fail(error, GOUGH_ERROR_FILE, "%s: cannot build the HDF5 file (%zu rows)",
+                      output->path, content->rows);
+}
+
+gough_status result_write_hdf5_file(const result_file *content, const char *path,
+                                    gough_error *error) {
+    result_output *output = malloc(sizeof *output);
+    if (output == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
+    gough_status status = result_output_open(output, path, error);
+    if (status == GOUGH_OK) {
+        status = add_file(content, output, error);
+        if (status == GOUGH_OK)
+            status = result_output_finish(output, error);
+        else
+            result_output_abandon(output);
+    }
+    free(output);
     return status;
 }
 
@@ -211,10 +316,11 @@ int result_put_settings(const double setting[RESULT_SETTINGS], result_attribute 
     return count;
 }
 
-static const double *values_of(void *context, int column) {
+static const double *values_of(void *context, int column, size_t first, size_t count) {
     const gough_result *result = context;
     static const double none = 0;
-    return result->value[column] ? result->value[column] : &none;
+    (void)count;
+    return result->value[column] ? result->value[column] + first : &none;
 }
 
 gough_status result_write_hdf5(const gough_result *result, const char *path, gough_error *error) {

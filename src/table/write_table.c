@@ -93,9 +93,10 @@ static gough_status write_csv(const gough_table *table, const char *path, gough_
 
 /* ---- HDF5 -------------------------------------------------------------------------------------------------------- */
 
-static const double *values_of(void *context, int column) {
+static const double *values_of(void *context, int column, size_t first, size_t count) {
     const gough_table *table = context;
-    return table->value[column];
+    (void)count;
+    return table->value[column] + first;
 }
 
 static gough_status write_hdf5(const gough_table *table, const char *study, const char *path,

@@ -61,7 +61,7 @@ if said=$("$bash" scripts/install-packages.sh tools nonsense 2>&1); then echo "a
 
 # what the steps ask for, whatever the make that runs this test was told
 plan() { env -u MAKEFLAGS -u MAKEOVERRIDES -u PAGE -u PYTHON make -n --no-print-directory "$@"; }
-steps=$(plan all test quick test-thorough test-more coverage demo python package dist fuzz campaign bench lint docs |
+steps=$(plan all test quick test-thorough test-more coverage demo python mpi package dist fuzz campaign bench lint docs |
     sed -n 's/.*install-packages\.sh //p' | tr ' ' '\n' | sed '/^$/d' | sort -u)
 [[ $steps == "$(sort <<<"$groups")" ]] || { echo "the Makefile asks for other groups:"; diff <(echo "$steps") <(sort <<<"$groups"); exit 1; }
 without=$(plan PAGE=OFF PYTHON=OFF test | sed -n 's/.*install-packages\.sh //p' | xargs)

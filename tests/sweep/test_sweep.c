@@ -248,6 +248,79 @@ START_TEST(without_a_path_there_is_a_summary) {
 }
 END_TEST
 
+/* Runs a sweep in two pieces, as a runner that shares it out does. */
+static gough_status run_in_two(void *context, const gough_sweep *sweep,
+                               const gough_sweep_options *options, gough_sweep_sink sink,
+                               void *sink_context, gough_error *error) {
+    gough_sweep_options own = *options;
+    own.last = options->first + (options->last - options->first) / 2;
+    gough_status status = gough_sweep_run(sweep, &own, sink, sink_context, error);
+    own.first = own.last + 1;
+    own.last = options->last;
+    if (status == GOUGH_OK) status = gough_sweep_run(sweep, &own, sink, sink_context, error);
+    ++*(int *)context;
+    return status;
+}
+
+START_TEST(another_runner_writes_the_same_bytes) {
+    char folder[PATH_SIZE], own[PATH_SIZE], other[PATH_SIZE];
+    gough_sweep_summary summary;
+    gough_error error;
+    int called = 0;
+    make_folder(folder);
+    path_in(folder, "own.csv", own);
+    path_in(folder, "other.csv", other);
+    ck_assert_int_eq(run_into(own, 0, 0, &summary, &error), GOUGH_OK);
+    gough_sweep *sweep = new_sweep();
+    const gough_sweep_options options = gough_sweep_options_default();
+    const gough_sweep_output output = {
+        .path = other, .runner = run_in_two, .runner_context = &called};
+    ck_assert_int_eq(gough_sweep_write(sweep, &options, &output, &summary, &error), GOUGH_OK);
+    ck_assert_int_eq(called, 1);
+    size_t length;
+    char *bytes = read_bytes(own, &length);
+    expect_same(other, bytes, length);
+    free(bytes);
+    gough_sweep_free(sweep);
+    remove_folder(folder);
+}
+END_TEST
+
+/* What changes numbers changes the identity; threads, lanes and where it is computed do not. */
+START_TEST(the_identity_of_a_sweep_is_that_of_its_numbers) {
+    gough_sweep *sweep = new_sweep(), *other = NULL;
+    char *messages = NULL;
+    gough_sweep_options options = gough_sweep_options_default();
+    const uint64_t identity = gough_sweep_identity(sweep, &options);
+    ck_assert(identity != 0);
+    options.threads = 3;
+    options.lanes = 2;
+    ck_assert(gough_sweep_identity(sweep, &options) == identity);
+    options.sizing = true;
+    ck_assert(gough_sweep_identity(sweep, &options) != identity);
+    options.sizing = false;
+    options.forces = true;
+    ck_assert(gough_sweep_identity(sweep, &options) != identity);
+    options.forces = false;
+    /* settings of all lengths modulo 8 */
+    const char *const value[] = {"1.5", "1.25", "1.125", "1.0625", "1.03125", "2", "2.5", "1.2500"};
+    uint64_t met[8];
+    for (size_t i = 0; i < 8; i++) {
+        const gough_setting setting = {"load.mass", value[i]};
+        ck_assert_int_eq(
+            gough_sweep_parse("study.yaml", study, strlen(study), &setting, 1, &other, &messages),
+            GOUGH_OK);
+        met[i] = gough_sweep_identity(other, &options);
+        ck_assert(met[i] != 0 && met[i] != identity);
+        for (size_t k = 0; k < i; k++) ck_assert(met[i] != met[k]);
+        gough_sweep_free(other);
+    }
+    options.size++;
+    ck_assert(gough_sweep_identity(sweep, &options) == 0);
+    gough_sweep_free(sweep);
+}
+END_TEST
+
 /* Else the column of a swept key would claim to have no dimension. */
 START_TEST(the_unit_of_every_key_has_a_label) {
     size_t keys, units = 0;
@@ -270,5 +343,7 @@ END_TEST
 int main(void) {
     return SUITE_RUN("sweep/sweep", 120, damaged_shards_are_refused, parts_of_any_length_go_on,
                      forged_shards_are_refused, parts_are_tied_to_plan_and_numbers,
-                     without_a_path_there_is_a_summary, the_unit_of_every_key_has_a_label);
+                     without_a_path_there_is_a_summary, another_runner_writes_the_same_bytes,
+                     the_identity_of_a_sweep_is_that_of_its_numbers,
+                     the_unit_of_every_key_has_a_label);
 }

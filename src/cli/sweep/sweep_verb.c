@@ -11,6 +11,7 @@
 #include "cli/common/interrupt.h"
 #include "cli/common/progress.h"
 #include "cli/common/talk.h"
+#include "cli/sweep/sweep_crew.h"
 #include "cli/sweep/sweep_report.h"
 
 /* What gough sweep is asked for. */
@@ -254,7 +255,8 @@ static gough_status run_sweep(const sweep_line *given, const gough_sweep *sweep)
                                  .dimensionless = line->dimensionless,
                                  .shard = given->part.shard,
                                  .shards = given->part.shards,
-                                 .also = also};
+                                 .also = also,
+                                 .runner = the_crew.run};
     for (size_t i = 0; also && i < line->outputs.count; i++)
         if (line->outputs.word[i] != output.path) also[output.also_count++] = line->outputs.word[i];
     sweep_report report = {.verb = line->verb, .title = study->title, .sweep = sweep};
