@@ -8,7 +8,7 @@
 # make install    into PREFIX (default /usr/local), under DESTDIR if given
 # make python     a wheel of the package for Python in build/; plain make leaves the package itself in build/python
 # make mpi        install an MPI and build build/gough-mpi, which runs sweeps on many machines; plain make builds it where an MPI is there
-# make package    a Debian package in build/
+# make package    Debian packages in build/
 # make dist       a tarball of the sources in build/, with the page bundled: it builds without npm and without a network
 # make fuzz       each fuzzing target for FUZZ_SECONDS under sanitizers
 # make campaign   STUDIES=1000 random studies, each number printed against an independent computation
@@ -85,7 +85,7 @@ mpi:
 
 package:
 	@scripts/install-packages.sh $(build_groups) package lintian
-	@PAGE=$(PAGE) scripts/package.sh "$(BUILD)"
+	@PAGE=$(PAGE) PYTHON=$(PYTHON) scripts/package.sh "$(BUILD)"
 
 dist: configure
 	@$(if $(bundles),,echo "make dist bundles the page: it needs PAGE=ON and the sources from git, without web/report.html" >&2; exit 1)

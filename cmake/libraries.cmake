@@ -103,15 +103,31 @@ endfunction()
 
 gough_room_libraries("")
 
-# Installed: libgough.a, libgough.so, libgough-analyse.so, libgough-files.so. A program linked to the archive with --gc-sections has only the
-# functions that it calls; its inner names cannot clash with those of the program.
+# Installed: each library as an archive and, unless BUILD_SHARED_LIBS is off, as a shared one: gough, gough-analyse, gough-files. A
+# program linked to the core's archive with --gc-sections has only the functions that it calls; inner names of the archives cannot clash
+# with those of the program.
 target_compile_options(gough_core_objects PRIVATE -ffunction-sections -fdata-sections)
-add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/libgough.a
-    COMMAND ${CMAKE_COMMAND} -DFILE=${PROJECT_BINARY_DIR}/libgough.a "-DOBJECTS=$<TARGET_OBJECTS:gough_core_objects>"
-            -DEDITION=${GOUGH_EDITION} -DREADELF=${CMAKE_READELF} -DOBJCOPY=${CMAKE_OBJCOPY} -DAR=${CMAKE_AR} -P ${PROJECT_SOURCE_DIR}/cmake/archive.cmake
-    DEPENDS gough_core_objects $<TARGET_OBJECTS:gough_core_objects> ${PROJECT_SOURCE_DIR}/cmake/archive.cmake
-    VERBATIM)
-add_custom_target(gough_archive ALL DEPENDS ${PROJECT_BINARY_DIR}/libgough.a)
+set(GOUGH_ARCHIVES)
+foreach(pair core|gough analyse|gough-analyse files|gough-files)
+    string(REPLACE "|" ";" pair ${pair})
+    list(GET pair 0 part)
+    list(GET pair 1 name)
+    set(archive ${PROJECT_BINARY_DIR}/lib${name}.a)
+    add_custom_command(OUTPUT ${archive}
+        COMMAND ${CMAKE_COMMAND} -DFILE=${archive} "-DOBJECTS=$<TARGET_OBJECTS:gough_${part}_objects>"
+                -DEDITION=${GOUGH_EDITION} -DREADELF=${CMAKE_READELF} -DOBJCOPY=${CMAKE_OBJCOPY} -DAR=${CMAKE_AR} -P ${PROJECT_SOURCE_DIR}/cmake/archive.cmake
+        DEPENDS gough_${part}_objects $<TARGET_OBJECTS:gough_${part}_objects> ${PROJECT_SOURCE_DIR}/cmake/archive.cmake
+        VERBATIM)
+    list(APPEND GOUGH_ARCHIVES ${archive})
+endforeach()
+add_custom_target(gough_archive ALL DEPENDS ${GOUGH_ARCHIVES})
+
+if(NOT BUILD_SHARED_LIBS)
+    foreach(library gough_shared gough_analyse_shared gough_files_shared)
+        add_custom_target(${library}) # has nothing to build
+    endforeach()
+    return()
+endif()
 add_library(gough_shared SHARED $<TARGET_OBJECTS:gough_core_objects>)
 add_library(gough_analyse_shared SHARED $<TARGET_OBJECTS:gough_analyse_objects>)
 add_library(gough_files_shared SHARED $<TARGET_OBJECTS:gough_files_objects>)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # install-packages.sh GROUP…: makes sure that the packages of these groups are there. Missing ones are installed by apt, as root or with
-# sudo. Without apt they are named, and the script stops. scripts/package-sizes.sh prints the size of each group.
+# sudo. Without apt they are named, and the script stops. scripts/package-sizes.sh prints the size of each group. With GOUGH_PAGE=OFF in the
+# environment the groups that only the page needs are passed over.
 set -euo pipefail
 
 # group | what it is for. Each group stands on those above it that a step of the Makefile asks for with it.
@@ -18,8 +19,8 @@ pytest      | tests of the package for Python
 format      | the test of the formatting, and `make lint`
 docs        | the API reference, and the test that it is complete
 browser     | tests of the page
-package     | making the Debian package, and the test of it
-lintian     | checking the Debian package
+package     | making the Debian packages, and the test of them
+lintian     | checking the Debian packages
 dist        | making the source tarball
 fuzz        | fuzzing with libFuzzer
 lint        | static analysis
@@ -95,23 +96,38 @@ for wanted in "$@"; do
     }
 done
 
+# groups that only the page of `gough report` needs
+of_page=(bundler webassembly browser)
+wanted_groups=()
+for wanted in "$@"; do
+    [[ ${GOUGH_PAGE:-ON} == OFF && " ${of_page[*]} " == *" $wanted "* ]] || wanted_groups+=("$wanted")
+done
+
 present() { (eval "$1") >/dev/null 2>&1; }
 
-missing=()
+missing=() page_only=()
 while IFS='|' read -r group package probe; do
     group=${group// /} package=${package// /}
-    for wanted in "$@"; do
+    for wanted in "${wanted_groups[@]}"; do
         if [[ $group == "$wanted" ]] && ! present "$probe" && [[ " ${missing[*]:-} " != *" $package "* ]]; then
             missing+=("$package")
+            [[ " ${of_page[*]} " != *" $group "* ]] || page_only+=("$package")
         fi
     done
 done < <(pieces)
 ((${#missing[@]})) || exit 0
 
+# what the user can do without
+without_page() {
+    ((${#page_only[@]} == 0)) ||
+        echo "Only the page of \`gough report\` needs ${page_only[*]}: 'make PAGE=OFF' (for CMake -DGOUGH_PAGE=OFF) builds everything else."
+}
+
 if ! command -v apt-get >/dev/null; then
     {
         echo "Missing: ${missing[*]}"
         echo "These are the names of Debian packages. This system has no apt: install what they hold with its own package manager, then run make again."
+        without_page
     } >&2
     exit 1
 fi
@@ -121,6 +137,7 @@ if ((EUID != 0)); then
         {
             echo "Missing: ${missing[*]}"
             echo "Installing them needs root: run 'apt-get install ${missing[*]}' as root, then make again."
+            without_page
         } >&2
         exit 1
     fi
@@ -136,6 +153,7 @@ if ! install >"$log" 2>&1; then
     if ! { "${as_root[@]}" apt-get update -q </dev/null && install; } >"$log" 2>&1; then
         cat "$log" >&2
         echo "The packages could not be installed; the lines above say why." >&2
+        without_page >&2
         exit 1
     fi
 fi

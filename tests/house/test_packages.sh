@@ -41,6 +41,12 @@ elif command -v setpriv >/dev/null; then
     said=$(PATH=$folder setpriv --reuid 65534 --clear-groups "$bash" "$scratch/script" "${build[@]}" 2>&1 </dev/null) && { echo "without root it goes on"; exit 1; }
     [[ $said == *"Missing: cmake"*"apt-get install cmake"* ]] || { echo "without root it says: $said"; exit 1; }
 fi
+# what only the page needs is not asked for without it, and is named as such where it is missing
+bare=$(path_without node npm clang wasm-ld apt-get apt)
+said=$(PATH=$bare "$bash" scripts/install-packages.sh "${build[@]}" bundler 2>&1 </dev/null) && { echo "without npm it goes on"; exit 1; }
+[[ $said == *"Only the page"*"nodejs npm"*"make PAGE=OFF"*"-DGOUGH_PAGE=OFF"* ]] || { echo "without npm it says: $said"; exit 1; }
+said=$(PATH=$bare GOUGH_PAGE=OFF "$bash" scripts/install-packages.sh "${build[@]}" bundler webassembly browser 2>&1 </dev/null) ||
+    { echo "with GOUGH_PAGE=OFF it says: $said"; exit 1; }
 # each package of the list is one of this system's
 if command -v apt-cache >/dev/null && [[ -n $(apt-cache search --names-only '^cmake$') ]]; then
     mapfile -t packages < <(sed -n 's/^[a-z]* *| \([a-z0-9.+-]*\) *|.*/\1/p' scripts/install-packages.sh | sort -u)
