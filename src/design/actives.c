@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "design/settle.h"
 
 /* a number this near to a bound, in parts of its range, is at it */
@@ -9,8 +10,12 @@ static const double AT_BOUND = 1e-3;
 /* and a limit with less than this part of its size to spare keeps the design from being better */
 static const double LITTLE = 0.01;
 
+/* The most there are: numbers, eight limits of each leg, its clearance, six of the platform, two of singular poses, the telescope. */
+_Static_assert(GOUGH_DESIGN_KEYS + 9 * GOUGH_LEGS + GOUGH_COMPONENTS + 3 <= GOUGH_DESIGN_ACTIVES,
+               "room for all reasons");
+
 static gough_active *add(gough_design_result *result, gough_active_kind kind) {
-    if (result->actives == GOUGH_DESIGN_ACTIVES) return NULL;
+    assert_true(result->actives < GOUGH_DESIGN_ACTIVES);
     gough_active *a = &result->active[result->actives++];
     *a = (gough_active){.kind = kind};
     return a;
@@ -22,7 +27,7 @@ static void add_keys(const gough_design_request *r, const candidate *c,
         const double part = (c->value[k] - r->least[k]) / (r->greatest[k] - r->least[k]);
         if (part > AT_BOUND && part < 1 - AT_BOUND) continue;
         gough_active *a = add(result, part < 0.5 ? GOUGH_ACTIVE_LEAST : GOUGH_ACTIVE_GREATEST);
-        if (a) a->key = k;
+        a->key = k;
     }
 }
 
@@ -38,7 +43,6 @@ static void add_limits(const demand *d, const gough_reach *reach, gough_design_r
             if (pose_is_allowed(&tight, d->pose[i], &binding)) continue;
             if ((int)binding.bind != kind || told[binding.which]) continue;
             gough_active *a = add(result, GOUGH_ACTIVE_LIMIT);
-            if (!a) return;
             told[binding.which] = true;
             a->binding = binding;
             memcpy(a->pose, d->pose[i], sizeof a->pose);

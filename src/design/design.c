@@ -140,11 +140,11 @@ static void search_everywhere(search *s) {
     const size_t all = s->expected * SHARE / 100, rest = (s->expected - all) / 5;
     search_all(s, r->start, all);
     if (s->best.there && s->best.score.objective > 0) s->whole = s->best.score.objective;
-    const candidate first = s->best.there ? s->best : s->nearest;
-    if (first.there) search_from(s, first.value, STEP_BEST, 2 * rest);
+    const candidate first = *search_best(s);
+    search_from(s, first.value, STEP_BEST, 2 * rest);
     search_from(s, r->start, STEP_START, 2 * rest);
-    const candidate second = s->best.there ? s->best : s->nearest;
-    if (second.there) search_from(s, second.value, STEP_LAST, rest);
+    const candidate second = *search_best(s);
+    search_from(s, second.value, STEP_LAST, rest);
 }
 
 static void tell(search *s, const candidate *c, gough_design_result *result) {
@@ -196,12 +196,12 @@ static double certified_part(const gough_reach *reach, const gough_box *box,
 
 /* The design that comes nearest, and what it misses. */
 static gough_status tell_missing(search *s, gough_design_result *result, gough_error *error) {
-    const candidate c = s->best.there ? s->best : s->nearest;
+    const candidate c = *search_best(s);
     gough_reach reach;
     tell(s, &c, result);
     if (s->stopped) return gough_fail(error, GOUGH_ERROR_NUMERICAL, "the search was stopped");
     result->excess = c.score.excess < EXCESS_SINGULAR ? fmax(c.score.excess, 0) : INFINITY;
-    if (!c.there || !(c.score.excess < EXCESS_NO_MODEL))
+    if (!(c.score.excess < EXCESS_NO_MODEL))
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                           "no numbers within the bounds make a valid machine: %s",
                           s->refused.message);

@@ -100,7 +100,6 @@ gough_status reach_of_design(const demand *d, const gough_model *model, gough_re
 
 /* ---- excess, (design-2) ---- */
 
-enum { DOUBLINGS = 24, HALVINGS = 48 };
 static const double FIRST = 1e-3, GREATEST = 1e3, FINEST = 1e-9, PART = 1e-4;
 
 double ease_needed(const double spare[GOUGH_BINDS], const gough_reach *reach,
@@ -108,13 +107,12 @@ double ease_needed(const double spare[GOUGH_BINDS], const gough_reach *reach,
     double step = FIRST, high = low + step;
     const gough_reach as_it_is = eased_by(reach, spare, low);
     if (pose_is_allowed(&as_it_is, pose, NULL)) return low;
-    for (int i = 0; i < DOUBLINGS; i++) {
-        const gough_reach eased = eased_by(reach, spare, high);
-        if (pose_is_allowed(&eased, pose, NULL)) break;
+    for (gough_reach eased = eased_by(reach, spare, high); !pose_is_allowed(&eased, pose, NULL);
+         eased = eased_by(reach, spare, high)) {
         if (high > GREATEST) return INFINITY;
         low = high, step *= 4, high += step;
     }
-    for (int i = 0; i < HALVINGS && high - low > fmax(FINEST, PART * fabs(high)); i++) {
+    while (high - low > fmax(FINEST, PART * fabs(high))) {
         const double middle = 0.5 * (low + high);
         const gough_reach eased = eased_by(reach, spare, middle);
         if (pose_is_allowed(&eased, pose, NULL))

@@ -5,8 +5,9 @@
 #include <nlopt.h>
 #include <string.h>
 
-/* weight of an excess beside the objective, in parts of it: well above what easing a limit by its size can win */
-static const double PENALTY = 100;
+/* weight of an excess beside the objective, in parts of it: mostly well above what easing a limit by its size can win; where it is
+ * not, as for a range of lengths far wider than the strokes, it grows by a factor up to the most */
+static const double PENALTY = 100, MORE_PENALTY = 10, MOST_PENALTY = 1e6;
 /* objectives beyond this are as bad as this: near singular poses they have no bound */
 static const double MOST = 1e3;
 /* designs closer than this part of a range count as one */
@@ -39,7 +40,10 @@ double search_try(search *s, const double *value) {
         if (r->progress(r->progress_context, fmin(part, 1))) s->stopped = true;
     }
     const double objective = tried.score.objective / s->whole;
-    return (objective < MOST ? objective : MOST) + PENALTY * fmax(tried.score.excess, 0);
+    const double merit = (objective < MOST ? objective : MOST) +
+                         fmax(s->penalty, PENALTY) * fmax(tried.score.excess, 0);
+    if (merit < s->least_merit) s->least_merit = merit, s->kept = tried.score.excess <= NO_EXCESS;
+    return merit;
 }
 
 typedef struct call {
@@ -75,8 +79,11 @@ static void run(search *s, nlopt_algorithm algorithm, const double *value, doubl
     if (step > 0) nlopt_set_initial_step1(c.nlopt, step);
     for (unsigned k = 0; k < count; k++)
         x[k] = fmin(fmax((value[k] - r->least[k]) / (r->greatest[k] - r->least[k]), 0), 1);
+    s->least_merit = INFINITY, s->kept = false;
     nlopt_optimize(c.nlopt, x, &least);
     nlopt_destroy(c.nlopt);
+    /* (design-5): a design that exceeds a limit must not have the least merit */
+    if (!s->kept) s->penalty = fmin(fmax(s->penalty, PENALTY) * MORE_PENALTY, MOST_PENALTY);
 }
 
 void search_all(search *s, const double *value, size_t evaluations) {

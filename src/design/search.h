@@ -14,12 +14,21 @@ typedef struct candidate {
 typedef struct search {
     demand demand;
     double whole; /* the objective that counts as 1 beside an excess */
+    double
+        penalty; /* weight of an excess beside the objective; larger after a search whose least merit exceeds a limit */
+    double least_merit; /* of the present search */
+    bool kept;          /* the design with the least merit keeps the requirement */
     candidate best,
         nearest; /* of those that keep the requirement, and the one that comes nearest to it */
     size_t evaluations, expected;
     bool stopped;
     gough_error refused; /* why the last values made no model */
 } search;
+
+/* The best design that keeps the requirement, or the nearest to it. */
+static inline const candidate *search_best(const search *s) {
+    return s->best.there ? &s->best : &s->nearest;
+}
 
 /* The model of a design; NULL: its numbers make no model. */
 const gough_model *search_model(search *s, const double *value);

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROUNDS = 24, MENDING_TRIES = 20, COARSE = 3, FINE = 6 };
+enum { ROUNDS = 24, MENDING_TRIES = 20, MENDINGS = 3, COARSE = 3, FINE = 6 };
 
 /* what is to spare of a limit first where a certificate gives up, and the most; then it is doubled */
 static const double SPARE = 0.01, MOST_SPARE = 0.35;
@@ -79,7 +79,8 @@ bool design_settle(search *s, gough_design_result *result) {
         if (!ask_for_more(&s->demand, &reach, &result->certificate)) return false;
         s->best.there = s->nearest.there = false;
         search_from(s, tried.value, MENDING_STEP, tries);
-        if (!s->best.there) search_from(s, s->nearest.value, 4 * MENDING_STEP, tries);
+        for (int more = 0; more < MENDINGS && !s->kept && !s->stopped; more++)
+            search_from(s, search_best(s)->value, more ? MENDING_STEP : 4 * MENDING_STEP, tries);
     }
     return false;
 }

@@ -38,7 +38,7 @@ static void asker_begin(asker *a, const burden *b, const stiff *J, asked_parts p
     for (int j = 0; j < 6; j++) {
         sum[j] = 0;
         for (int i = 0; i < 6; i++) sum[j] += a->size[i][j];
-        if (!(sum[j] <= a->norm)) a->norm = sum[j];
+        a->norm = bound_of(a->norm, sum[j]);
     }
     double square[6] = {0};
     for (int i = 0; i < 6; i++)
@@ -64,7 +64,7 @@ static void solve_forces(const asker *a, const taylor wrench[6], taylor f[6]) {
         u[i] = taylor_of(0);
         for (int m = 0; m < 6; m++)
             u[i] = taylor_add(u[i], taylor_scale(a->J->inverse[m][i], wrench[m]));
-        greatest = fmax(greatest, taylor_magnitude(&u[i]));
+        greatest = bound_of(greatest, taylor_magnitude(&u[i]));
     }
     const double most = a->norm < 1 ? greatest / (1 - a->norm) * (1 + 4 * ROUNDED) : INFINITY;
     taylor once[6], twice[6];
@@ -78,7 +78,7 @@ static void solve_forces(const asker *a, const taylor wrench[6], taylor f[6]) {
         for (int j = 0; j < 6; j++) third += a->size[j][i] * size[j];
         const double rest = fmin(a->cube[i] * most, third + a->fourth[i] * most);
         f[i] = taylor_add(taylor_less(u[i], once[i]), twice[i]);
-        f[i].r += rest * (1 + 16 * ROUNDED);
+        f[i].r = bound_of(0, f[i].r + rest * (1 + 16 * ROUNDED));
     }
 }
 

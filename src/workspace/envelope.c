@@ -164,8 +164,8 @@ static void bound_part(const space *s, const gough_box *box, int worst, part *p,
     view_part(s, box, p, &view);
     worst_values(s, &view, 1U << worst, &at);
     e->tests++;
-    /* what is not a number is no bound; and a part has no worse one than the whole */
-    if (!(at.most[worst] >= p->most)) p->most = isnan(at.most[worst]) ? p->most : at.most[worst];
+    /* a part has no worse one than the whole */
+    p->most = fmin(p->most, at.most[worst]);
     heap_put(h, p);
 }
 

@@ -256,7 +256,8 @@ taylor_vector box_direction(const box_view *view, int v) {
     taylor_vector a = taylor_vector_of(n, rest * UPWARDS + rounding, view->varies);
     vector across[SIDES];
     double ahead[SIDES];
-    if (!(least > 0)) return taylor_vector_of(n, INFINITY, view->varies);
+    /* a leg of no length has no direction, not even at the centre */
+    if (!(least > 0)) return taylor_vector_of((vector){0, 0, 0}, INFINITY, view->varies);
     for (int k = 0; k < SIDES && view->varies; k++) {
         const vector slope = scale(1 / l, box_joint_slope(view, v, k));
         ahead[k] = dot(n, slope), across[k] = along(slope, -ahead[k], n);

@@ -64,8 +64,7 @@ static double find_spread(stiff *J) {
             const double x = deviation(J, i, j);
             sum += x, square += x * x;
         }
-        /* a NaN is no bound */
-        if (!(sum <= J->spread)) J->spread = sum;
+        J->spread = bound_of(J->spread, sum);
     }
     return sqrt(square) * (1 + MATRIX_ROUNDED);
 }
@@ -106,7 +105,7 @@ static double off_one(double T[6][6]) {
             for (int m = 0; m < 6; m++) dot += T[m][i] * T[m][j];
             sum += fabs(dot);
         }
-        if (!(sum <= off)) off = sum;
+        off = bound_of(off, sum);
     }
     return off;
 }
@@ -224,8 +223,7 @@ static double greatest_ratio(const edge *low, const edge *high) {
         const taylor share = taylor_inverse(low->form[i]);
         for (int j = 0; j < high->forms; j++) {
             const taylor ratio = taylor_times(taylor_scale(-1, high->form[j]), share);
-            const double one = taylor_most(&ratio);
-            if (!(one <= most)) most = one;
+            most = bound_of(most, taylor_most(&ratio));
         }
     }
     return most;

@@ -23,6 +23,11 @@ static inline int curve_at(int j, int k) { return k * (k + 1) / 2 + j; }
 /* what roundings are at most, each relative to what is rounded: one operation on c, g or h has no more than four of them */
 static const double ROUNDED = 4 * DBL_EPSILON;
 
+/* the greater of a bound and another, which is not one if it is not a number, as 0 · ∞ is */
+static inline double bound_of(double a, double b) {
+    return b <= a ? a : b < INFINITY ? b : INFINITY;
+}
+
 static inline taylor taylor_of(double c) {
     taylor a = {.c = c};
     return a;
@@ -104,7 +109,7 @@ static inline taylor taylor_scale(double s, taylor a) {
     double size = fabs(b.c);
     for (int k = 0; k < SIDES && b.varies; k++) b.g[k] = s * a.g[k], size += fabs(b.g[k]);
     for (int i = 0; i < CURVES && b.varies; i++) b.h[i] = s * a.h[i], size += fabs(b.h[i]);
-    b.r = fabs(s) * a.r * (1 + ROUNDED) + ROUNDED * size;
+    b.r = bound_of(0, fabs(s) * a.r * (1 + ROUNDED) + ROUNDED * size);
     return b;
 }
 
@@ -140,18 +145,25 @@ static inline taylor taylor_times(taylor a, taylor b) {
     for (int i = 0; i < CURVES && p.varies; i++) p.h[i] = a.c * b.h[i] + b.c * a.h[i];
     if (p.varies) taylor_add_slopes(1, a.g, b.g, p.h);
     const double third = wide * curved + bent * (broad + curved);
-    p.r = (x * b.r + y * a.r + third + (wide + bent) * b.r + a.r * (broad + curved + b.r)) *
-              (1 + 4 * ROUNDED) +
-          2 * ROUNDED * (x + wide + bent) * (y + broad + curved);
+    const double rest =
+        x * b.r + y * a.r + third + (wide + bent) * b.r + a.r * (broad + curved + b.r);
+    p.r = bound_of(0, rest * (1 + 4 * ROUNDED) +
+                          2 * ROUNDED * (x + wide + bent) * (y + broad + curved));
     return p;
 }
 
-/* (space-11): 1/x of a number that is above 0 over the box; without a bound where it may be 0 */
+/* what has no bound; its value counts for nothing, but must be a number */
+static inline taylor taylor_unbounded(bool varies) {
+    return (taylor){.r = INFINITY, .varies = varies};
+}
+
+/* (space-11): 1/x of a number that is above 0 over the box; without a bound where it may be 0. Its value at the centre is then
+ * above 0 too. */
 static inline taylor taylor_inverse(taylor a) {
     const double slope = taylor_slope(&a), rest = taylor_curve(&a) + a.r, wide = slope + rest,
                  least = taylor_least(&a), y = 1 / a.c;
-    taylor b = {.c = y, .r = INFINITY, .varies = a.varies};
-    if (!(least > 0) || !(a.c > 0)) return b;
+    taylor b = {.c = y, .varies = a.varies};
+    if (!(least > 0)) return taylor_unbounded(a.varies);
     for (int k = 0; k < SIDES && b.varies; k++) b.g[k] = -a.g[k] * y * y;
     for (int i = 0; i < CURVES && b.varies; i++) b.h[i] = -a.h[i] * y * y;
     if (b.varies) taylor_add_slopes(y * y * y, a.g, a.g, b.h);
@@ -165,8 +177,8 @@ static inline taylor taylor_inverse(taylor a) {
 static inline taylor taylor_root(taylor a) {
     const double slope = taylor_slope(&a), rest = taylor_curve(&a) + a.r, wide = slope + rest,
                  least = taylor_least(&a);
-    taylor b = {.c = sqrt(a.c), .r = INFINITY, .varies = a.varies};
-    if (!(least > 0) || !(a.c > 0)) return b;
+    taylor b = {.c = sqrt(a.c), .varies = a.varies};
+    if (!(least > 0)) return taylor_unbounded(a.varies);
     const double y = 0.5 / b.c, z = 0.25 * y / a.c;
     for (int k = 0; k < SIDES && b.varies; k++) b.g[k] = a.g[k] * y;
     for (int i = 0; i < CURVES && b.varies; i++) b.h[i] = a.h[i] * y;

@@ -7,7 +7,7 @@
 #include "workspace/stiff.h"
 
 static void put(values *to, int worst, double most, double sure, int leg) {
-    if (!(most <= to->most[worst])) to->most[worst] = most;
+    to->most[worst] = bound_of(to->most[worst], most);
     if (sure <= to->sure[worst]) return;
     to->sure[worst] = sure;
     to->leg[worst] = leg;
