@@ -10,7 +10,8 @@ static const double AT_BOUND = 1e-3;
 /* and a limit with less than this part of its size to spare keeps the design from being better */
 static const double LITTLE = 0.01;
 
-/* The most there are: numbers, eight limits of each leg, its clearance, six of the platform, two of singular poses, the telescope. */
+/* The most there are: numbers, eight limits of each leg and its clearance, six of the platform, two of singular poses, the
+ * telescope. */
 _Static_assert(GOUGH_DESIGN_KEYS + 9 * GOUGH_LEGS + GOUGH_COMPONENTS + 3 <= GOUGH_DESIGN_ACTIVES,
                "room for all reasons");
 

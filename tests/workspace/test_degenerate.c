@@ -41,13 +41,13 @@ static void refused(gough_status status, const gough_error *error, const char *p
 
 /* ---- what is refused ---- */
 
-static void refuse_asked(gough_model *model, double *number, double value, const char *part) {
-    const double before = *number;
+static void refuse_asked(gough_model *model, double *member, double value, const char *part) {
+    const double before = *member;
     gough_reach reach;
     gough_error error = {0};
-    *number = value;
+    *member = value;
     refused(gough_reach_init(&reach, sizeof reach, model, &error), &error, part);
-    *number = before;
+    *member = before;
 }
 
 START_TEST(numbers_out_of_range_are_refused_by_their_key) {
@@ -305,7 +305,7 @@ START_TEST(known_loads_count_among_the_forces) {
         gough_wrench wrench;
         gough_state s;
         gough_box one;
-        double force[GOUGH_LEGS], push = -INFINITY, pull = INFINITY;
+        double force[GOUGH_LEGS], most = -INFINITY, least = INFINITY;
         flight_machine(model);
         for (int k = 0; k < 3; k++) {
             load.force[k] = gough_formula_constant(dice_between(&d, -3e4, 3e4));
@@ -321,11 +321,11 @@ START_TEST(known_loads_count_among_the_forces) {
         ck_assert(gough_inverse_dynamics(&model->machine, &s, &still, &wrench, force, NULL) ==
                   GOUGH_OK);
         for (int v = 0; v < GOUGH_LEGS; v++)
-            push = fmax(push, force[v]), pull = fmin(pull, force[v]);
+            most = fmax(most, force[v]), least = fmin(least, force[v]);
         ck_assert(gough_workspace_envelope(&reach, &one, &e, NULL) == GOUGH_OK);
-        ck_assert_double_eq_tol(e.of[GOUGH_WORST_PUSH].sampled, push, 1e-9 * 3e4);
-        ck_assert_double_eq_tol(e.of[GOUGH_WORST_PULL].sampled, pull, 1e-9 * 3e4);
-        ck_assert(e.of[GOUGH_WORST_PUSH].bound >= push && e.of[GOUGH_WORST_PULL].bound <= pull);
+        ck_assert_double_eq_tol(e.of[GOUGH_WORST_PUSH].sampled, most, 1e-9 * 3e4);
+        ck_assert_double_eq_tol(e.of[GOUGH_WORST_PULL].sampled, least, 1e-9 * 3e4);
+        ck_assert(e.of[GOUGH_WORST_PUSH].bound >= most && e.of[GOUGH_WORST_PULL].bound <= least);
     }
     free(model);
 }
