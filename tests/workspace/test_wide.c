@@ -192,6 +192,34 @@ START_TEST(singular_values_need_the_loss_of_both_sides) {
 }
 END_TEST
 
+/* (space-19): two equal least values, which the box parts in any direction of their plane: a polygon about a circle bounds them */
+START_TEST(least_values_that_are_equal_part_in_any_direction) {
+    dice d = {76};
+    double near = 0;
+    for (int n = 0; n < 200; n++) {
+        const double value = dice_between(&d, 0.5, 1), size = dice_between(&d, 0.01, 0.2) * value,
+                     angle = 2 * pi * n / 200, a = size * cos(angle), b = size * sin(angle);
+        const double all[6] = {5, 4.5, 4, 3.5, value, value};
+        stiff J;
+        memset(&J, 0, sizeof J);
+        J.most[1] = INFINITY;
+        for (int i = 0; i < 6; i++) {
+            J.row[i][i].c = J.column[i][i] = all[i];
+            J.inverse[i][i] = 1 / all[i];
+        }
+        J.row[4][4].g[0] = a, J.row[5][5].g[0] = -a, J.row[4][5].g[0] = J.row[5][4].g[0] = b;
+        for (int i = 4; i < 6; i++) J.row[i][4].varies = J.row[i][5].varies = true;
+        stiff_refine(&J, false);
+        /* the matrix value + size (cos, sin; sin, −cos) has the values value ± size */
+        const double least = value - size;
+        ck_assert_msg(J.least[0] <= least, "matrix %d of seed 76: %g > %g", n, J.least[0], least);
+        near = fmax(near, J.least[0] / least);
+    }
+    printf("the greatest part of equal least values that is certified: %.5f\n", near);
+    ck_assert(near > 0.98);
+}
+END_TEST
+
 /* (space-13): forces of a flat machine grow without bound as the top sinks, so that all their orders have one sign */
 START_TEST(forces_of_a_flat_machine_need_their_third_order) {
     gough_model *model = malloc(sizeof *model);
@@ -344,6 +372,7 @@ int main(void) {
     return SUITE_RUN(
         "wide", 60, angles_about_almost_the_same_axis_add_up,
         lengths_of_wide_boxes_need_their_second_order, singular_values_need_the_loss_of_both_sides,
+        least_values_that_are_equal_part_in_any_direction,
         forces_of_a_flat_machine_need_their_third_order, rests_count_against_parts_of_boxes,
         steps_find_a_worst_pose_between_corners, boxes_find_a_worst_pose_that_steps_miss);
 }
