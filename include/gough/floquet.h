@@ -91,7 +91,8 @@ typedef struct gough_sampled_floquet {
     bool adjusted;     /**< it is another than the model's, which does not fit the program */
     gough_state state; /**< of the periodic motion just before the first of them */
     size_t size;       /**< how many multipliers there are */
-    size_t listed;     /**< how many of them are in the list */
+    size_t listed; /**< how many of them are in the list: up to GOUGH_SAMPLED, and none below 1e-9
+                            of the largest, where rounding leaves no digit of them */
     gough_multiplier multiplier[GOUGH_SAMPLED]; /**< over all samples, by falling magnitude */
     double growth;                              /**< largest |μ|: growth in `periods` periods */
     bool stable;                                /**< no |μ| over 1 + 1e-7 */

@@ -90,7 +90,8 @@ static inline gough_map_options gough_map_options_default(void) {
 }
 
 /** One point of the grid. A point without a result (its row has an error, or no periodic motion was found where the loop does not
- *  keep its program or its controller is sampled) has NaN, an empty mode, and is not stable. */
+ *  keep its program or its controller is sampled, or the modes that count have multipliers below 1e-9 of the largest there, which
+ *  are rounding) has NaN, an empty mode, and is not stable. */
 typedef struct gough_map_point {
     double growth; /**< largest |μ|: growth per period; NaN if the program is at rest */
     double rate;   /**< ln(growth)/T; at rest the largest Re λ */

@@ -133,6 +133,35 @@ static void add_curve(builder *b, panel *deviation, panel *force, const curve *c
     set_points(line, c->named, c->named_G, c->named_force);
 }
 
+/* The note says how `stable` was found of the points that are drawn, which is not the same for all loops; older tables lack that. */
+static void note_judged(builder *b) {
+    static const char *const how[] = {"by whether its run reached its end", "at rest",
+                                      "along the program"};
+    static const char *const whose[] = {"by whether their runs reached their end", "at rest",
+                                        "along the program"};
+    enum { WAYS = sizeof how / sizeof how[0] };
+    sheet *s = b->sheet;
+    size_t count[WAYS] = {0}, parts = 0;
+    for (size_t t = 0; t < b->table_count; t++) {
+        if (gough_table_column(b->tables[t], "judged") == NULL) return;
+        const double *judged = builder_column(b, t, "judged"),
+                     *named = builder_column(b, t, "named");
+        if (b->status != GOUGH_OK) return;
+        for (size_t r = 0; r < b->tables[t]->rows; r++)
+            for (int way = 0; way < WAYS && !(named[r] > 0.5); way++)
+                count[way] += fabs(judged[r] - way) < 0.5;
+    }
+    for (int way = WAYS - 1; way >= 0; way--) {
+        const size_t used = strlen(s->note);
+        if (count[way] == 0) continue;
+        snprintf(s->note + used, sizeof s->note - used, "%s%zu point%s %s",
+                 parts++ > 0 ? ", "
+                 : used > 0  ? "; stability checked: "
+                             : "stability checked: ",
+                 count[way], count[way] == 1 ? "" : "s", (count[way] == 1 ? how : whose)[way]);
+    }
+}
+
 /* Forces of runs that follow the program alike differ by the errors of the runs: they are drawn as one. */
 static void note_errors(panel *p) {
     static const double share = 1e-6;
@@ -170,6 +199,7 @@ void builder_fill_tuning(builder *b) {
         }
     }
     if (deviation != NULL && colour > 0) limit_axis(b, deviation);
+    if (b->status == GOUGH_OK && colour > 0) note_judged(b);
     if (force != NULL) note_errors(force);
     if (force != NULL && colour == 0) s->count = 0;
 }

@@ -24,6 +24,9 @@ static const double slack = 1e-9;
  * first ones: near a resonance these have to search */
 static const double closed = 1e-11, nearly_closed = 1e-8, farthest = 0.5, shrinks = 0.8;
 
+/* a multiplier below this share of the largest is the rounding of the product of all samples, and not listed */
+static const double least_share = 1e-9;
+
 /* steps by the matrix of another stiffness are worth taking only while each is shorter than the last by this factor */
 static const double chord_shrinks = 0.4;
 
@@ -349,6 +352,16 @@ static gough_status prepare(const gough_model *model, const gough_period **perio
     return status;
 }
 
+int sampled_orbit_multipliers(const sampled_orbit *o, gough_multiplier list[GOUGH_SAMPLED]) {
+    int listed = sampled_multipliers(o->loop.machine, &o->map, GOUGH_SAMPLED, list);
+    const double largest = listed > 0 ? hypot(list[0].value[0], list[0].value[1]) : 0;
+
+    while (listed > 1 &&
+           !(hypot(list[listed - 1].value[0], list[listed - 1].value[1]) > least_share * largest))
+        listed--;
+    return listed;
+}
+
 gough_status gough_floquet_sampled(const gough_model *model, const gough_period *period,
                                    gough_sampled_floquet *floquet, gough_error *error) {
     gough_period found;
@@ -359,8 +372,7 @@ gough_status gough_floquet_sampled(const gough_model *model, const gough_period 
     if (status == GOUGH_OK) status = sampled_orbit_begin(&o, model, period, error);
     if (status == GOUGH_OK) status = sampled_orbit_find(&o, error);
     if (status != GOUGH_OK) return status;
-    floquet->listed =
-        (size_t)sampled_multipliers(&model->machine, &o.map, GOUGH_SAMPLED, floquet->multiplier);
+    floquet->listed = (size_t)sampled_orbit_multipliers(&o, floquet->multiplier);
     if (floquet->listed == 0)
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                           "the deviations grow beyond the range of numbers within one period, so "

@@ -38,6 +38,10 @@ bool sampled_fit(gough_sampling *sampling, double period, size_t *samples, size_
 /* Finds the motion for the gains that are in o->control, from the program: that of one stiffness does not depend on others. */
 gough_status sampled_orbit_find(sampled_orbit *o, gough_error *error);
 
+/* The multipliers of the motion found, by falling magnitude, and how many they are: up to GOUGH_SAMPLED, and none below 1e-9 of the
+ * largest, where they are rounding; 0 where they are no numbers. */
+int sampled_orbit_multipliers(const sampled_orbit *o, gough_multiplier list[GOUGH_SAMPLED]);
+
 /* ---- between sampled_orbit.c, sampled_nodes.c and sampled_shooting.c ---- */
 
 /* of the steps */

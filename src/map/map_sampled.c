@@ -6,9 +6,6 @@
 #include "linear/sampled.h"
 #include "map/map_row.h"
 
-/* multipliers smaller than this share of the largest are its rounding */
-static const double least_share = 1e-9;
-
 /* growth of a multiplier in each sample at rest that rounding explains */
 static const double rounding = 1e-12;
 
@@ -74,19 +71,14 @@ gough_status map_sampled_begin(map_worker *w, gough_error *error) {
 /* ---- one stiffness ---- */
 
 /* ln|μ| of what is listed, over `span`, as samples */
-static void take(const map_worker *w, const gough_multiplier *list, int listed, double span,
-                 double limit, sample *s) {
-    const double largest = listed > 0 ? hypot(list[0].value[0], list[0].value[1]) : 0;
-
+static void take(const gough_multiplier *list, int listed, double span, double limit, sample *s) {
     for (int k = 0; k < listed; k++) {
         const double size = hypot(list[k].value[0], list[k].value[1]);
         double value[2] = {list[k].value[0], list[k].value[1]};
-        if (!(size > least_share * largest)) break;
         if (fabs(value[1]) <= same_real * fabs(value[0])) value[1] = 0;
         sample_add(s, value, log(size) / span, limit, &list[k].mode);
     }
     if (!isfinite(s->size)) sample_no_values(s, s->stiffness);
-    (void)w;
 }
 
 static int look_at_rest(void *context, double stiffness, sample *s) {
@@ -99,7 +91,7 @@ static int look_at_rest(void *context, double stiffness, sample *s) {
     map_set_stiffness(w, stiffness, &w->model.control);
     sample_begin(s, stiffness, w->job->options->modes);
     if (gough_sampled_at_rest(&w->model, w->component, &rest, NULL) == GOUGH_OK)
-        take(w, rest.multiplier, (int)rest.listed, T, rounding / T + GOUGH_GROWTH_LIMIT * unit, s);
+        take(rest.multiplier, (int)rest.listed, T, rounding / T + GOUGH_GROWTH_LIMIT * unit, s);
     else
         sample_no_values(s, stiffness);
     return map_report(w, w->reported);
@@ -114,8 +106,8 @@ static int look_along(void *context, double stiffness, sample *s) {
     sample_begin(s, stiffness, w->job->options->modes);
     if (sampled_orbit_find(o, NULL) == GOUGH_OK) {
         w->job->map->row[w->index].steps = o->steps;
-        take(w, list, sampled_multipliers(&w->model.machine, &o->map, GOUGH_SAMPLED, list),
-             (double)o->periods, GOUGH_GROWTH_LIMIT / (double)o->periods, s);
+        take(list, sampled_orbit_multipliers(o, list), (double)o->periods,
+             GOUGH_GROWTH_LIMIT / (double)o->periods, s);
     } else {
         sample_no_values(s, stiffness);
     }

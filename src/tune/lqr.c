@@ -211,20 +211,23 @@ static void gains_of(gains_plant *plant, scaled_problem *p, state_matrix P, goug
 
 static gough_status refuse(const double weight[2], gough_error *error) {
     return gough_fail(error, GOUGH_ERROR_NUMERICAL,
-                      "no gains of least cost make every deviation die out with the weights %.9g "
-                      "and %.9g: some mode neither grows nor decays and hardly counts in the cost; "
-                      "increase the weights",
-                      weight[0], weight[1]);
+                      "no gains of least cost make every deviation die out with the weights "
+                      "(%.9g" IN_STIFFNESS ")^2 of errors of length and (%.9g" IN_DAMPING
+                      ")^2 of their rates: some mode neither grows nor decays and hardly counts in "
+                      "the cost; increase the weights",
+                      sqrt(weight[0]), sqrt(weight[1]));
 }
 
 static gough_status check_weights(const double weight[2], gough_error *error) {
     static const char *const of[2] = {"errors of length", "errors of the rate"};
+    static const char *const unit[2] = {"stiffness", "damping"};
 
     for (int k = 0; k < 2; k++) {
         if (weight[k] >= 0 && isfinite(weight[k])) continue;
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the weight of %s must be 0 or more and finite, not %.9g", of[k],
-                          weight[k]);
+                          "the weight of %s must be 0 or more and finite, not %.9g (in the unit of "
+                          "%s squared)",
+                          of[k], weight[k], unit[k]);
     }
     return GOUGH_OK;
 }
@@ -255,9 +258,9 @@ gough_status gough_gains_by_lqr(const gough_model *model, const double component
     if (!(gains->residual <= greatest_residual))
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                           "the gains of least cost are found only to %.2g of the terms of their "
-                          "equation: the weights %.9g and %.9g, or the machine's numbers, differ "
-                          "too much in size",
-                          gains->residual, length_weight, rate_weight);
+                          "equation: the weights (%.9g" IN_STIFFNESS ")^2 and (%.9g" IN_DAMPING
+                          ")^2, or the machine's numbers, differ too much in size",
+                          gains->residual, sqrt(length_weight), sqrt(rate_weight));
     if (!gains_poles_find(&plant, gains)) return gains_fail(error);
     /* they come first that decay slowest */
     return gains->pole[0].value[0] < 0 ? GOUGH_OK : refuse(weight, error);

@@ -138,6 +138,7 @@ refused 2 "-o is for the curve" paper-heave.yaml --lqr 1,1 -o a.csv
 refused 2 "or give --poles or --lqr" paper-heave.yaml
 refused 1 "(yaw 90°) is singular" paper-heave.yaml --poles 2,0.7 --pose yaw=90
 refused 1 "neither grows nor decays" paper-heave.yaml --lqr 0,0 --set gravity=0
+refused 1 "the weights (0 N/mm)^2 of errors of length and (0 N s/mm)^2 of their rates:" millimetres.yaml --lqr 0,0 --set gravity=0
 run tune paper-heave.yaml --poles 2,0.7 -q
 [[ $code == 0 && ! -s out && ! -s err ]] || fail "-q prints: $(cat out err)"
 finish

@@ -282,9 +282,10 @@ START_TEST(a_long_note_takes_several_lines) {
 END_TEST
 
 /* The curve of a run without errors to correct, far below the accuracy. */
-START_TEST(tuning_says_which_deviations_it_leaves_out) {
-    static const char *const name[] = {
-        "feedforward", "G", "position_deviation", "asked", "named", "force", "ended", "stable"};
+START_TEST(tuning_says_what_it_leaves_out_and_how_it_was_checked) {
+    static const char *const name[] = {"feedforward", "G",      "position_deviation",
+                                       "asked",       "named",  "force",
+                                       "ended",       "stable", "judged"};
     enum { ROWS = 4, COLUMNS = sizeof name / sizeof name[0] };
     gough_table *curve = gough_table_new("Curve", "tune", COLUMNS, ROWS);
     for (size_t c = 0; c < COLUMNS; c++) {
@@ -294,6 +295,7 @@ START_TEST(tuning_says_which_deviations_it_leaves_out) {
                        : c == 2 ? 3e-11 / (double)(r + 1)
                        : c == 3 ? 1e-4
                        : c == 4 ? r == ROWS - 1
+                       : c == 8 ? (r == 0 ? 2 : r == ROWS - 1)
                                 : c != 6;
     }
     const gough_table *table = curve;
@@ -309,6 +311,8 @@ START_TEST(tuning_says_which_deviations_it_leaves_out) {
     for (size_t r = 0; r < ROWS; r++) deviation[r] = 2e-8 * (double)(r + 1);
     text = svg_of(&figure, &table, NULL, 1);
     ck_assert(strstr(text, "not drawn") == NULL);
+    ck_assert(strstr(text, "stability checked: 1 point along the program, 2 points by whether "
+                           "their runs reached their end") != NULL);
     free(text);
     gough_table_free(curve);
 }
@@ -534,7 +538,7 @@ int main(void) {
         every_format_is_complete_and_the_same_each_time, a_comma_locale_changes_no_byte,
         legs_that_coincide_are_one_line, tables_are_compared_by_their_labels,
         fonts_of_an_svg_have_substitutes, an_early_end_is_told, a_long_note_takes_several_lines,
-        tuning_says_which_deviations_it_leaves_out, long_tables_stay_small_files,
+        tuning_says_what_it_leaves_out_and_how_it_was_checked, long_tables_stay_small_files,
         study_text_runs_nothing, columns_of_other_hands_are_drawn_by_their_names,
         wrong_wishes_are_answered_with_what_would_be_right, files_that_cannot_be_written_are_named,
         a_missing_or_failing_gnuplot_is_told, nothing_is_left_behind, any_numbers_are_drawn);

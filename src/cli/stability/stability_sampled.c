@@ -59,6 +59,11 @@ static void print_sampled_multipliers(FILE *stream, const stability_report *repo
         else
             print_moves(stream, report, &group[g], used);
     }
+    if (list->listed < list->size && list->listed < GOUGH_SAMPLED)
+        print_paragraph(stream, "  ", 2,
+                        "The other %zu mu are less than 1e-9 of the largest. Rounding leaves no "
+                        "digit of them, so they are not listed.",
+                        list->size - list->listed);
 }
 
 /* The verdict on a largest multiplier of growth rate `growth`, in the units of the output. */

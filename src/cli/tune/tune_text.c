@@ -263,6 +263,8 @@ static gough_tuning_point named_point(const tune_report *report, const gough_tun
                                 .force = tuning->force,
                                 .speed = tuning->speed,
                                 .growth = NAN,
+                                .judged =
+                                    tuning->periodic ? GOUGH_TUNING_ALONG : GOUGH_TUNING_AT_REST,
                                 .stable = true,
                                 .regular = false};
 }
