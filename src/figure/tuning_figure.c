@@ -133,7 +133,7 @@ static void add_curve(builder *b, panel *deviation, panel *force, const curve *c
     set_points(line, c->named, c->named_G, c->named_force);
 }
 
-/* The note says how `stable` was found of the points that are drawn, which is not the same for all loops; older tables lack that. */
+/* The note tells in which way the stability of the points was checked, which depends on the loop. Older tables lack the column. */
 static void note_judged(builder *b) {
     static const char *const how[] = {"by whether its run reached its end", "at rest",
                                       "along the program"};
