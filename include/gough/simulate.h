@@ -136,7 +136,8 @@ typedef struct gough_simulation {
     bool actuators; /**< fill the columns of measured lengths and of limits that hold the drives;
                          then those of the commands too */
     gough_law law; /**< called at each sample of a sampled controller, from the thread that computes
-                        the run; NULL: the law of the model alone */
+                        the run; NULL: the law of the model alone. A continuous controller has no
+                        samples: with it, a law is refused */
     void *law_context;             /**< passed to it */
     struct gough_summary *summary; /**< filled by the run with peaks and time integrals of the
                                         motion itself, between rows too; NULL: not wanted */
@@ -160,8 +161,9 @@ static inline gough_simulation gough_simulation_default(void) {
  *  @return GOUGH_OK or GOUGH_ERROR_INPUT: duration, output_step or step not positive and finite, step not dividing
  *  output_step within 1e-9, more than 1e8 rows, tolerance outside the range of the precision (double 1e-15 … 1e-1,
  *  quadruple 1e-30 … 1e-1), a missing step that the method needs, or a step over max_step, Baumgarte with a rattle method,
- *  a duration beyond recorded motion, a control law that gough_control_check() refuses, jitter with fixed steps, a fixed step that
- *  does not divide the period and the delay of a sampled controller within 1e-9, more than 1e12 samples. */
+ *  a duration beyond recorded motion, a control law that gough_control_check() refuses, a law of the caller's with a continuous
+ *  controller, jitter with fixed steps, a fixed step that does not divide the period and the delay of a sampled controller within
+ *  1e-9, more than 1e12 samples. */
 GOUGH_API gough_status gough_simulation_check(const gough_model *model,
                                               const gough_simulation *simulation,
                                               gough_error *error);

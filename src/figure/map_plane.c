@@ -360,8 +360,7 @@ bool stability_write_plane(stability_pen *pen) {
 
     char explanation[120];
     snprintf(explanation, sizeof explanation, "pale: nothing grows · colours: growth %s%s",
-             f->resting ? "rate" : "in each period",
-             field_has_gaps(f) ? " · grey: no periodic motion" : "");
+             f->resting ? "rate" : "in each period", field_has_gaps(f) ? " · grey: no value" : "");
     stability_write_frame(pen, explanation);
     stability_write_margins(pen, pen->top, pen->panel_height);
     plot_raster(pen, "image", pen->view.width, pen->view.height);

@@ -65,6 +65,11 @@ gough_status simulate_check_control(const gough_control *control,
     const gough_sampling *s = &control->sampling;
     const gough_status status = gough_control_check(control, error);
 
+    if (status == GOUGH_OK && simulation->law && !(s->period > 0))
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.sampling.period",
+                              "a control law of the caller's is called at the samples of a sampled "
+                              "controller, and this one is continuous; give a "
+                              "control.sampling.period greater than 0");
     if (status != GOUGH_OK || !(s->period > 0)) return status;
     if (!(simulation->duration / s->period <= MOST))
         return gough_fail_key(error, GOUGH_ERROR_INPUT, "control.sampling.period",

@@ -44,8 +44,18 @@ above=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "ez") c = i } END
 [[ $(LD_LIBRARY_PATH=$BUILD "$scratch/loop") == "$above mm above home after 0.05 s" ]] ||
     fail "the controller: $(LD_LIBRARY_PATH=$BUILD "$scratch/loop"); the study: $above mm"
 
+# a law of one's own is that of the study, whose disturbance is the pull
+block c "$guide" 3 >"$scratch/law.c"
+"${CC:-cc}" "${flags[@]}" "$scratch/law.c" -o "$scratch/law" -L"$BUILD" -lgough -lm || fail "the law does not compile"
+sed -e '/^initial/d; s/velocity: difference/velocity: exact/; s/^simulation.*/simulation: {duration: 0.5, output_step: 0.25}/' "$scratch/loop.yaml" >"$scratch/law.yaml"
+echo 'disturbance: {leg_force: ["300", 0, 0, 0, 0, 0]}' >>"$scratch/law.yaml"
+"${GOUGH:-$BUILD/gough}" simulate "$scratch/law.yaml" -q -o "$scratch/law.csv" || fail "the study of the law does not run"
+above=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "ez") c = i } NR > 1 { printf "t = %.2f s: %.4f mm above home\n", $1, $c }' "$scratch/law.csv")
+[[ $(LD_LIBRARY_PATH=$BUILD "$scratch/law") == "$above" && $(wc -l <<<"$above") == 3 ]] ||
+    fail "the law: $(LD_LIBRARY_PATH=$BUILD "$scratch/law"); the study: $above"
+
 # the matrix of the guide is that of the same study
-block c "$guide" 3 >"$scratch/matrix.c"
+block c "$guide" 4 >"$scratch/matrix.c"
 "${CC:-cc}" "${flags[@]}" "$scratch/matrix.c" -o "$scratch/matrix" -L"$BUILD" -lgough-analyse -lgough -lm || fail "the matrix does not compile"
 LD_LIBRARY_PATH=$BUILD "$scratch/matrix" >"$scratch/matrix.txt" || fail "the program of the matrix does not run"
 cat >"$scratch/matrix.yaml" <<'STUDY'

@@ -175,6 +175,13 @@ START_TEST(the_callers_law_counts) {
     s.law_context = &more;
     run(model, &s, &called);
     ck_assert_double_gt(called.value[GOUGH_Z], alone.value[GOUGH_Z] + 1e-6);
+
+    gough_error error; /* a continuous controller would never call it */
+    gough_end end;
+    model->control.sampling = (gough_sampling){.period = 0};
+    ck_assert(gough_simulate(model, &s, NULL, NULL, &end, &error) == GOUGH_ERROR_INPUT);
+    ck_assert_str_eq(error.key, "control.sampling.period");
+    ck_assert(strstr(error.message, "this one is continuous; give a control.sampling.period"));
     free(model);
 }
 END_TEST

@@ -244,6 +244,24 @@ START_TEST(controllers_that_cannot_be_are_errors) {
 }
 END_TEST
 
+/* its steps are those of a body alone under forces linear in its rates; what is sampled is a constant force */
+START_TEST(rattle_refuses_loops_that_its_steps_do_not_know) {
+    static const char *const rattle = "simulation={method: rattle4, step: 0.01}";
+    char text[600];
+    expect_one(lag, SETTINGS(rattle),
+               "the method rattle4 needs drives without lag; use dop853 or rk4 here");
+    expect_one("control: {integral: 1}\n", SETTINGS(rattle),
+               "needs a controller without integral, or a sampled one; use dop853 or rk4 here");
+    snprintf(text, sizeof text, "control: {stiffness: %s}\n", matrix);
+    expect_one(text, SETTINGS(rattle),
+               "needs gains that are no matrices, or a sampled controller; use dop853 or rk4 here");
+    expect_one("actuators: {max_force: 5}\ncontrol: {damping: 1}\n", SETTINGS(rattle),
+               "needs drives without max_force, no damping, or a sampled controller; use dop853");
+    reading made = expect_good(sampled, SETTINGS(rattle, "control.integral=1"));
+    reading_free(&made);
+}
+END_TEST
+
 /* 0.01 and 0.0025 are no whole multiples of each other in binary */
 START_TEST(steps_that_divide_the_samples_are_fine) {
     static const char *const steps[] = {"simulation.step=0.01", "simulation.step=0.005",
@@ -275,5 +293,6 @@ int main(void) {
         a_matrix_of_gains_has_a_diagonal_and_a_rest, a_number_set_on_a_matrix_is_for_all_legs_alone,
         numbers_are_in_the_units_of_the_study, commands_are_columns_where_there_is_a_loop_to_show,
         drives_that_cannot_be_are_errors, controllers_that_cannot_be_are_errors,
-        steps_that_divide_the_samples_are_fine, errors_of_control_and_simulation_come_together);
+        rattle_refuses_loops_that_its_steps_do_not_know, steps_that_divide_the_samples_are_fine,
+        errors_of_control_and_simulation_come_together);
 }

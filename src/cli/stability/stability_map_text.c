@@ -196,8 +196,13 @@ static void print_share(FILE *stream, const map_report *report) {
     fprintf(stream, "\n%zu of the %zu points of the map are stable (%.3g %%).\n", stable, points,
             100.0 * (double)stable / (double)points);
     if (gaps)
-        fprintf(stream, "%zu point%s no values: no motion that repeats itself was found there.\n",
-                gaps, gaps == 1 ? " has" : "s have");
+        print_paragraph(stream, "", 0,
+                        "%zu point%s no values: no motion that repeats itself was found there%s.",
+                        gaps, gaps == 1 ? " has" : "s have",
+                        report->options.modes
+                            ? ", or the growth of the modes that count is below 1e-9 of that of "
+                              "another mode, and so is lost in its rounding"
+                            : "");
 }
 
 void map_print(FILE *stream, const map_report *report, bool all) {
