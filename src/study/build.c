@@ -81,13 +81,13 @@ static void check_part(study_build *build, const study_node *legs, const char *n
     static const char *const needed[] = {"center", "inertia"};
     study_node *part = study_node_child(legs, name);
     study_node *mass = study_node_child(part, "mass");
-    if (!mass || mass->wrong) return;
+    if (!mass) return;
     double number[GOUGH_LEGS] = {0};
     bool heavy = false;
     study_numbers(mass, &build->study->units, GOUGH_UNIT_MASS, number);
     for (int v = 0; v < GOUGH_LEGS; v++) heavy = heavy || number[v] > 0;
     for (size_t i = 0; heavy && i < sizeof needed / sizeof needed[0]; i++) {
-        if (study_node_child(part, needed[i]) || study_node_meant(part, needed[i])) continue;
+        if (study_node_child(part, needed[i])) continue;
         study_node_say(build->messages, mass, study_node_place(mass, true),
                        "`platform.legs.%s` has a mass but no `%s`: %s", name, needed[i],
                        i == 0 ? "the distance of its centre of mass from its joint"
@@ -102,7 +102,7 @@ static void check_breakaway(study_build *build, const study_node *legs) {
     study_node *breakaway = study_node_child(friction, "breakaway");
     const study_node *coulomb = study_node_child(friction, "coulomb");
     double most = 0, least = INFINITY, number[GOUGH_LEGS] = {0};
-    if (!breakaway || !coulomb || breakaway->wrong || coulomb->wrong) return;
+    if (!breakaway || !coulomb) return;
     study_numbers(coulomb, &build->study->units, GOUGH_UNIT_FORCE, number);
     for (int v = 0; v < GOUGH_LEGS; v++) most = fmax(most, number[v]);
     const size_t count = breakaway->kind == STUDY_LIST ? GOUGH_LEGS : 1;
@@ -178,7 +178,8 @@ static void read_drives(study_build *build) {
 static void say_library(study_build *build, study_node *otherwise, gough_error *error) {
     const char *rest;
     gough_error_say(error, &build->study->units);
-    study_node *node = study_node_follow(build->root, error->key ? error->key : "", &rest);
+    const char *key = error->key ? error->key : ""; /* unreachable: each of them has a key */
+    study_node *node = study_node_follow(build->root, key, &rest);
     if (!node) node = otherwise;
     study_node_say(build->messages, node, study_node_place(node, true), "%s",
                    study_printable(build->messages->arena, error->message));
@@ -241,12 +242,12 @@ static void read_external(study_build *build, const study_node *list) {
 /* The machine's loads, which gough_machine_init() has taken away. */
 static void set_external(study_build *build) {
     const study_node *list = study_node_child(build->root, "external");
-    const size_t count = build->external && list ? list->count : 0;
+    const size_t count = build->external ? list->count : 0;
     gough_error error = {.message = ""};
-    if (gough_machine_set_external(&build->study->model->machine, build->external, count, &error) !=
-        GOUGH_OK)
-        say_library(build, study_node_child(build->root, "external"),
-                    &error); /* unreachable: numbers are finite */
+    gough_machine *machine = &build->study->model->machine;
+    const gough_status status = gough_machine_set_external(machine, build->external, count, &error);
+    if (status != GOUGH_OK) /* unreachable: few loads, whose numbers are finite */
+        say_library(build, study_node_child(build->root, "external"), &error);
 }
 
 /* ---- control --------------------------------------------------------------------------------------------------- */

@@ -77,7 +77,7 @@ static void read_weights(study_messages *messages, study_node *minimize, study_d
 
 static void check_box(study_messages *messages, study_node *root, study_node *design) {
     const study_node *box = study_node_at(root, "workspace.box");
-    if (box && box->count > 0) return;
+    if (box && (box->wrong || box->count > 0)) return;
     study_node_say(messages, design, study_node_place(design, true),
                    "`workspace.box` is missing: it is the requirement that a design must meet, as "
                    "in workspace: {box: {heave: 0.2, yaw: 10}}");

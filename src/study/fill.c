@@ -152,7 +152,7 @@ void study_element_read(void *element, gough_owner owner, const gough_units *uni
     for (size_t i = 0; i < count; i++) {
         if (key[i].place.owner != owner) continue;
         const study_node *value = study_node_child(node, strrchr(key[i].path, '.') + 1);
-        if (value && !value->wrong) read_field(&key[i], value, units, element);
+        if (value) read_field(&key[i], value, units, element);
     }
 }
 

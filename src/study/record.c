@@ -169,7 +169,8 @@ static void uncover_motion(const study_record_table *table, const doubt *d, goug
         smooth_rounding(table, copy, c, &d[c], &cutoff, NULL);
         if (isfinite(cutoff)) smoothed[c] = 1;
     }
-    if (prepare(table, copy, NULL) != GOUGH_OK) return;
+    if (prepare(table, copy, NULL) != GOUGH_OK)
+        return; /* unreachable: the times are those before */
     for (int c = 0; c < GOUGH_COMPONENTS; c++)
         if (smoothed[c] > 0) record->column[c].motion = acceleration(table, c);
 }
@@ -236,7 +237,7 @@ gough_status study_record_make(study_record_table *table, study_recording *recor
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         gough_record_column *column = &record->column[c];
         column->cutoff = INFINITY;
-        column->given = table->digits[c].any || (record->turned && c >= GOUGH_ROLL);
+        column->given = table->digits[c].any | (record->turned & (c >= GOUGH_ROLL));
         if (!changes(table, c)) continue;
         d[c] = doubt_of(table, &step[c], time_step, c);
         column->step = step[c].greatest;

@@ -119,18 +119,20 @@ static bool say_unknown(study_messages *messages, study_node *node, const char *
     return false;
 }
 
+/* `given`: the value in the study, NULL where it gives none. */
 static bool say_no_number(study_messages *messages, study_node *node, const char *path,
-                          const gough_key *key, const makeup *made) {
-    const char *type = key->type;
+                          const gough_key *key, const makeup *made, const study_node *given) {
+    const bool lists = given && given->first
+                           ? given->first->kind == STUDY_LIST
+                           : made->list[1] && key->shape != GOUGH_SHAPE_PAIR_OR_SIX;
     if (made->list[0])
         study_node_say(messages, node, study_node_place(node, true),
                        "`%s` is not one number but %s: vary its elements, numbered from 1, as in "
                        "`%s.%s`",
-                       path, type, key->path,
-                       made->list[1] && key->shape != GOUGH_SHAPE_PAIR_OR_SIX ? "1.1" : "1");
+                       path, key->type, path, lists ? "1.1" : "1");
     else
         study_node_say(messages, node, study_node_place(node, true),
-                       "`%s` is not a number (%s) and cannot vary", path, type);
+                       "`%s` is not a number (%s) and cannot vary", path, key->type);
     return false;
 }
 
@@ -160,9 +162,16 @@ static study_node *walk_tree(study_node *root, char **rest, char **missing) {
     return node;
 }
 
+/* The path of a list from that of an element, `depth` lists deep. */
+static const char *list_path(study_arena *arena, const char *path, size_t depth) {
+    char *list = study_arena_copy(arena, path, strlen(path));
+    for (; list && depth > 0; depth--) *strrchr(list, '.') = '\0';
+    return list ? list : path;
+}
+
 /* Elements vary only in lists that the study gives; a number alone may be left out of the file. */
 static bool check_place(study_messages *messages, study_node *root, study_node *node,
-                        const char *path, const gough_key *key, size_t depth) {
+                        const char *path, size_t depth) {
     char *copy = study_arena_copy(messages->arena, path, strlen(path)), *rest = copy, *missing;
     if (!copy) return false;
     const bool move = strncmp(path, "motion.moves.", 13) == 0;
@@ -184,14 +193,14 @@ static bool check_place(study_messages *messages, study_node *root, study_node *
     const bool drive = strncmp(path, "actuators.", 10) == 0 && path[10] >= '1' && path[10] <= '9';
     if (!missing || (depth == 0 && !move && !drive)) return true;
     if (depth == 0 && found->parent && !found->key && found->kind == STUDY_MAPPING) return true;
+    const bool none = load && (found == root || found == study_node_child(root, "external"));
+    const char *list = move                  ? "motion.moves"
+                       : none                ? "external"
+                       : drive && depth == 0 ? "actuators"
+                                             : list_path(messages->arena, path, depth);
     study_node_say(messages, node, study_node_place(node, true),
                    "`%s`: the study has no list `%s` with such an element; add it to the study",
-                   path,
-                   move                                                  ? "motion.moves"
-                   : load && found == study_node_child(root, "external") ? "external"
-                   : load && found == root                               ? "external"
-                   : drive && depth == 0                                 ? "actuators"
-                                                                         : key->path);
+                   path, list);
     return false;
 }
 
@@ -220,15 +229,18 @@ bool study_target_find(study_messages *messages, study_node *root, study_axis *a
     if (!key || is_section(path)) return say_unknown(messages, axis->node, path);
     const makeup made = makeup_of(key->shape);
     size_t depth;
-    if (!made.number && !made.formula) return say_no_number(messages, axis->node, path, key, &made);
+    const study_node *given = study_node_named(messages->arena, root, path);
+    if (!made.number && !made.formula)
+        return say_no_number(messages, axis->node, path, key, &made, given);
     if (!check_elements(rest, &made, &depth)) return say_unknown(messages, axis->node, path);
-    if (depth == 0 && !made.alone) return say_no_number(messages, axis->node, path, key, &made);
+    if (depth == 0 && !made.alone)
+        return say_no_number(messages, axis->node, path, key, &made, given);
     const bool free = (depth > 0 && key->shape == GOUGH_SHAPE_GRAVITY) ||
                       (depth == 2 && key->shape == GOUGH_SHAPE_GAINS);
     axis->bound = made.formula ? NULL : free ? &any : bound_of(messages->arena, axis->node, key);
     axis->key.unit = key->unit;
     axis->touches = key->place.part | key->place.also;
-    return check_place(messages, root, axis->node, path, key, depth);
+    return check_place(messages, root, axis->node, path, depth);
 }
 
 static study_node *make_child(study_arena *arena, study_node *parent, const char *name,

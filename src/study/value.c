@@ -51,7 +51,7 @@ const char *study_node_path(study_arena *arena, const study_node *node) {
 /* What stands there, for "found …". */
 static const char *found(study_arena *arena, const study_node *node) {
     if (node->kind == STUDY_LIST) return node->count ? "a list" : "an empty list";
-    if (node->kind == STUDY_MAPPING) return "a mapping";
+    if (node->kind == STUDY_MAPPING) return node->count ? "a mapping" : "an empty mapping";
     if (node->length == 0) return "nothing";
     const char *quote = study_quote(arena, node->text, node->length);
     char *text = study_arena_take(arena, strlen(quote) + 3);
@@ -166,8 +166,7 @@ bool study_check_formula(study_messages *messages, study_node *node) {
 }
 
 gough_shape study_shape_of(const study_node *node, const gough_key *key) {
-    const bool in_list = strncmp(key->path, "actuators.", 10) == 0 && node->parent &&
-                         !node->parent->key && node->parent->parent;
+    const bool in_list = strncmp(key->path, "actuators.", 10) == 0 && !node->parent->key;
     if (!in_list) return key->shape;
     return key->shape == GOUGH_SHAPE_NUMBER_OR_SIX  ? GOUGH_SHAPE_NUMBER
            : key->shape == GOUGH_SHAPE_RANGE_OR_SIX ? GOUGH_SHAPE_RANGE

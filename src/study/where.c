@@ -30,16 +30,16 @@ study_where *study_where_keep(study_arena *arena, const study_node *root) {
     study_where *list = NULL;
     const study_node *node = root;
     /* down, then right, then up; of long lists, as of moves, no sentence names an element */
-    while (node) {
+    for (;;) {
         if (node != root) list = keep(arena, node, list);
         if (node->first && !(node->kind == STUDY_LIST && node->count > GOUGH_LEGS)) {
             node = node->first;
             continue;
         }
         while (node != root && !node->next) node = node->parent;
-        node = node == root ? NULL : node->next;
+        if (node == root) return list;
+        node = node->next;
     }
-    return list;
 }
 
 static const study_where *find(const study_where *list, const char *path, size_t length) {

@@ -134,10 +134,41 @@ START_TEST(only_angles_are_about_turned_axes) {
 }
 END_TEST
 
+/* 7 rows a second, with times of two decimals that are read as equal steps: only the values are rounded then. */
+START_TEST(times_read_as_equal_steps_are_not_remarked_on) {
+    char csv[60 * MOST] = "t,heave\n";
+    for (int i = 0; i < 20; i++)
+        sprintf(csv + strlen(csv), "%.2f,%.2f\n", i / 7.0, 0.02 * sin(0.3 * i));
+    reading made = read_record(csv, ", smooth: rounding");
+    ck_assert(made.study->record->retimed);
+    const char *sentence = remark_with(&made, "has values of heave in steps of 0.01");
+    ck_assert_ptr_nonnull(sentence);
+    ck_assert_msg(!strstr(sentence, "and times in steps"), "%s", sentence);
+    reading_free(&made);
+}
+END_TEST
+
+/* Near every pole, but slowly: roll turns round and round while pitch and yaw creep, and no two rows are far apart. */
+START_TEST(slow_angles_near_all_poles_are_as_they_are) {
+    enum { ROWS = 4000 };
+    char *csv = malloc(60 * ROWS), *end = csv;
+    ck_assert_ptr_nonnull(csv);
+    end += sprintf(end, "t,roll,pitch,yaw\n");
+    for (int i = 0; i < ROWS; i++)
+        end += sprintf(end, "%d,%d,%.2f,%.2f\n", i, 10 * i, 89 * sin(0.01 * i), 0.5 * i);
+    reading made = read_record(csv, "");
+    ck_assert(!made.study->record->turned);
+    ck_assert_ptr_null(remark_with(&made, "yaw changes by"));
+    reading_free(&made);
+    free(csv);
+}
+END_TEST
+
 int main(void) {
-    return SUITE_RUN("study/steps", 30, counts_are_found_where_values_jitter,
-                     values_far_apart_are_no_counts, smooth_curves_are_no_counts,
-                     exponents_of_any_size_are_digits_too, times_of_fifteen_digits_are_exact,
-                     times_alone_may_be_what_is_rounded, what_smoothing_leaves_is_still_remarked_on,
-                     only_angles_are_about_turned_axes);
+    return SUITE_RUN(
+        "study/steps", 30, counts_are_found_where_values_jitter, values_far_apart_are_no_counts,
+        smooth_curves_are_no_counts, exponents_of_any_size_are_digits_too,
+        times_of_fifteen_digits_are_exact, times_alone_may_be_what_is_rounded,
+        what_smoothing_leaves_is_still_remarked_on, only_angles_are_about_turned_axes,
+        times_read_as_equal_steps_are_not_remarked_on, slow_angles_near_all_poles_are_as_they_are);
 }

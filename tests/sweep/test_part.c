@@ -7,29 +7,36 @@
 #include "sweep/sweep_part.h"
 #include "table/by_hand.h"
 
-static const char study[] = "units: dimensionless\n"
-                            "platform:\n"
-                            "  base: {radius: 1.0, half_angle: 15}\n"
-                            "  top: {radius: 0.6, half_angle: 15}\n"
-                            "  height: 1.2\n"
-                            "load: {mass: 1, inertia: [0.08, 0.08, 0.15]}\n"
-                            "sweep:\n"
-                            "  runs: 1000\n"
-                            "  keys: {load.mass: {uniform: [1, 2]}, gravity: {uniform: [1, 2]}}\n";
+#define MACHINE_AND_SWEEP                                                                          \
+    "platform:\n"                                                                                  \
+    "  base: {radius: 1.0, half_angle: 15}\n"                                                      \
+    "  top: {radius: 0.6, half_angle: 15}\n"                                                       \
+    "  height: 1.2\n"                                                                              \
+    "load: {mass: 1, inertia: [0.08, 0.08, 0.15]}\n"                                               \
+    "sweep:\n"                                                                                     \
+    "  runs: 1000\n"                                                                               \
+    "  keys: {load.mass: {uniform: [1, 2]}, gravity: {uniform: [1, 2]}}\n"
+
+static const char bare_study[] = "units: dimensionless\n" MACHINE_AND_SWEEP;
+static const char si_study[] = "units: si\n" MACHINE_AND_SWEEP;
 
 /* The head of the second of three shards. */
-static sweep_head *new_head(void) {
-    static const gough_units bare = {.dimensionless = true, .length = 1, .mass = 1, .time = 1};
+static sweep_head *head_of(const char *study, const gough_units *units) {
     gough_sweep *sweep = NULL;
     char *messages = NULL;
     ck_assert_msg(gough_sweep_parse("study.yaml", study, strlen(study), NULL, 0, &sweep,
                                     &messages) == GOUGH_OK,
                   "%s", messages);
     const gough_sweep_options options = {.sizing = true};
-    sweep_head *head = sweep_head_of(sweep, &options, &bare, 2, 3);
+    sweep_head *head = sweep_head_of(sweep, &options, units, 2, 3);
     ck_assert_ptr_nonnull(head);
     gough_sweep_free(sweep);
     return head;
+}
+
+static sweep_head *new_head(void) {
+    static const gough_units bare = {.dimensionless = true, .length = 1, .mass = 1, .time = 1};
+    return head_of(bare_study, &bare);
 }
 
 /* Whether the head comes back from its bytes. */
@@ -77,9 +84,22 @@ START_TEST(each_number_of_a_head_is_checked) {
         if (i > 0) EXPECT_REFUSED(gravity = wrong[i]);
     }
     EXPECT_REFUSED(units.dimensionless = false);
+    EXPECT_REFUSED(own.name[GOUGH_BASE_LENGTH] = 200);
     EXPECT_REFUSED(keys = 0);
     const char *const misspelt[] = {"load.mess", head->path[1]};
     EXPECT_REFUSED(path = (const char **)misspelt);
+    sweep_head_free(head);
+}
+END_TEST
+
+/* A sweep in the study's own units has the sizes of these units. */
+START_TEST(sizes_of_units_are_those_of_their_words) {
+    const gough_units si = gough_units_si();
+    sweep_head *head = head_of(si_study, &si);
+    ck_assert(comes_back(head));
+    EXPECT_REFUSED(units.length = 2);
+    EXPECT_REFUSED(units.mass = 2);
+    EXPECT_REFUSED(units.time = 2);
     sweep_head_free(head);
 }
 END_TEST
@@ -284,9 +304,9 @@ START_TEST(shards_of_other_sweeps_do_not_merge) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("sweep/part", 60, each_number_of_a_head_is_checked,
-                     no_key_comes_twice_and_none_after_the_thousandth, a_head_is_as_long_as_it_says,
-                     a_text_has_no_nul, a_kind_of_sweep_that_does_not_exist_is_refused,
-                     records_come_back_until_the_first_that_is_torn,
-                     shards_of_other_sweeps_do_not_merge);
+    return SUITE_RUN(
+        "sweep/part", 60, each_number_of_a_head_is_checked, sizes_of_units_are_those_of_their_words,
+        no_key_comes_twice_and_none_after_the_thousandth, a_head_is_as_long_as_it_says,
+        a_text_has_no_nul, a_kind_of_sweep_that_does_not_exist_is_refused,
+        records_come_back_until_the_first_that_is_torn, shards_of_other_sweeps_do_not_merge);
 }
