@@ -75,10 +75,10 @@ static void in_frame(int n, const double *q, const double *after, const double *
     monodromy_multiply(n, w, triangle, t);
 }
 
-static bool finite(int n, const double *a) {
+static bool finite(int count, const double *a) {
     double sum = 0;
 
-    for (int i = 0; i < n * n; i++) sum += a[i] - a[i];
+    for (int i = 0; i < count; i++) sum += a[i] - a[i];
     return sum <= 0;
 }
 
@@ -136,12 +136,13 @@ gough_status spectrum_of_factors(const double *factor, size_t stride, int n, siz
         s->log_determinant = sweep(factor, stride, n, count, after, triangle);
     }
     in_frame(n, q, after, triangle, t);
-    if (!finite(n, t) || LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'V', n, t, n, re, im, none, 1, v,
-                                            n, work, WORK * n) != 0) {
+    const bool solved =
+        finite(n * n, t) && LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'V', n, t, n, re, im, none, 1,
+                                               v, n, work, WORK * n) == 0;
+    if (!solved || !finite(n, re) || !finite(n, im) || !finite(n * n, v))
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                           "the deviations grow beyond the range of numbers within one period, so "
                           "there are no multipliers");
-    }
     for (int k = 0; k < n; k++) take(s, k, q, re, im, v);
     sort(s);
     return GOUGH_OK;

@@ -79,12 +79,13 @@ static void parts(int n, const double *A, double *odd, double *even) {
     for (int i = 0; i < n * n; i++) even[i] += low[i];
 }
 
-bool exponential(int n, const double *A, double *out) {
+bool exponential(int n, const double *A, double *out, bool *unsolved) {
     const double size = norm(n, A);
     int squarings = 0;
     square scaled = {0}, odd, even, above;
     lapack_int pivot[ROWS];
 
+    *unsolved = false;
     if (!isfinite(size)) return false;
     if (size > greatest_norm) squarings = (int)ceil(log2(size / greatest_norm));
     if (squarings > MOST_SQUARINGS) return false;
@@ -96,7 +97,9 @@ bool exponential(int n, const double *A, double *out) {
         above[i] = even[i] + odd[i];
         even[i] -= odd[i];
     }
-    if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, n, even, n, pivot, above, n) != 0) return false;
+    *unsolved = LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, n, even, n, pivot, above, n) != 0;
+    for (int i = 0; i < n * n; i++) *unsolved |= !isfinite(above[i]);
+    if (*unsolved) return false;
     for (int k = 0; k < squarings; k++) {
         multiply(n, above, above, odd);
         memcpy(above, odd, (size_t)(n * n) * sizeof *above);

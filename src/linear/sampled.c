@@ -127,7 +127,7 @@ bool sampled_delay_fits(double period, double delay) {
 
 /* x ← F x + E u over a time, (loop-7) */
 static bool advance(const sampled_plant *p, double time, double F[SAMPLED_PLANT][SAMPLED_PLANT],
-                    double E[SAMPLED_PLANT][GOUGH_LEGS]) {
+                    double E[SAMPLED_PLANT][GOUGH_LEGS], bool *unsolved) {
     const int n = p->n, rows = n + GOUGH_LEGS;
     double A[AUGMENTED * AUGMENTED] = {0}, out[AUGMENTED * AUGMENTED];
 
@@ -135,7 +135,7 @@ static bool advance(const sampled_plant *p, double time, double F[SAMPLED_PLANT]
         for (int j = 0; j < n; j++) A[rows * i + j] = time * p->A[i][j];
         for (int v = 0; v < GOUGH_LEGS; v++) A[rows * i + n + v] = time * p->B[i][v];
     }
-    if (!exponential(rows, A, out)) return false;
+    if (!exponential(rows, A, out, unsolved)) return false;
     for (int i = 0; i < n; i++) {
         memcpy(F[i], out + rows * i, (size_t)n * sizeof(double));
         memcpy(E[i], out + rows * i + n, GOUGH_LEGS * sizeof(double));
@@ -152,10 +152,10 @@ bool sampled_step_of(const sampled_plant *plant, double period, double delay, sa
     step->whole = whole_periods(period, delay, &rest);
     step->parted = rest > 0;
     memset(step->before, 0, sizeof step->before);
-    if (!step->parted) return advance(plant, period, step->keep, step->after);
+    if (!step->parted) return advance(plant, period, step->keep, step->after, &step->unsolved);
 
-    if (!advance(plant, rest, first, old)) return false;
-    if (!advance(plant, period - rest, second, step->after)) return false;
+    if (!advance(plant, rest, first, old, &step->unsolved)) return false;
+    if (!advance(plant, period - rest, second, step->after, &step->unsolved)) return false;
     memset(step->keep, 0, sizeof step->keep);
     for (int i = 0; i < n; i++) {
         for (int k = 0; k < n; k++) {
@@ -257,6 +257,7 @@ static bool eigenvalues(const sampled_map *map, bool by_columns, double *re, dou
 double sampled_radius(const sampled_map *map) {
     double re[SAMPLED_ROWS], im[SAMPLED_ROWS], radius = 0;
 
+    if (!finite(map->matrix, map->n * map->n)) return (double)INFINITY;
     if (!eigenvalues(map, false, re, im, NULL)) return (double)NAN;
     for (int k = 0; k < map->n; k++) radius = fmax(radius, hypot(re[k], im[k]));
     return radius;

@@ -38,6 +38,7 @@ typedef struct {
     bool parted;
     double keep[SAMPLED_PLANT][SAMPLED_PLANT], before[SAMPLED_PLANT][GOUGH_LEGS],
         after[SAMPLED_PLANT][GOUGH_LEGS];
+    bool unsolved; /* LAPACK failed: nothing else counts */
 } sampled_step;
 
 /* State of the map: x, used memory, commands that wait, the latest first. Row by row, n numbers each. */
@@ -67,13 +68,13 @@ gough_status sampled_check(const gough_sampling *sampling, gough_error *error);
 bool sampled_delay_fits(double period, double delay);
 int sampled_waiting(double period, double delay);
 
-/* Returns false where numbers are too large. The delay must fit. */
+/* Returns false where numbers are too large, or `unsolved`. The delay must fit. */
 bool sampled_step_of(const sampled_plant *plant, double period, double delay, sampled_step *step);
 
 void sampled_map_of(const sampled_plant *plant, const sampled_step *step, const sampled_law *law,
                     sampled_map *map);
 
-/* the largest |μ|, or NaN if LAPACK found none */
+/* the largest |μ|; infinite where the map has numbers that are too large, NaN if LAPACK found none */
 double sampled_radius(const sampled_map *map);
 
 /* Multipliers by falling magnitude with their modes, up to `most`; returns how many, 0 if LAPACK found none */

@@ -23,6 +23,7 @@ typedef struct {
     double threshold; /* least stiffness of the pattern that holds a continuous loop, or 0 */
     double kappa;     /* not above κ_max of the pattern */
     double rate;      /* fastest of the plant itself */
+    bool unsolved;    /* LAPACK failed somewhere: no result counts */
     sampled_step step;
     sampled_law law;
     sampled_map map;
@@ -70,15 +71,18 @@ static void geometric_of(const search *s, double K[FREEDOMS][FREEDOMS]) {
 
 /* threshold, κ and the plant's own rate: the scales of the search */
 static void scales_of(search *s) {
-    double K[FREEDOMS][FREEDOMS], geometric[FREEDOMS][FREEDOMS], gamma[FREEDOMS];
+    double K[FREEDOMS][FREEDOMS], geometric[FREEDOMS][FREEDOMS], gamma[FREEDOMS] = {0};
     double complex shape[FREEDOMS][6];
     double largest = 0;
 
     stiffness_of(s, K);
     geometric_of(s, geometric);
     s->kappa = symmetric_problem(K[0], s->plant.mass[0], gamma, shape);
-    if (symmetric_problem(geometric[0], K[0], gamma, shape) >= 0) s->threshold = fmax(0, -gamma[0]);
+    const bool definite = gamma[0] > 0; /* the least; without that the pattern has no threshold */
+    const double found = definite ? symmetric_problem(geometric[0], K[0], gamma, shape) : 0;
+    if (definite) s->threshold = fmax(0, -gamma[0]);
     largest = symmetric_problem(geometric[0], s->plant.mass[0], gamma, shape);
+    s->unsolved = s->kappa < 0 || found < 0 || largest < 0;
     s->rate = sqrt(fmax(0, largest));
     for (int i = 0; i < FREEDOMS; i++)
         s->rate += fabs(s->plant.A[FREEDOMS + i][FREEDOMS + i]); /* of viscous friction */
@@ -91,6 +95,7 @@ static double excess(search *s) {
     sampled_law_of(&s->control, &s->law);
     sampled_map_of(&s->plant, &s->step, &s->law, &s->map);
     const double radius = sampled_radius(&s->map);
+    s->unsolved |= isnan(radius);
     return isfinite(radius) ? radius - 1 : 1;
 }
 
@@ -102,7 +107,9 @@ static double with_gains(search *s, double stiffness, double damping) {
 static bool set_times(search *s, double period, double delay) {
     s->control.sampling.period = period;
     s->control.sampling.delay = delay;
-    return sampled_step_of(&s->plant, period, delay, &s->step);
+    const bool made = sampled_step_of(&s->plant, period, delay, &s->step);
+    s->unsolved |= !made && s->step.unsolved;
+    return made;
 }
 
 static double by_stiffness(search *s, double G) { return with_gains(s, G, s->damping); }
@@ -191,7 +198,11 @@ static void name_edge(search *s, double stiffness, gough_sampled_edge *edge) {
 
     edge->stiffness = stiffness;
     by_stiffness(s, stiffness);
-    if (!isfinite(stiffness) || sampled_multipliers(s->machine, &s->map, 1, &first) < 1) return;
+    if (!isfinite(stiffness)) return;
+    if (sampled_multipliers(s->machine, &s->map, 1, &first) < 1) {
+        s->unsolved = true;
+        return;
+    }
     edge->mode = first.mode;
     edge->frequency = fabs(atan2(first.value[1], first.value[0])) / s->control.sampling.period;
     if (edge->frequency * s->control.sampling.period < 1e-6) edge->frequency = 0;
@@ -367,5 +378,8 @@ gough_status gough_sampled_margins_at_rest(const gough_model *model,
     s.ratio = s.control.sampling.delay / s.control.sampling.period;
     scales_of(&s);
     if (s.kappa > 0) find(&s, margins);
-    return GOUGH_OK;
+    if (!s.unsolved) return GOUGH_OK;
+    return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                      "could not compute the window of stiffness and the margins of the sampled "
+                      "loop at rest: LAPACK did not solve one of its problems");
 }

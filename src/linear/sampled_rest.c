@@ -115,6 +115,10 @@ gough_status gough_sampled_at_rest(const gough_model *model,
                                            sqrt(machine->gravity_magnitude / machine->base_radius);
     rest->decaying = rest->radius < 1 - rounding;
     rest->mass = least_mass(&plant);
+    if (!(rest->mass > 0))
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "could not compute what a leg force moves most easily: LAPACK did not "
+                          "solve its problem");
     noise_of(&control, rest);
     return GOUGH_OK;
 }

@@ -93,8 +93,9 @@ static gough_status of_forces(const gough_model *model, const gough_motion *rest
     return GOUGH_OK;
 }
 
-/* whether the symmetric part is positive definite, beside a mass of 1 and its moment on the base radius */
-static bool is_firm(double K[6][6], double radius) {
+/* whether the symmetric part is positive definite, beside a mass of 1 and its moment on the base radius; returns false if LAPACK
+ * cannot tell */
+static bool find_firm(double K[6][6], double radius, bool *firm) {
     double part[6][6], unit[6][6] = {{0}}, kappa[6], least = INFINITY;
     double complex shape[6][6];
 
@@ -104,7 +105,8 @@ static bool is_firm(double K[6][6], double radius) {
     }
     const double largest = symmetric_problem(part[0], unit[0], kappa, shape);
     for (int k = 0; k < 6; k++) least = fmin(least, kappa[k]);
-    return largest > 0 && least > least_stiffness * largest;
+    *firm = largest > 0 && least > least_stiffness * largest;
+    return largest >= 0;
 }
 
 static bool inverse(double K[6][6], double out[6][6]) {
@@ -116,10 +118,14 @@ static bool inverse(double K[6][6], double out[6][6]) {
         for (int j = 0; j < 6; j++) a[i + 6 * j] = K[i][j];
     }
     if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, 6, 6, a, 6, pivot, x, 6) != 0) return false;
+    bool finite = true;
     for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 6; j++) out[i][j] = x[i + 6 * j];
+        for (int j = 0; j < 6; j++) {
+            out[i][j] = x[i + 6 * j];
+            finite &= isfinite(out[i][j]);
+        }
     }
-    return true;
+    return finite;
 }
 
 gough_status gough_stiffness_at_rest(const gough_model *model,
@@ -158,6 +164,10 @@ gough_status gough_stiffness_at_rest(const gough_model *model,
             s->compliance[i][j] = (double)NAN;
         }
     }
-    s->firm = is_firm(s->total, machine->base_radius) && inverse(s->total, s->compliance);
+    if (!find_firm(s->total, machine->base_radius, &s->firm) ||
+        (s->firm && !inverse(s->total, s->compliance)))
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "could not compute whether the stiffness resists every displacement: "
+                          "LAPACK did not solve its problem");
     return GOUGH_OK;
 }

@@ -15,11 +15,18 @@
 #include <string.h>
 #include <sys/mman.h>
 
+enum { FAULTS_COUNTED = 48 };
+
 typedef struct fault_state {
     char name[40];
     long left;  /* calls until the one that fails */
     int number; /* its errno */
     bool came;
+    /* calls since fault_forget(), by name */
+    struct {
+        char name[40];
+        long calls;
+    } called[FAULTS_COUNTED];
 } fault_state;
 
 static inline fault_state *fault(void) {
@@ -32,7 +39,9 @@ static inline fault_state *fault(void) {
 
 /* The n-th call of the function fails, from 1. */
 static inline void fault_arm(const char *name, long n, int number) {
-    *fault() = (fault_state){.left = n, .number = number};
+    fault()->left = n;
+    fault()->number = number;
+    fault()->came = false;
     strncpy(fault()->name, name, sizeof fault()->name - 1);
 }
 
@@ -42,8 +51,28 @@ static inline bool fault_disarm(void) {
     return fault()->came;
 }
 
+/* Counts calls from now on. */
+static inline void fault_forget(void) { memset(fault()->called, 0, sizeof fault()->called); }
+
+/* How often the function was called since fault_forget(). */
+static inline long fault_calls(const char *name) {
+    for (int i = 0; i < FAULTS_COUNTED; i++)
+        if (strcmp(fault()->called[i].name, name) == 0) return fault()->called[i].calls;
+    return 0;
+}
+
+static inline void fault_count(const char *name) {
+    for (int i = 0; i < FAULTS_COUNTED; i++) {
+        if (!fault()->called[i].name[0]) strncpy(fault()->called[i].name, name, 39);
+        if (strcmp(fault()->called[i].name, name) != 0) continue;
+        fault()->called[i].calls++;
+        return;
+    }
+}
+
 static inline bool fault_comes(const char *name) {
     fault_state *state = fault();
+    fault_count(name);
     if (strcmp(state->name, name) != 0 || --state->left != 0) return false;
     state->came = true;
     errno = state->number;
@@ -57,6 +86,12 @@ static inline bool fault_comes(const char *name) {
         return fault_comes(#name) ? (failure) : __real_##name(__VA_ARGS__);                        \
     }                                                                                              \
     _Static_assert(1, "")
+
+/* The same of a public function, whose name ends for the linker in the edition of the interface (gough/names.h). */
+#define FAULTY_PUBLIC(type, name, parameters, failure, ...)                                        \
+    GOUGH_NAME_(__real_##name)                                                                     \
+    GOUGH_NAME_(__wrap_##name)                                                                     \
+    FAULTY(type, name, parameters, failure, __VA_ARGS__)
 
 #define FAULTY_MALLOC FAULTY(void *, malloc, (size_t size), NULL, size)
 #define FAULTY_CALLOC FAULTY(void *, calloc, (size_t n, size_t size), NULL, n, size)
