@@ -11,7 +11,6 @@
 #include <complex.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include <lapacke.h>
 
@@ -378,7 +377,8 @@ static bool is_near(double a, double b) {
     return (isnan(a) && isnan(b)) || a == b || fabs(a - b) <= 1e-4 * fmax(fabs(a), fabs(b));
 }
 
-/* One fault: an error with a sentence, or the answer of before. */
+/* One fault: an error with a sentence, or the answer of before; a map has no values at the stiffnesses where its problem was not
+ * solved. */
 static bool act(size_t i, const gough_model *model, const facts *before, const char *fails,
                 long n) {
     facts f = {.count = 0};
@@ -386,25 +386,19 @@ static bool act(size_t i, const gough_model *model, const facts *before, const c
     fault_arm(fails, n, 0);
     const gough_status status = asked[i].ask(model, &f, &error);
     if (!fault_disarm()) return false;
-    if (status != GOUGH_OK) {
-        if (error.message[0] == '\0')
-            printf("%s: %s %ld: status %d without a sentence\n", asked[i].name, fails, n, status);
-        return true;
-    }
-    for (size_t k = 0; k < before->count; k++)
-        if (k >= f.count || !is_near(f.number[k], before->number[k])) {
-            printf("%s: %s %ld: fact %zu is %g, not %g\n", asked[i].name, fails, n, k,
-                   k < f.count ? f.number[k] : (double)NAN, before->number[k]);
-            break;
-        }
+    ck_assert_msg(status == GOUGH_OK || error.message[0] != '\0', "%s: %s %ld: no sentence",
+                  asked[i].name, fails, n);
+    for (size_t k = 0; k < before->count && status == GOUGH_OK && asked[i].ask != map_of; k++)
+        ck_assert_msg(k < f.count && is_near(f.number[k], before->number[k]),
+                      "%s: %s %ld: number %zu is %g, not %g", asked[i].name, fails, n, k,
+                      f.number[k], before->number[k]);
     return true;
 }
 
 /* The first calls, and then ever fewer. */
 static void fail_each(size_t i, const gough_model *model, const facts *before, const char *fails,
                       long calls) {
-    for (long n = 1; n <= calls && !getenv("FAULT_BASE") && act(i, model, before, fails, n);
-         n = 1 + n * asked[i].factor)
+    for (long n = 1; n <= calls && act(i, model, before, fails, n); n = 1 + n * asked[i].factor)
         continue;
 }
 
@@ -418,16 +412,8 @@ static void fail_all(size_t i) {
     fault_forget();
     ck_assert_msg(asked[i].ask(model, &before, &error) == GOUGH_OK, "%s: %s", asked[i].name,
                   error.message);
-    if (getenv("FAULT_LOG")) {
-        fprintf(stderr, "%s base at %.2f:", asked[i].name, (double)clock() / CLOCKS_PER_SEC);
-        for (int k = 0; k < LAPACKS; k++) fprintf(stderr, " %ld", fault_calls(lapack[k]));
-        for (int k = 0; k < NEEDED; k++) fprintf(stderr, " %ld", fault_calls(needed[k]));
-        fprintf(stderr, "\n");
-    }
     for (int k = 0; k < LAPACKS; k++) calls[k] = fault_calls(lapack[k]);
     for (int k = 0; k < NEEDED; k++) calls[LAPACKS + k] = fault_calls(needed[k]);
-    if (getenv("FAULT_LOG"))
-        fprintf(stderr, "%s at %.1f\n", asked[i].name, (double)clock() / CLOCKS_PER_SEC);
     for (int k = 0; k < LAPACKS; k++) {
         snprintf(nan, sizeof nan, "NaN %s", lapack[k]);
         fail_each(i, model, &before, lapack[k], calls[k]);
