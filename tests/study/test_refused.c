@@ -106,7 +106,7 @@ START_TEST(what_varies_is_checked_against_the_study) {
         {KEYS("load.inertia.: [1]"), "is not a key of a study"},
         {KEYS("load.inertia.4: [1]"), "is not a key of a study"},
         {KEYS("load.inertia.1.1.1: [1]"), "is not a key of a study"},
-        {KEYS("load.inertia: [1]"), "vary its elements, numbered from 1, as in `load.inertia.1.1`"},
+        {KEYS("load.inertia: [1]"), "vary its elements, numbered from 1, as in `load.inertia.1`"},
         {KEYS("load.center_of_mass: [1]"), "as in `load.center_of_mass.1`"},
         {KEYS("motion.moves.x.heave: [1]"), "is not a key of a study"},
         {KEYS("motion.moves.1: [1]"), "is not a key of a study"},

@@ -2,6 +2,7 @@
  * finite, and when an analysis that another one needs fails: an error with a sentence, or the answer of before. Each call fails
  * once, of calls in thousands the first ones and then ever fewer.
  * Label: thorough: some hundred maps and searches.
+ * Sanitized: campaign: the same.
  * Faults: LAPACKE_dgees_work LAPACKE_dgeev_work LAPACKE_dgesv_work LAPACKE_dgesvd_work LAPACKE_dgetrf_work LAPACKE_dgetrs_work
  * Faults: LAPACKE_dsygv_work LAPACKE_dtrsyl_work LAPACKE_zgesv_work LAPACKE_zheev_work LAPACKE_zhegv_work
  * Faults: equilibrium_find equilibrium_ask spectrum_of_factors symmetric_problem
@@ -367,9 +368,9 @@ static const struct {
     {"map at rest", map_of, 0, 8},
     {"map of samples", map_of, SAMPLED, 8},
     {"map of heavy legs", map_of, HEAVING | HEAVY, 8},
-    {"tune", tune, HEAVING, 8},
-    {"tune with samples", tune, SAMPLED, 8},
-    {"tune with states", tune, LAGGING, 8},
+    {"tune", tune, HEAVING, 64},
+    {"tune with samples", tune, SAMPLED, 64},
+    {"tune with states", tune, LAGGING, 64},
 };
 enum { ASKED = sizeof asked / sizeof asked[0] };
 
