@@ -5,58 +5,19 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "gough/tune.h"
 #include "support/machines.h"
 #include "support/suite.h"
+#include "tune/requests.h"
 
-typedef struct {
-    gough_model *model;
-    gough_simulation simulation;
-    gough_tuning_options options;
-    gough_tuning_point *point;
-    gough_tuning tuning;
-} search;
+static request begin(double duration) {
+    request s = request_new(duration);
 
-static search begin(double duration) {
-    search s = {.model = calloc(1, sizeof *s.model),
-                .simulation = gough_simulation_default(),
-                .options = gough_tuning_options_default(),
-                .point = calloc(GOUGH_TUNING_POINTS, sizeof *s.point)};
-
-    ck_assert(s.model != NULL && s.point != NULL);
-    paper_machine(&s.model->machine);
     s.model->control.feedforward = true;
-    s.simulation.duration = duration;
     return s;
 }
 
-static void end(search *s) {
-    free(s->model);
-    free(s->point);
-}
-
-static gough_status tune(search *s, bool feedforward, gough_error *error) {
-    size_t bytes;
-    gough_status status = gough_tune_size(s->model, &s->options, &bytes, error);
-    void *memory = status == GOUGH_OK ? aligned_alloc(64, (bytes + 63) / 64 * 64) : NULL;
-
-    if (status == GOUGH_OK) {
-        ck_assert(memory != NULL);
-        status = gough_tune(s->model, &s->simulation, feedforward, &s->options, s->point,
-                            &s->tuning, memory, error);
-    }
-    free(memory);
-    return status;
-}
-
-static void tune_well(search *s, bool feedforward) {
-    gough_error error = {0};
-
-    ck_assert_msg(tune(s, feedforward, &error) == GOUGH_OK, "%s", error.message);
-}
-
 static int summarise(void *context, const gough_row *row) {
-    search *s = context;
+    request *s = context;
     const double *e = row->value + GOUGH_EX, d = hypot(hypot(e[0], e[1]), e[2]);
 
     if (!(d <= s->tuning.scale)) s->tuning.scale = d;
@@ -64,8 +25,8 @@ static int summarise(void *context, const gough_row *row) {
 }
 
 /* largest deviation of a run with these gains, by gough_simulate() as the study has it; INFINITY where it ends early */
-static double deviation(const search *s, bool feedforward, double G, double D) {
-    search run = *s;
+static double deviation(const request *s, bool feedforward, double G, double D) {
+    request run = *s;
     gough_end ended;
 
     run.model->control.feedforward = feedforward;
@@ -77,7 +38,7 @@ static double deviation(const search *s, bool feedforward, double G, double D) {
 }
 
 /* the same without feed-forward and damping, and with the motion between rows */
-static double between_rows(const search *s, double G) {
+static double between_rows(const request *s, double G) {
     gough_simulation simulation = s->simulation;
     gough_summary summary;
     gough_end ended;
@@ -90,7 +51,7 @@ static double between_rows(const search *s, double G) {
 }
 
 /* what is named meets it, a fifth less does not */
-static void check_choice(const search *s, bool feedforward) {
+static void check_choice(const request *s, bool feedforward) {
     const gough_tuning *t = &s->tuning;
 
     ck_assert_msg(t->found, "%s", t->reason);
@@ -98,7 +59,7 @@ static void check_choice(const search *s, bool feedforward) {
     ck_assert(deviation(s, feedforward, 0.8 * t->stiffness, t->damping) > s->options.deviation);
 }
 
-static void set_paper(search *s) {
+static void set_paper(request *s) {
     set_formula(&s->model->motion.formula[GOUGH_HEAVE], "0.2*sin(t)*(1 - exp(-t/2))^2");
     for (int v = 0; v < GOUGH_LEGS; v++)
         set_formula(&s->model->disturbance.leg_force[v], "0.0001*sin(2*t)*(1 - exp(-t/2))");
@@ -181,7 +142,7 @@ static int watch(void *context, const gough_row *row) {
 /* A free nonlinear run that starts in the least damped mode has, a swing later, e^{−2πζ/√(1−ζ²)} of its deviation left. */
 START_TEST(a_free_run_decays_by_the_ratio) {
     const double ratio = 0.15, size = 1e-6;
-    search s = begin(1);
+    request s = begin(1);
     static gough_rest rest;
     gough_error error = {0};
     gough_initial *initial = &s.model->initial;
@@ -218,7 +179,7 @@ START_TEST(a_free_run_decays_by_the_ratio) {
     expected = exp(-2 * pi * ratio / sqrt(1 - ratio * ratio));
     ck_assert_msg(fabs(w.last / w.first - expected) <= 1e-4 * expected, "%.9g, not %.9g",
                   w.last / w.first, expected);
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 
@@ -228,12 +189,12 @@ END_TEST
  * overshoots. */
 START_TEST(stiffness_without_feedforward_is_that_of_the_sag) {
     const double l2 = 1.49;
-    search s = begin(2);
+    request s = begin(2);
 
     s.options.damping_ratio = 0.9;
     for (double asked = 1e-3; asked > 5e-6; asked /= 10) {
         s.options.deviation = asked;
-        tune_well(&s, false);
+        request_find(&s, false);
         const double law = l2 / (6 * asked);
         ck_assert_msg(fabs(s.tuning.stiffness - law) <= (3e-4 + 4 * asked) * law, "%.9g, not %.9g",
                       s.tuning.stiffness, law);
@@ -244,7 +205,7 @@ START_TEST(stiffness_without_feedforward_is_that_of_the_sag) {
         ck_assert(!s.tuning.periodic && s.tuning.unchecked[0] != '\0');
         ck_assert(fabs(s.tuning.damping_ratio - 0.9) <= 1e-7);
     }
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 
@@ -254,147 +215,147 @@ END_TEST
 START_TEST(stiffness_for_unknown_loads_is_that_of_the_sag) {
     const double l2 = 1.49, V = 0.05, asked = 1e-4;
     gough_external down = {.at_given = false};
-    search s = begin(6);
+    request s = begin(6);
 
     set_formula(&down.force[2], "-0.05");
     ck_assert(gough_machine_set_external(&s.model->machine, &down, 1, NULL) == GOUGH_OK);
     s.model->control.ignores_external = true;
     s.options.damping_ratio = 0.9;
     s.options.deviation = asked;
-    tune_well(&s, true);
+    request_find(&s, true);
     const double law = V * l2 / (6 * asked) + (1 + V) * 0.49 / 6;
     ck_assert_msg(fabs(s.tuning.stiffness - law) <= 1e-3 * law, "%.9g, not %.9g",
                   s.tuning.stiffness, law);
     check_choice(&s, true);
 
     set_formula(&s.model->motion.formula[GOUGH_HEAVE], "0.02*sin(t)*(1 - exp(-t/2))^2");
-    tune_well(&s, true);
+    request_find(&s, true);
     check_choice(&s, true);
     ck_assert(s.tuning.periodic && s.tuning.found);
     ck_assert(fabs(s.tuning.slope + 1) <= 0.03);
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 
 /* (tune-2): with it a slow disturbance ε of each leg leaves ε l/(h G). */
 START_TEST(stiffness_against_a_slow_disturbance_is_the_quasistatic_one) {
     const double l = sqrt(1.49), asked = 1e-5;
-    search s = begin(8);
+    request s = begin(8);
     double law;
 
     for (int v = 0; v < GOUGH_LEGS; v++)
         set_formula(&s.model->disturbance.leg_force[v], "0.001*ramp(t, 6)");
     s.options.damping_ratio = 0.5;
     s.options.deviation = asked;
-    tune_well(&s, true);
+    request_find(&s, true);
     /* the weight on its legs takes M g d²/(6 h³) off their stiffness, (stab-8) */
     law = 0.001 * l / asked + 0.49 / 6;
     ck_assert_msg(fabs(s.tuning.stiffness - law) <= 1e-3 * law, "%.9g, not %.9g",
                   s.tuning.stiffness, law);
     ck_assert_msg(fabs(s.tuning.slope + 1) <= 0.01, "slope %.5f", s.tuning.slope);
     check_choice(&s, true);
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 
 START_TEST(deviation_without_feedforward_falls_as_the_inverse_of_the_stiffness) {
-    search s = begin(20);
+    request s = begin(20);
 
     set_formula(&s.model->motion.formula[GOUGH_HEAVE], "0.2*sin(t)*(1 - exp(-t/2))^2");
     s.options.deviation = 1e-2;
     s.options.least = 10;
     s.options.greatest = 400;
-    tune_well(&s, false);
+    request_find(&s, false);
     check_choice(&s, false);
     ck_assert(s.tuning.periodic);
     ck_assert_msg(fabs(s.tuning.slope + 1) <= 0.03, "slope %.5f", s.tuning.slope);
     ck_assert(s.tuning.fails < s.tuning.stiffness && s.tuning.fails > 0.9997 * s.tuning.stiffness);
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 
 /* Between two points the curve is nearly a power of G: few runs beyond those of the curve bracket the answer, mostly two around
  * each guess, the rounded one, and the one with small steps. */
 START_TEST(few_runs_bracket_the_stiffness) {
-    search s = begin(20);
+    request s = begin(20);
 
     set_formula(&s.model->motion.formula[GOUGH_HEAVE], "0.2*sin(t)*(1 - exp(-t/2))^2");
     for (int i = 0; i < 5; i++) {
         s.options.deviation = 1e-2 * pow(0.7, i);
         s.options.least = 10;
         s.options.greatest = 400;
-        tune_well(&s, false);
+        request_find(&s, false);
         ck_assert_msg(s.tuning.runs <= s.tuning.points + 12, "%zu runs, %zu points", s.tuning.runs,
                       s.tuning.points);
         ck_assert(between_rows(&s, s.tuning.fails) > s.options.deviation * (1 - 1e-5));
         ck_assert(between_rows(&s, s.tuning.stiffness) <= s.options.deviation * (1 + 1e-5));
         ck_assert(s.tuning.fails > 0.9997 * s.tuning.stiffness);
     }
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 
 /* the threshold of sway with tilt at home is 0.894; under way 0.898877 is the edge, and the margin goes on top */
 START_TEST(stiffness_keeps_its_margin_from_the_threshold) {
-    search s = begin(3);
+    request s = begin(3);
 
     s.options.deviation = 1;
     s.options.margin = 0.05;
     s.options.greatest = 20;
-    tune_well(&s, true);
+    request_find(&s, true);
     ck_assert_msg(s.tuning.found, "%s", s.tuning.reason);
     ck_assert(s.tuning.binding == GOUGH_TUNING_THRESHOLD);
     ck_assert(fabs(s.tuning.stiffness * 0.95 / s.tuning.threshold - 1) <= 2e-4);
     ck_assert(fabs(s.tuning.threshold - 0.894107) <= 1e-6);
     ck_assert_str_eq(s.tuning.mode.name, "sway–tilt");
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 
 /* some thirty thousand swings in a period: its multipliers would take longer than anyone waits */
 START_TEST(a_period_too_long_to_follow_is_said) {
-    search s = begin(5);
+    request s = begin(5);
 
     set_formula(&s.model->motion.formula[GOUGH_HEAVE], "0.1*sin(t/10000)");
     s.options.deviation = 0.01;
-    tune_well(&s, true);
+    request_find(&s, true);
     ck_assert_msg(s.tuning.found, "%s", s.tuning.reason);
     ck_assert(!s.tuning.periodic);
     ck_assert_str_eq(s.tuning.unchecked,
                      "the platform oscillates too often in one period of the program");
     ck_assert(s.tuning.stiffness >= s.tuning.threshold && s.tuning.stiffness < 1e3);
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 
 START_TEST(stiffness_is_lifted_over_a_tongue) {
-    search s = begin(10);
+    request s = begin(10);
 
     set_paper(&s);
     s.options.deviation = 1e-3;
     s.options.margin = 0.05;
     s.options.least = 1.7;
     s.options.greatest = 2.3;
-    tune_well(&s, true);
+    request_find(&s, true);
     ck_assert_msg(s.tuning.found, "%s", s.tuning.reason);
     ck_assert(s.tuning.binding == GOUGH_TUNING_TONGUE);
     /* the edge that gough stability finds: 1.93769 */
     ck_assert_msg(fabs(s.tuning.stiffness * 0.95 / 1.93769 - 1) <= 2e-4, "%.9g",
                   s.tuning.stiffness);
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 
 /* ---- none -------------------------------------------------------------------------------------------------------- */
 
-static void finds_none(search *s, bool feedforward, const char *why) {
-    tune_well(s, feedforward);
+static void finds_none(request *s, bool feedforward, const char *why) {
+    request_find(s, feedforward);
     ck_assert_msg(!s->tuning.found, "found %.9g", s->tuning.stiffness);
     ck_assert_msg(strstr(s->tuning.reason, why) != NULL, "says: %s", s->tuning.reason);
 }
 
 START_TEST(no_stiffness_undoes_an_initial_offset) {
-    search s = begin(4);
+    request s = begin(4);
 
     s.model->initial.component[GOUGH_HEAVE] = 2e-3;
     s.model->initial.given[GOUGH_HEAVE] = true;
@@ -403,12 +364,12 @@ START_TEST(no_stiffness_undoes_an_initial_offset) {
     setlocale(LC_ALL, "de_DE.UTF-8"); /* where it is installed: a point all the same */
     finds_none(&s, true, "starts 0.002 off the program");
     setlocale(LC_ALL, "C");
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 
 START_TEST(a_limit_of_the_legs_may_forbid_every_stiffness) {
-    search s = begin(3);
+    request s = begin(3);
 
     /* the load at home needs 0.203 of each leg, its fall into undamped springs about twice that */
     s.model->machine.platform.force_max = 0.3;
@@ -421,15 +382,15 @@ START_TEST(a_limit_of_the_legs_may_forbid_every_stiffness) {
 
     /* damped, it does not overshoot */
     s.options.damping_ratio = 0.9;
-    tune_well(&s, false);
+    request_find(&s, false);
     check_choice(&s, false);
     ck_assert(s.tuning.force <= 0.3 && fabs(s.tuning.force_share - s.tuning.force / 0.3) <= 1e-12);
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 
 START_TEST(too_narrow_a_search_says_where_to_go) {
-    search s = begin(3);
+    request s = begin(3);
 
     for (int v = 0; v < GOUGH_LEGS; v++)
         set_formula(&s.model->disturbance.leg_force[v], "0.001*ramp(t, 2)");
@@ -437,19 +398,19 @@ START_TEST(too_narrow_a_search_says_where_to_go) {
     s.options.damping_ratio = 0.5;
     s.options.greatest = 100;
     finds_none(&s, true, "so that about G = 1.2e+03 would be needed");
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 
-static void refuses(search *s, const char *why) {
+static void refuses(request *s, const char *why) {
     gough_error error = {0};
 
-    ck_assert(tune(s, true, &error) == GOUGH_ERROR_INPUT);
+    ck_assert(request_ask(s, true, &error) == GOUGH_ERROR_INPUT);
     ck_assert_msg(strstr(error.message, why) != NULL, "says: %s", error.message);
 }
 
 START_TEST(refuses_what_cannot_be) {
-    search s = begin(3);
+    request s = begin(3);
 
     refuses(&s, "the deviation allowed must be");
     s.options.deviation = 1e-3;
@@ -471,7 +432,7 @@ START_TEST(refuses_what_cannot_be) {
     set_formula(&s.model->motion.formula[GOUGH_HEAVE], "0.1*sin(t)");
     s.model->motion.period = 5;
     refuses(&s, "period");
-    end(&s);
+    request_drop(&s);
 }
 END_TEST
 

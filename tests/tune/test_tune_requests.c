@@ -1,17 +1,9 @@
 /* Requests for a tuning: numbers out of range, and a search that its caller stops. */
 #include <stdlib.h>
 
-#include "gough/tune.h"
 #include "support/machines.h"
 #include "support/suite.h"
-
-typedef struct {
-    gough_model *model;
-    gough_simulation simulation;
-    gough_tuning_options options;
-    gough_tuning_point *point;
-    gough_tuning tuning;
-} request;
+#include "tune/requests.h"
 
 static gough_tuning_options usual(void) {
     gough_tuning_options o = gough_tuning_options_default();
@@ -26,33 +18,10 @@ static gough_tuning_options usual(void) {
 
 /* the load at home is let go into damped springs: few, short runs */
 static request sagging(void) {
-    request r = {.model = calloc(1, sizeof *r.model),
-                 .simulation = gough_simulation_default(),
-                 .options = usual(),
-                 .point = calloc(GOUGH_TUNING_POINTS, sizeof *r.point)};
+    request r = request_new(2);
 
-    ck_assert(r.model != NULL && r.point != NULL);
-    paper_machine(&r.model->machine);
-    r.simulation.duration = 2;
+    r.options = usual();
     return r;
-}
-
-static void drop(request *r) {
-    free(r->model);
-    free(r->point);
-}
-
-static gough_status ask(request *r, gough_error *error) {
-    size_t bytes;
-    gough_status status = gough_tune_size(r->model, &r->options, &bytes, error);
-    void *memory = status == GOUGH_OK ? aligned_alloc(64, (bytes + 63) / 64 * 64) : NULL;
-
-    if (status != GOUGH_OK) return status;
-    ck_assert(memory != NULL);
-    status = gough_tune(r->model, &r->simulation, false, &r->options, r->point, &r->tuning, memory,
-                        error);
-    free(memory);
-    return status;
 }
 
 /* ---- progress ---- */
@@ -82,19 +51,19 @@ START_TEST(a_search_stops_at_whichever_call_asks_it_to) {
 
     r.options.progress = listen;
     r.options.context = &l;
-    ck_assert_msg(ask(&r, &error) == GOUGH_OK, "%s", error.message);
+    ck_assert_msg(request_ask(&r, false, &error) == GOUGH_OK, "%s", error.message);
     ck_assert(r.tuning.found);
     all = l.calls;
     ck_assert_int_gt(all, 3);
     for (int stop_at = 1; stop_at <= all; stop_at += 1 + all / 40) {
         l.calls = 0;
         l.stop_at = stop_at;
-        ck_assert_int_eq(ask(&r, &error), GOUGH_ERROR_NUMERICAL);
+        ck_assert_int_eq(request_ask(&r, false, &error), GOUGH_ERROR_NUMERICAL);
         ck_assert_msg(strstr(error.message, "was stopped") != NULL, "%s", error.message);
         ck_assert_int_eq(l.calls, stop_at);
         ck_assert(!r.tuning.found);
     }
-    drop(&r);
+    request_drop(&r);
 }
 END_TEST
 
@@ -103,7 +72,8 @@ END_TEST
 static void refuses(request *r, const char *why) {
     gough_error error = {0};
 
-    ck_assert_msg(ask(r, &error) == GOUGH_ERROR_INPUT, "accepted, for all that: %s", why);
+    ck_assert_msg(request_ask(r, false, &error) == GOUGH_ERROR_INPUT, "accepted, for all that: %s",
+                  why);
     ck_assert_msg(strstr(error.message, why) != NULL, "%s", error.message);
     r->options = usual();
 }
@@ -134,7 +104,7 @@ START_TEST(numbers_out_of_range_are_refused_with_their_sentence) {
     refuses(&r, "takes two numbers, 0 < a < b; got 100 and 100");
     r.options.least = 1e-14;
     refuses(&r, "covers at most 15 decades; got 1e-14 to 100");
-    drop(&r);
+    request_drop(&r);
 }
 END_TEST
 
@@ -144,7 +114,7 @@ START_TEST(a_loop_damped_too_strongly_to_be_followed_is_refused) {
     r.options.damping_ratio = NAN;
     set_gains(r.model, 0, 1e9);
     refuses(&r, "lower control.damping or simulation.duration");
-    drop(&r);
+    request_drop(&r);
 }
 END_TEST
 
@@ -178,10 +148,10 @@ START_TEST(the_reason_names_what_ends_every_run) {
         }
         if (i == 3) set_formula(&r.model->motion.formula[GOUGH_YAW], "2*ramp(t - 0.5, 1)");
         if (i == 4) set_formula(&r.model->disturbance.force[0], "sqrt(1 - t)");
-        ck_assert_msg(ask(&r, &error) == GOUGH_OK, "%d: %s", i, error.message);
+        ck_assert_msg(request_ask(&r, false, &error) == GOUGH_OK, "%d: %s", i, error.message);
         ck_assert(!r.tuning.found);
         ck_assert_msg(strstr(r.tuning.reason, WORDS[i]) != NULL, "%d: %s", i, r.tuning.reason);
-        drop(&r);
+        request_drop(&r);
     }
 }
 END_TEST
@@ -207,7 +177,7 @@ START_TEST(damping_is_refused_where_nothing_can_be_damped) {
     r.model->motion.angle_unit = NAN;
     ck_assert_int_eq(gough_damping_for_ratio(r.model, 0.5, &damping, &error), GOUGH_ERROR_INPUT);
     ck_assert_str_eq(error.key, "motion");
-    drop(&r);
+    request_drop(&r);
 }
 END_TEST
 

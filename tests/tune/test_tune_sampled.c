@@ -5,80 +5,16 @@
 #include <complex.h>
 #include <stdlib.h>
 
-#include "gough/tune.h"
 #include "support/machines.h"
 #include "support/suite.h"
-
-/* the paper's machine at home, pushed by a force that comes on slowly, under a controller that is sampled */
-typedef struct {
-    gough_model *model;
-    gough_simulation simulation;
-    gough_tuning_options options;
-    gough_tuning_point *point;
-    gough_tuning tuning;
-} request;
+#include "tune/requests.h"
 
 static request pushed(double period, double delay, gough_velocity velocity, double damping) {
-    request r = {.model = calloc(1, sizeof *r.model),
-                 .simulation = gough_simulation_default(),
-                 .options = gough_tuning_options_default(),
-                 .point = calloc(GOUGH_TUNING_POINTS, sizeof *r.point)};
+    request r = request_pushed(damping);
 
-    ck_assert(r.model != NULL && r.point != NULL);
-    paper_machine(&r.model->machine);
-    set_gains(r.model, 0, damping);
-    r.model->control.feedforward = true;
     r.model->control.sampling =
         (gough_sampling){.period = period, .delay = delay, .velocity = velocity};
-    for (int v = 0; v < GOUGH_LEGS; v++)
-        set_formula(&r.model->disturbance.leg_force[v],
-                    v == 0 ? "0.002*(1 - exp(-t))" : "0.001*(1 - exp(-t))");
-    r.simulation.duration = 12;
-    r.simulation.output_step = 0.1;
-    r.options.deviation = 1e-3;
-    r.options.threads = 1;
     return r;
-}
-
-static void drop(request *r) {
-    free(r->model);
-    free(r->point);
-}
-
-static gough_status ask(request *r, gough_error *error) {
-    size_t bytes;
-    gough_status status = gough_tune_size(r->model, &r->options, &bytes, error);
-    void *memory = status == GOUGH_OK ? aligned_alloc(64, (bytes + 63) / 64 * 64) : NULL;
-
-    if (status != GOUGH_OK) return status;
-    ck_assert(memory != NULL);
-    status = gough_tune(r->model, &r->simulation, true, &r->options, r->point, &r->tuning, memory,
-                        error);
-    free(memory);
-    return status;
-}
-
-static void find(request *r) {
-    gough_error error = {0};
-
-    ck_assert_msg(ask(r, &error) == GOUGH_OK, "%s", error.message);
-}
-
-/* the largest deviation of a run with these gains; infinite where it ends early */
-static double deviation(const request *r, double stiffness, double damping, double duration) {
-    gough_model *model = malloc(sizeof *model);
-    gough_simulation simulation = r->simulation;
-    gough_summary summary;
-    gough_end end;
-
-    ck_assert(model != NULL);
-    *model = *r->model;
-    set_gains(model, stiffness, damping);
-    simulation.duration = duration;
-    simulation.summary = &summary;
-    ck_assert_int_ne(gough_simulate(model, &simulation, NULL, NULL, &end, NULL), GOUGH_ERROR_INPUT);
-    free(model);
-    return end.cause == GOUGH_END_DONE ? summary.position_deviation : INFINITY;
 }
 
 /* the window at rest is known: G above 0.894107, and with D = 0.3 below 12.0008 */
@@ -86,20 +22,20 @@ START_TEST(the_least_stiffness_meets_the_accuracy_and_lies_in_the_window) {
     request r = pushed(0.05, 0, GOUGH_VELOCITY_EXACT, 0.3);
     const gough_tuning *t = &r.tuning;
 
-    find(&r);
+    request_find(&r, true);
     ck_assert(t->found && t->sampled && !t->periodic);
     ck_assert(fabs(t->threshold - 0.894107) <= 1e-6 && fabs(t->upper - 12.0008) <= 1e-4);
     ck_assert_str_eq(t->upper_mode.name, "heave");
     ck_assert(strstr(t->unchecked, "home was checked, from sample to sample") != NULL);
     ck_assert(t->stiffness > t->threshold && t->stiffness < t->upper);
-    ck_assert(deviation(&r, t->stiffness, 0.3, 12) <= r.options.deviation);
-    ck_assert(deviation(&r, t->fails * (1 - 1e-3), 0.3, 12) > r.options.deviation);
+    ck_assert(request_deviation(&r, t->stiffness, 0.3, 12) <= r.options.deviation);
+    ck_assert(request_deviation(&r, t->fails * (1 - 1e-3), 0.3, 12) > r.options.deviation);
     /* beyond either edge deviations grow, in time over any accuracy */
-    const double below = deviation(&r, 0.8 * t->threshold, 0.3, 60),
-                 above = deviation(&r, 1.2 * t->upper, 0.3, 60);
+    const double below = request_deviation(&r, 0.8 * t->threshold, 0.3, 60),
+                 above = request_deviation(&r, 1.2 * t->upper, 0.3, 60);
     ck_assert_msg(below > 20 * r.options.deviation && above > 20 * r.options.deviation,
                   "0.8 of the lower edge: %g, 1.2 of the upper one: %g", below, above);
-    ck_assert(deviation(&r, 0.9 * t->upper, 0.3, 60) <= r.options.deviation);
+    ck_assert(request_deviation(&r, 0.9 * t->upper, 0.3, 60) <= r.options.deviation);
     /* the search ends below the upper edge */
     for (size_t i = 0; i < t->points; i++) {
         const gough_tuning_point *p = &r.point[i];
@@ -111,7 +47,7 @@ START_TEST(the_least_stiffness_meets_the_accuracy_and_lies_in_the_window) {
     set_gains(r.model, last->stiffness, 0.3);
     ck_assert_int_eq(gough_sampled_at_rest(r.model, NULL, &rest, NULL), GOUGH_OK);
     ck_assert(fabs(last->growth - exp(rest.growth)) <= 1e-12);
-    drop(&r);
+    request_drop(&r);
 }
 END_TEST
 
@@ -143,12 +79,12 @@ START_TEST(damping_ratios_are_those_of_the_sampled_poles) {
         double damping, continuous;
 
         r.options.damping_ratio = cases[k].ratio;
-        find(&r);
+        request_find(&r, true);
         ck_assert_msg(t->found, "%s", t->reason);
         set_gains(r.model, t->stiffness, t->damping);
         ck_assert(fabs(ratio_of(r.model) - cases[k].ratio) <= 1e-7);
         ck_assert(fabs(t->damping_ratio - cases[k].ratio) <= 1e-7);
-        ck_assert(deviation(&r, t->stiffness, t->damping, 12) <= r.options.deviation);
+        ck_assert(request_deviation(&r, t->stiffness, t->damping, 12) <= r.options.deviation);
         /* the edge: a little above it all dampings fall short */
         for (double D = 0.1 * t->damping; D < 30 * t->damping && k == 0; D *= 1.01) {
             set_gains(r.model, t->upper * 1.002, D);
@@ -173,19 +109,19 @@ START_TEST(damping_ratios_are_those_of_the_sampled_poles) {
         ck_assert_msg(fabs(damping - continuous) <= 1e-3 * continuous, "%.9g, continuous %.9g",
                       damping, continuous);
         ck_assert(damping > continuous);
-        drop(&r);
+        request_drop(&r);
     }
 }
 END_TEST
 
 static void fails_because(request *r, const char *words, const char *number) {
-    find(r);
+    request_find(r, true);
     ck_assert(!r->tuning.found);
     ck_assert_msg(strstr(r->tuning.reason, words) != NULL &&
                       strstr(r->tuning.reason, number) != NULL,
                   "%s", r->tuning.reason);
     ck_assert_uint_lt(strlen(r->tuning.reason), sizeof r->tuning.reason - 1);
-    drop(r);
+    request_drop(r);
 }
 
 START_TEST(says_which_edge_is_in_the_way) {
@@ -206,9 +142,9 @@ END_TEST
 static void refuses(request *r, const char *words) {
     gough_error error = {0};
 
-    ck_assert_int_eq(ask(r, &error), GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(request_ask(r, true, &error), GOUGH_ERROR_INPUT);
     ck_assert_msg(strstr(error.message, words) != NULL, "%s", error.message);
-    drop(r);
+    request_drop(r);
 }
 
 START_TEST(refuses_searches_beyond_the_window_and_a_ratio_of_zero) {
@@ -235,14 +171,14 @@ START_TEST(a_search_leaves_matrices_aside) {
     matrix.model->control.cross_stiffness[0][3] = matrix.model->control.cross_stiffness[3][0] = 2;
     plain.options.damping_ratio = matrix.options.damping_ratio = 0.2;
     matrix.model->control.cross_damping[1][2] = 0.2;
-    find(&plain);
-    find(&matrix);
+    request_find(&plain, true);
+    request_find(&matrix, true);
     ck_assert(plain.tuning.found && matrix.tuning.found);
     ck_assert(fabs(plain.tuning.stiffness - matrix.tuning.stiffness) <= 0);
     ck_assert(fabs(plain.tuning.damping - matrix.tuning.damping) <= 0);
     ck_assert(fabs(plain.tuning.upper - matrix.tuning.upper) <= 0);
-    drop(&plain);
-    drop(&matrix);
+    request_drop(&plain);
+    request_drop(&matrix);
 }
 END_TEST
 
@@ -258,10 +194,10 @@ START_TEST(lagging_drives_are_part_of_the_loop) {
 
     for (int v = 0; v < GOUGH_LEGS; v++) p.actuators.time_constant[v] = 0.04;
     p.actuators.kind = GOUGH_ACTUATOR_LAG;
-    find(&ideal);
+    request_find(&ideal, true);
     const double upper = ideal.tuning.upper;
     ck_assert_int_eq(gough_machine_init(&r.model->machine, &p, &load, gravity, NULL), GOUGH_OK);
-    find(&r);
+    request_find(&r, true);
     const gough_tuning *t = &r.tuning;
     ck_assert_msg(t->found, "%s", t->reason);
     /* D/(T/2) without the lag, D/(T/2 + T_a) with it, to first order */
@@ -269,19 +205,19 @@ START_TEST(lagging_drives_are_part_of_the_loop) {
     set_gains(r.model, t->stiffness, 0.3);
     ck_assert_int_eq(gough_sampled_margins_at_rest(r.model, NULL, &margins, NULL), GOUGH_OK);
     ck_assert(fabs(margins.upper.stiffness - t->upper) <= 1e-9 * t->upper);
-    ck_assert(deviation(&r, t->stiffness, 0.3, 12) <= r.options.deviation);
-    ck_assert(deviation(&r, t->fails * (1 - 1e-3), 0.3, 12) > r.options.deviation);
-    ck_assert(deviation(&r, 0.8 * t->threshold, 0.3, 60) > 20 * r.options.deviation);
-    ck_assert(deviation(&r, 1.2 * t->upper, 0.3, 60) > 20 * r.options.deviation);
-    ck_assert(deviation(&r, 0.9 * t->upper, 0.3, 60) <= r.options.deviation);
+    ck_assert(request_deviation(&r, t->stiffness, 0.3, 12) <= r.options.deviation);
+    ck_assert(request_deviation(&r, t->fails * (1 - 1e-3), 0.3, 12) > r.options.deviation);
+    ck_assert(request_deviation(&r, 0.8 * t->threshold, 0.3, 60) > 20 * r.options.deviation);
+    ck_assert(request_deviation(&r, 1.2 * t->upper, 0.3, 60) > 20 * r.options.deviation);
+    ck_assert(request_deviation(&r, 0.9 * t->upper, 0.3, 60) <= r.options.deviation);
     r.options.damping_ratio = 0.15;
-    find(&r);
+    request_find(&r, true);
     ck_assert_msg(t->found, "%s", t->reason);
     set_gains(r.model, t->stiffness, t->damping);
     ck_assert(fabs(ratio_of(r.model) - 0.15) <= 1e-7);
     set_gains(r.model, t->upper * 1.001, 0);
     ck_assert_int_eq(gough_damping_for_ratio(r.model, 0.15, &damping, NULL), GOUGH_ERROR_NUMERICAL);
-    drop(&r);
+    request_drop(&r);
 }
 END_TEST
 
@@ -310,7 +246,7 @@ START_TEST(a_program_that_pumps_a_mode_is_kept_clear_of) {
     for (int v = 0; v < GOUGH_LEGS; v++)
         set_formula(&r.model->disturbance.leg_force[v], v == 0 ? "1e-6" : "0");
     r.options.deviation = 0.05;
-    find(&r);
+    request_find(&r, true);
     ck_assert_msg(t->found && t->periodic && *t->unchecked == '\0', "%s%s", t->reason,
                   t->unchecked);
     ck_assert(growth_along(&r, 1.1, 0.03) > 1.01);
@@ -323,13 +259,13 @@ START_TEST(a_program_that_pumps_a_mode_is_kept_clear_of) {
     r.model->control.sampling.period /= 10;
     r.options.greatest = 2;
     r.options.least = 1;
-    find(&r);
+    request_find(&r, true);
     ck_assert(!t->periodic);
     ck_assert_msg(strstr(t->unchecked,
                          "1 period of the program has 2000 samples, and only up to 1000 "
                          "are followed, so home was checked") != NULL,
                   "%s", t->unchecked);
-    drop(&r);
+    request_drop(&r);
 }
 END_TEST
 

@@ -4,31 +4,17 @@
  * Label: standard. */
 #include <stdlib.h>
 
-#include "gough/tune.h"
 #include "support/machines.h"
 #include "support/suite.h"
-
-/* the paper's machine at home, pushed by a force that comes on slowly */
-typedef struct {
-    gough_model *model;
-    gough_simulation simulation;
-    gough_tuning_options options;
-    gough_tuning_point *point;
-    gough_tuning tuning;
-} request;
+#include "tune/requests.h"
 
 /* drives of first order where `frequency` is 0, else of second order with a damping ratio of 0.7; a lag of 0: none */
 static request pushed(double lag, double frequency, double integral, double damping) {
-    request r = {.model = calloc(1, sizeof *r.model),
-                 .simulation = gough_simulation_default(),
-                 .options = gough_tuning_options_default(),
-                 .point = calloc(GOUGH_TUNING_POINTS, sizeof *r.point)};
+    request r = request_pushed(damping);
     const double gravity[3] = {0, 0, -1};
-
-    ck_assert(r.model != NULL && r.point != NULL);
-    paper_machine(&r.model->machine);
     gough_platform p = r.model->machine.platform;
     const gough_load load = r.model->machine.load;
+
     if (lag > 0 || frequency > 0) p.actuators.kind = GOUGH_ACTUATOR_LAG;
     for (int v = 0; v < GOUGH_LEGS; v++) {
         p.actuators.time_constant[v] = lag;
@@ -37,57 +23,7 @@ static request pushed(double lag, double frequency, double integral, double damp
         r.model->control.integral[v] = integral;
     }
     ck_assert_int_eq(gough_machine_init(&r.model->machine, &p, &load, gravity, NULL), GOUGH_OK);
-    set_gains(r.model, 0, damping);
-    r.model->control.feedforward = true;
-    for (int v = 0; v < GOUGH_LEGS; v++)
-        set_formula(&r.model->disturbance.leg_force[v],
-                    v == 0 ? "0.002*(1 - exp(-t))" : "0.001*(1 - exp(-t))");
-    r.simulation.duration = 12;
-    r.simulation.output_step = 0.1;
-    r.options.deviation = 1e-3;
-    r.options.threads = 1;
     return r;
-}
-
-static void drop(request *r) {
-    free(r->model);
-    free(r->point);
-}
-
-static gough_status ask(request *r, bool feedforward, gough_error *error) {
-    size_t bytes;
-    gough_status status = gough_tune_size(r->model, &r->options, &bytes, error);
-    void *memory = status == GOUGH_OK ? aligned_alloc(64, (bytes + 63) / 64 * 64) : NULL;
-
-    if (status != GOUGH_OK) return status;
-    ck_assert(memory != NULL);
-    status = gough_tune(r->model, &r->simulation, feedforward, &r->options, r->point, &r->tuning,
-                        memory, error);
-    free(memory);
-    return status;
-}
-
-static void find(request *r) {
-    gough_error error = {0};
-
-    ck_assert_msg(ask(r, true, &error) == GOUGH_OK, "%s", error.message);
-}
-
-/* the largest deviation of a run with these gains; infinite where it ends early */
-static double deviation(const request *r, double stiffness, double damping, double duration) {
-    gough_model *model = malloc(sizeof *model);
-    gough_simulation simulation = r->simulation;
-    gough_summary summary;
-    gough_end end;
-
-    ck_assert(model != NULL);
-    *model = *r->model;
-    set_gains(model, stiffness, damping);
-    simulation.duration = duration;
-    simulation.summary = &summary;
-    ck_assert_int_ne(gough_simulate(model, &simulation, NULL, NULL, &end, NULL), GOUGH_ERROR_INPUT);
-    free(model);
-    return end.cause == GOUGH_END_DONE ? summary.position_deviation : INFINITY;
 }
 
 /* smallest −Re λ/|λ| of all eigenvalues at home */
@@ -110,23 +46,23 @@ START_TEST(a_lag_of_first_order_leaves_the_window_of_its_closed_form) {
     request r = pushed(0.04, 0, 0, 0.3);
     const gough_tuning *t = &r.tuning;
 
-    find(&r);
+    request_find(&r, true);
     ck_assert_msg(t->found && t->states && !t->sampled, "%s", t->reason);
     ck_assert(fabs(t->threshold - 0.894107) <= 1e-6);
     ck_assert_msg(fabs(t->upper * 0.04 / 0.3 - 1) <= 1e-9, "%.12g", t->upper);
     ck_assert(t->upper_frequency > 0 && t->upper_mode.name[0] != '\0');
-    ck_assert(deviation(&r, t->stiffness, 0.3, 12) <= r.options.deviation);
-    ck_assert(deviation(&r, t->fails * (1 - 1e-3), 0.3, 12) > r.options.deviation);
-    ck_assert(deviation(&r, 0.8 * t->threshold, 0.3, 60) > 20 * r.options.deviation);
-    ck_assert(deviation(&r, 1.2 * t->upper, 0.3, 60) > 20 * r.options.deviation);
-    ck_assert(deviation(&r, 0.9 * t->upper, 0.3, 60) <= r.options.deviation);
+    ck_assert(request_deviation(&r, t->stiffness, 0.3, 12) <= r.options.deviation);
+    ck_assert(request_deviation(&r, t->fails * (1 - 1e-3), 0.3, 12) > r.options.deviation);
+    ck_assert(request_deviation(&r, 0.8 * t->threshold, 0.3, 60) > 20 * r.options.deviation);
+    ck_assert(request_deviation(&r, 1.2 * t->upper, 0.3, 60) > 20 * r.options.deviation);
+    ck_assert(request_deviation(&r, 0.9 * t->upper, 0.3, 60) <= r.options.deviation);
     ck_assert(fabs(t->damping_ratio - ratio_of(&r, t->stiffness, 0.3)) <= 1e-9);
     for (size_t i = 0; i < t->points; i++) {
         const gough_tuning_point *p = &r.point[i];
         ck_assert(p->stiffness < t->upper / 1.02 && p->judged == GOUGH_TUNING_AT_REST);
         ck_assert(p->stable == (p->stiffness > t->threshold));
     }
-    drop(&r);
+    request_drop(&r);
 }
 END_TEST
 
@@ -144,17 +80,17 @@ START_TEST(damping_ratios_are_those_of_all_poles) {
         r.options.damping_ratio = z;
         r.options.least = 0.95;
         r.options.greatest = 6;
-        find(&r);
+        request_find(&r, true);
         ck_assert_msg(t->found, "case %zu: %s", k, t->reason);
         ck_assert(fabs(ratio_of(&r, t->stiffness, t->damping) - z) <= 1e-7);
         ck_assert(fabs(t->damping_ratio - z) <= 1e-7);
-        ck_assert(deviation(&r, t->stiffness, t->damping, 12) <= r.options.deviation);
+        ck_assert(request_deviation(&r, t->stiffness, t->damping, 12) <= r.options.deviation);
         /* the least damping that does: any less falls short */
         for (double D = t->damping * 0.999; D > 1e-3 * t->damping; D *= 0.97)
             ck_assert(ratio_of(&r, t->stiffness, D) < z);
         if (!(cases[k].lag > 0 || cases[k].frequency > 0)) {
             ck_assert(isinf(t->upper));
-            drop(&r);
+            request_drop(&r);
             continue;
         }
         /* above the edge all dampings fall short */
@@ -166,17 +102,17 @@ START_TEST(damping_ratios_are_those_of_all_poles) {
         set_gains(r.model, t->upper * 0.999, 0);
         ck_assert_int_eq(gough_damping_for_ratio(r.model, z, &damping, NULL), GOUGH_OK);
         ck_assert(fabs(ratio_of(&r, t->upper * 0.999, damping) - z) <= 1e-7);
-        drop(&r);
+        request_drop(&r);
     }
 }
 END_TEST
 
 static void fails_because(request *r, const char *words, const char *more) {
-    find(r);
+    request_find(r, true);
     ck_assert(!r->tuning.found);
     ck_assert_msg(strstr(r->tuning.reason, words) != NULL && strstr(r->tuning.reason, more) != NULL,
                   "%s", r->tuning.reason);
-    drop(r);
+    request_drop(r);
 }
 
 START_TEST(says_which_edge_is_in_the_way) {
@@ -197,12 +133,12 @@ START_TEST(says_which_edge_is_in_the_way) {
     r = pushed(0.04, 0, 0, 0.3);
     r.options.least = 8;
     r.options.greatest = 100;
-    ck_assert_int_eq(ask(&r, true, &error), GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(request_ask(&r, true, &error), GOUGH_ERROR_INPUT);
     ck_assert_msg(strstr(error.message, "up to 7.5 only") != NULL, "%s", error.message);
     set_gains(r.model, 3, 0);
     ck_assert_int_eq(gough_damping_for_ratio(r.model, 0, &damping, &error), GOUGH_ERROR_INPUT);
     ck_assert(strstr(error.message, "must be greater than 0") != NULL);
-    drop(&r);
+    request_drop(&r);
 }
 END_TEST
 
@@ -229,7 +165,7 @@ START_TEST(points_and_the_stiffness_named_are_judged_along_the_program) {
         set_formula(&r.model->disturbance.leg_force[v], v == 0 ? "1e-6" : "0");
     r.options.deviation = 0.05;
     r.options.greatest = 2;
-    find(&r);
+    request_find(&r, true);
     ck_assert_msg(t->found && t->periodic && *t->unchecked == '\0', "%s%s", t->reason,
                   t->unchecked);
     for (int side = -1; side <= 1; side++)
@@ -254,12 +190,12 @@ START_TEST(points_and_the_stiffness_named_are_judged_along_the_program) {
     quick.options.least = 3;
     quick.options.greatest = 5;
     quick.simulation.duration = 0.5;
-    find(&quick);
+    request_find(&quick, true);
     ck_assert(!quick.tuning.periodic);
     ck_assert_msg(strstr(quick.tuning.unchecked, "only up to 10000 times is followed") != NULL,
                   "%s", quick.tuning.unchecked);
-    drop(&quick);
-    drop(&r);
+    request_drop(&quick);
+    request_drop(&r);
 }
 END_TEST
 
@@ -293,7 +229,7 @@ START_TEST(integrals_rest_at_home) {
     for (int v = 0; v < GOUGH_LEGS; v++) r.model->control.integral[v] = 2;
     /* the tuning counts with it */
     r.options.deviation = 0.02;
-    ck_assert_msg(ask(&r, false, &error) == GOUGH_OK, "%s", error.message);
+    ck_assert_msg(request_ask(&r, false, &error) == GOUGH_OK, "%s", error.message);
     ck_assert_msg(r.tuning.found, "%s", r.tuning.reason);
     /* some legs with an integral, and some without */
     r.model->control.integral[3] = 0;
@@ -303,7 +239,7 @@ START_TEST(integrals_rest_at_home) {
     ck_assert_str_eq(error.key, "control.integral");
     r.model->control.feedforward = true;
     ck_assert_int_eq(gough_stability_at_rest(r.model, NULL, &rest, &error), GOUGH_OK);
-    drop(&r);
+    request_drop(&r);
 }
 END_TEST
 
