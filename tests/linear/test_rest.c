@@ -4,6 +4,7 @@
 
 #include "gough/linear.h"
 #include "linear/planes.h"
+#include "linear/rest_model.h"
 #include "support/machines.h"
 #include "support/suite.h"
 
@@ -11,29 +12,6 @@ enum { GEOMETRIES = 100 };
 
 /* closed forms of the theory against what is found, relative to the largest number of the kind */
 static const double closed = 1e-10;
-
-static gough_model *new_model(double stiffness, double damping) {
-    gough_model *model = calloc(1, sizeof *model);
-
-    ck_assert(model != NULL);
-    model->control.feedforward = true;
-    set_gains(model, stiffness, damping);
-    return model;
-}
-
-static gough_rest at_rest(const gough_model *model, const double *component) {
-    gough_rest rest;
-    gough_error error = {0};
-
-    ck_assert_msg(gough_stability_at_rest(model, component, &rest, &error) == GOUGH_OK, "%s",
-                  error.message);
-    return rest;
-}
-
-static void near(double found, double right, double tolerance, const char *what, int geometry) {
-    ck_assert_msg(fabs(found - right) <= tolerance, "%s of geometry %d: %.17g, not %.17g", what,
-                  geometry, found, right);
-}
 
 /* ---- closed forms ---------------------------------------------------------------------------------------------- */
 

@@ -5,27 +5,15 @@
 
 #include "gough/floquet.h"
 #include "gough/linear.h"
+#include "linear/rest_model.h"
 #include "support/machines.h"
 #include "support/suite.h"
 
-static gough_model *new_model(double stiffness, double damping) {
-    gough_model *model = calloc(1, sizeof *model);
+static gough_model *paper_model(double stiffness, double damping) {
+    gough_model *model = new_model(stiffness, damping);
 
-    ck_assert(model != NULL);
     paper_machine(&model->machine);
-    model->control.feedforward = true;
-    set_gains(model, stiffness, damping);
     return model;
-}
-
-static gough_rest at_rest(const gough_model *model) {
-    gough_rest rest;
-    gough_error error = {0};
-
-    ck_assert_msg(gough_stability_at_rest(model, NULL, &rest, &error) == GOUGH_OK, "%s",
-                  error.message);
-    ck_assert_int_eq((int)rest.size, (int)gough_linear_size(model));
-    return rest;
 }
 
 static void give_lag(gough_model *model, double time_constant, double frequency, double ratio) {
@@ -66,9 +54,9 @@ static void heave_is_root_of(const gough_rest *rest, const double *c, int degree
 
 START_TEST(lag_of_first_order_in_heave) {
     const double G = 2, D = 0.3, lag = 0.07;
-    gough_model *model = new_model(G, D);
+    gough_model *model = paper_model(G, D);
     give_lag(model, lag, 0, 0);
-    const gough_rest rest = at_rest(model);
+    const gough_rest rest = at_rest(model, NULL);
     /* (s² − λ²)(T_a s + 1) + κ (G + D s) */
     const double c[4] = {kappa * G - square, kappa * D - lag * square, 1, lag};
 
@@ -81,9 +69,9 @@ END_TEST
 
 START_TEST(lag_of_second_order_in_heave) {
     const double G = 2, D = 0.3, w = 2 * pi * 3, z = 0.6;
-    gough_model *model = new_model(G, D);
+    gough_model *model = paper_model(G, D);
     give_lag(model, 0, 3, z);
-    const gough_rest rest = at_rest(model);
+    const gough_rest rest = at_rest(model, NULL);
     /* (s² − λ²)(s² + 2ζω s + ω²) + ω² κ (G + D s) */
     const double c[5] = {w * w * (kappa * G - square), w * w * kappa * D - 2 * z * w * square,
                          w * w - square, 2 * z * w, 1};
@@ -98,10 +86,10 @@ START_TEST(integral_in_heave) {
     const double G = 2, D = 0.3, K = 0.2;
 
     for (int lags = 0; lags < 2; lags++) {
-        gough_model *model = new_model(G, D);
+        gough_model *model = paper_model(G, D);
         for (int v = 0; v < 6; v++) model->control.integral[v] = K;
         if (lags) give_lag(model, 0.02, 0, 0);
-        const gough_rest rest = at_rest(model);
+        const gough_rest rest = at_rest(model, NULL);
         /* s (s² − λ²)(T_a s + 1) + κ (G s + D s² + K_I) */
         const double T = lags ? 0.02 : 0;
         const double c[5] = {kappa * K, kappa * G - square, kappa * D - T * square, 1, T};
@@ -112,12 +100,12 @@ START_TEST(integral_in_heave) {
         free(model);
     }
     /* only where it has a gain: an integral without one remembers, but does nothing */
-    gough_model *model = new_model(G, D);
+    gough_model *model = paper_model(G, D);
     model->control.integral[2] = K;
-    ck_assert_int_eq((int)at_rest(model).size, 13);
+    ck_assert_int_eq((int)at_rest(model, NULL).size, 13);
     /* and no further than D (G − threshold) of the mode that it makes grow */
     for (int v = 0; v < 6; v++) model->control.integral[v] = 1.2 * D * (G * kappa - square);
-    ck_assert(at_rest(model).growing > 0);
+    ck_assert(at_rest(model, NULL).growing > 0);
     free(model);
 }
 END_TEST
@@ -125,9 +113,9 @@ END_TEST
 /* (loop-9): at G = D/T_a all six modes are neutral at once, beside six that die out in T_a */
 START_TEST(all_modes_are_neutral_at_once) {
     const double lag = 0.05, D = 0.3;
-    gough_model *model = new_model(D / lag, D);
+    gough_model *model = paper_model(D / lag, D);
     give_lag(model, lag, 0, 0);
-    gough_rest rest = at_rest(model);
+    gough_rest rest = at_rest(model, NULL);
     int neutral = 0, fast = 0;
 
     for (int k = 0; k < 18; k++) {
@@ -138,30 +126,30 @@ START_TEST(all_modes_are_neutral_at_once) {
     ck_assert_int_eq(neutral, 12);
     ck_assert_int_eq(fast, 6);
     set_gains(model, D / lag * (1 + 1e-5), D);
-    rest = at_rest(model);
+    rest = at_rest(model, NULL);
     ck_assert_int_eq(rest.growing, 12);
     ck_assert(!rest.stable);
     set_gains(model, D / lag * (1 - 1e-5), D);
-    rest = at_rest(model);
+    rest = at_rest(model, NULL);
     ck_assert(rest.stable && rest.decaying);
     /* the threshold of the paper stays */
     set_gains(model, 0.894107, D);
-    ck_assert_int_eq(at_rest(model).growing, 2);
+    ck_assert_int_eq(at_rest(model, NULL).growing, 2);
     set_gains(model, 0.894109, D);
-    ck_assert(at_rest(model).decaying);
+    ck_assert(at_rest(model, NULL).decaying);
     free(model);
 }
 END_TEST
 
 /* the whole matrix has the same eigenvalues: their sum is its trace, and that of their squares that of its square */
 START_TEST(matrix_of_the_whole_loop) {
-    gough_model *model = new_model(2, 0.3);
+    gough_model *model = paper_model(2, 0.3);
     double matrix[GOUGH_LINEAR_MOST * GOUGH_LINEAR_MOST], trace[2] = {0, 0}, sum[2] = {0, 0};
     gough_error error = {0};
 
     give_lag(model, 0, 2, 0.5);
     for (int v = 0; v < 6; v++) model->control.integral[v] = 0.1 * (v + 1);
-    const gough_rest rest = at_rest(model);
+    const gough_rest rest = at_rest(model, NULL);
     const size_t n = gough_linear_size(model);
     ck_assert_int_eq((int)n, GOUGH_LINEAR_MOST);
     ck_assert_msg(gough_linearise(model, 0, NULL, n, matrix, &error) == GOUGH_OK, "%s",
@@ -182,15 +170,15 @@ END_TEST
 
 /* with a very short lag the loop is that of ideal drives; what is sampled does not count here */
 START_TEST(limits_of_the_loop) {
-    gough_model *model = new_model(2, 0.3);
-    const gough_rest ideal = at_rest(model);
+    gough_model *model = paper_model(2, 0.3);
+    const gough_rest ideal = at_rest(model, NULL);
 
     give_lag(model, 1e-8, 0, 0);
-    const gough_rest late = at_rest(model);
+    const gough_rest late = at_rest(model, NULL);
     model->machine.platform.actuators.kind = GOUGH_ACTUATOR_IDEAL;
     model->machine.platform.actuators.max_force[0][1] = 1e-3; /* below what bears the load */
     model->control.sampling.period = 0.1;
-    const gough_rest sampled = at_rest(model);
+    const gough_rest sampled = at_rest(model, NULL);
     for (int k = 0; k < 12; k++) {
         for (int i = 0; i < 2; i++) {
             const double *right = ideal.eigenvalue[k].value;
@@ -211,7 +199,7 @@ static void refuses(gough_model *model, size_t size, const char *words) {
 }
 
 START_TEST(refuses_other_sizes_and_samples) {
-    gough_model *model = new_model(2, 0.3);
+    gough_model *model = paper_model(2, 0.3);
     gough_floquet floquet;
     gough_error error = {0};
 
@@ -231,7 +219,7 @@ END_TEST
 /* The matrix at rest is that of gough_linearise() for a program that rests there; of samples its powers have the traces of the
  * powers of the multipliers. Names are those of the numbers. */
 START_TEST(the_matrix_is_that_of_the_eigenvalues_and_of_the_multipliers) {
-    gough_model *model = new_model(2, 0.3);
+    gough_model *model = paper_model(2, 0.3);
     double A[30 * 30], B[30 * 30], trace = 0, second = 0;
     double complex sum = 0, squares = 0;
     char name[GOUGH_DEVIATION_NAME];

@@ -2,26 +2,9 @@
 #include <complex.h>
 
 #include "gough/linear.h"
+#include "linear/rest_model.h"
 #include "support/machines.h"
 #include "support/suite.h"
-
-static gough_model *new_model(double stiffness, double damping) {
-    gough_model *model = calloc(1, sizeof *model);
-
-    ck_assert(model != NULL);
-    model->control.feedforward = true;
-    set_gains(model, stiffness, damping);
-    return model;
-}
-
-static gough_rest at_rest(const gough_model *model, const double *component) {
-    gough_rest rest;
-    gough_error error = {0};
-
-    ck_assert_msg(gough_stability_at_rest(model, component, &rest, &error) == GOUGH_OK, "%s",
-                  error.message);
-    return rest;
-}
 
 static int keep(void *context, const gough_row *row) {
     memcpy(context, row->value, sizeof row->value);

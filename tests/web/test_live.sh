@@ -2,10 +2,5 @@
 # Label: thorough.
 # The page in Debian's chromium: tests/web/live.mjs. Its screenshots stay in the build folder, in web/pictures.
 set -euo pipefail
-: "${GOUGH:?}" "${BUILD:?}" "${SOURCE:?}"
-[[ -e $BUILD/web/report.html ]] || { echo "skipped: the page was not bundled in this build"; exit 77; }
-CHROMIUM=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || { echo "skipped: no chromium"; exit 77; }
-SCRATCH=$(mktemp -d)
-trap 'rm -rf "$SCRATCH"' EXIT
-export CHROMIUM SCRATCH PICTURES=$BUILD/web/pictures
+. "$(dirname "$0")/browser.sh"
 node "$SOURCE/tests/web/live.mjs"
