@@ -169,8 +169,7 @@ static void uncover_motion(const study_record_table *table, const doubt *d, goug
         smooth_rounding(table, copy, c, &d[c], &cutoff, NULL);
         if (isfinite(cutoff)) smoothed[c] = 1;
     }
-    if (prepare(table, copy, NULL) != GOUGH_OK)
-        return; /* unreachable: the times are those before */
+    if (prepare(table, copy, NULL) != GOUGH_OK) return; /* unreachable: times as before */
     for (int c = 0; c < GOUGH_COMPONENTS; c++)
         if (smoothed[c] > 0) record->column[c].motion = acceleration(table, c);
 }

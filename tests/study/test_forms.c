@@ -347,6 +347,9 @@ START_TEST(a_comma_in_a_formula_is_refused) {
         "motion: {heave: atan2(t, {a: 1})}\n",
         "motion: {heave: atan2(t, x: 1)}\n",
         "motion: {heave: atan2(t,, 1)}\n",
+        "disturbance: {leg_force: [atan2(t, \"1)\", 0, 0, 0, 0]}\n",
+        "disturbance: {leg_force: [atan2(t, [1)], 0, 0, 0, 0]}\n",
+        "disturbance: {leg_force: [atan2(t, {a: 1}, 0, 0, 0, 0]}\n",
     };
     for (size_t i = 0; i < sizeof doubtful / sizeof doubtful[0]; i++) {
         char text[4000];
@@ -407,6 +410,21 @@ START_TEST(a_misspelled_section_is_not_missing_too) {
         gough_study_free_messages(messages);
         gough_design_study_free(design);
     }
+}
+END_TEST
+
+/* The order of the angles is found wrong before the file that has them is read. */
+START_TEST(an_order_beside_a_record_is_checked) {
+    static const char csv[] = "t,heave\n0,0\n1,0\n";
+    char text[4000], more[1000], *path = write_file("motion.csv", csv, sizeof csv - 1);
+    snprintf(more, sizeof more, "motion: {order: abc, samples: '%s'}\n", path);
+    write_study(text, sizeof text, "", more);
+    reading made = read_bytes(text, strlen(text), NULL);
+    ck_assert_int_eq(made.status, GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(occurrences(made.messages, "error:"), 1);
+    ck_assert_ptr_nonnull(strstr(made.messages, "`motion.order` must be one of zyx, xyz"));
+    reading_free(&made);
+    forget_file(path);
 }
 END_TEST
 
@@ -471,11 +489,11 @@ START_TEST(known_loads_vary_in_a_sweep) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("study/forms", 60, legs_have_numbers_in_their_form,
-                     drives_are_a_mapping_or_six, lists_have_their_lengths,
-                     a_design_says_what_may_vary, what_varies_is_a_number_of_the_study,
-                     an_order_of_angles_is_one_of_two, a_comma_in_a_formula_is_refused,
-                     units_are_single_words, a_design_has_at_most_32_numbers,
-                     a_misspelled_section_is_not_missing_too, settings_take_keys_of_elements_away,
-                     a_design_may_vary_a_number_of_the_motion, known_loads_vary_in_a_sweep);
+    return SUITE_RUN(
+        "study/forms", 60, legs_have_numbers_in_their_form, drives_are_a_mapping_or_six,
+        lists_have_their_lengths, a_design_says_what_may_vary, what_varies_is_a_number_of_the_study,
+        an_order_of_angles_is_one_of_two, a_comma_in_a_formula_is_refused, units_are_single_words,
+        a_design_has_at_most_32_numbers, a_misspelled_section_is_not_missing_too,
+        an_order_beside_a_record_is_checked, settings_take_keys_of_elements_away,
+        a_design_may_vary_a_number_of_the_motion, known_loads_vary_in_a_sweep);
 }

@@ -60,16 +60,16 @@ START_TEST(a_text_that_reads_as_another_tree_is_not_given) {
 END_TEST
 
 START_TEST(settings_take_the_place_of_plain_single_values) {
-    static const gough_setting twice[] = {{"title", "chair"}, {"title", "table"}};
+    static const gough_setting twice[] = {{"title", "chair"}, {"units", "si"}, {"title", "table"}};
     static const gough_setting title = {"title", "a\x01"};
     static const gough_setting empty = {"title", ""}, list = {"load.inertia", "[2, 2, 2]"};
     static const char cannot[] = "cannot be written with --set";
-    rewrite(NULL, file, twice, 2, HEAD "12.5}\ntitle: table\n", NULL);
+    rewrite(NULL, file, twice, 3, HEAD "12.5}\ntitle: table\n", NULL);
     rewrite(NULL, file, &title, 1, NULL, elsewise);
     rewrite(NULL, file, &empty, 1, NULL, cannot);
     rewrite(NULL, file, &list, 1, NULL, cannot);
-    rewrite(HEAD "10}\ntitle: 'table'\n", file, &twice[1], 1, NULL, cannot);
-    rewrite(HEAD "10}\ntitle:\n", file, &twice[1], 1, NULL, cannot);
+    rewrite(HEAD "10}\ntitle: 'table'\n", file, &twice[2], 1, NULL, cannot);
+    rewrite(HEAD "10}\ntitle:\n", file, &twice[2], 1, NULL, cannot);
     rewrite("a", HEAD "10}\n", NULL, 0, NULL, elsewise);
 }
 END_TEST
