@@ -15,6 +15,8 @@ gough_status gough_tuning_options_init(gough_tuning_options *options, size_t siz
     return GOUGH_OK;
 }
 
+static const double degrees = 180 / 3.14159265358979323846;
+
 static gough_status check_numbers(const gough_tuning_options *o, gough_error *error) {
     if (gough_size_check(o->size, sizeof(gough_tuning_options), "gough_tuning_options", error) !=
         GOUGH_OK)
@@ -25,7 +27,8 @@ static gough_status check_numbers(const gough_tuning_options *o, gough_error *er
                           o->deviation);
     if (!(o->angle_deviation > 0))
         return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "the angle deviation allowed must be > 0, not %.9g", o->angle_deviation);
+                          "the angle deviation allowed must be > 0, not %.9g" IN_DEGREES "°",
+                          o->angle_deviation * degrees);
     if (!isnan(o->damping_ratio) && !(o->damping_ratio >= 0 && o->damping_ratio < 1))
         return gough_fail(error, GOUGH_ERROR_INPUT,
                           "the damping ratio must be at least 0 and less than 1, not %.9g",

@@ -86,7 +86,8 @@ START_TEST(numbers_out_of_range_are_refused_with_their_sentence) {
         r.options.deviation = BAD[i];
         refuses(&r, "the deviation allowed must be a finite number > 0");
         r.options.angle_deviation = BAD[i];
-        refuses(&r, "the angle deviation allowed must be > 0");
+        refuses(&r, i ? "the angle deviation allowed must be > 0, not -57.2957795°"
+                      : "the angle deviation allowed must be > 0");
         r.options.margin = BAD[i];
         refuses(&r, "the margin must be from 0 to 0.5");
         r.options.least = BAD[i];

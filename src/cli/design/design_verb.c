@@ -55,12 +55,12 @@ static int look(void *context, double part) {
 }
 
 static void find(const command_line *line, gough_design_study *design, design_answer *a) {
-    progress bar = progress_begin(line->verb, 1, line->quiet);
     a->key = gough_design_study_keys(design, &a->keys);
     a->status = gough_design_study_request(design, &a->request, sizeof a->request);
     if (!a->status)
         a->status = gough_reach_init(&a->reach, sizeof a->reach, a->study->model, &a->error);
     if (a->status) return;
+    progress bar = progress_begin(line->verb, 1, line->quiet);
     a->request.progress = look;
     a->request.progress_context = &bar;
     interrupt_says(line->verb, "stopped before the end; nothing was written");
