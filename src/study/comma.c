@@ -20,8 +20,10 @@ static bool is_plain(const study_node *node) {
 
 /* The text of an item, or of a key without a value; NULL for anything else. */
 static const study_node *piece_of(const study_node *parent, const study_node *node) {
-    const study_node *piece = parent->kind == STUDY_LIST ? node : node->empty ? node->key : NULL;
-    return piece && is_plain(piece) ? piece : NULL;
+    const bool item = parent->kind == STUDY_LIST;
+    if (!item && !node->empty) return NULL;
+    const study_node *piece = item ? node : node->key;
+    return is_plain(piece) ? piece : NULL;
 }
 
 /* Whether between two texts, one after the other in a source, there is one comma and otherwise blanks. */

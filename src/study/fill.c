@@ -65,7 +65,7 @@ static void read_numbers(const gough_field *field, const study_node *node, const
                          double *value) {
     const gough_unit unit = gough_unit_of_field(field->unit);
     const bool one_pair =
-        field->shape == GOUGH_SHAPE_PAIR_OR_SIX && node->first && node->first->kind == STUDY_SCALAR;
+        field->shape == GOUGH_SHAPE_PAIR_OR_SIX && node->first->kind == STUDY_SCALAR;
     if (field->shape == GOUGH_SHAPE_RANGE_OR_SIX)
         read_ranges(field, node, units, unit, value);
     else if (one_pair)

@@ -190,7 +190,7 @@ static bool check_place(study_messages *messages, study_node *root, study_node *
                        path, found->key->text, found->key->text, path + strlen(found->key->text));
         return false;
     }
-    const bool drive = strncmp(path, "actuators.", 10) == 0 && path[10] >= '1' && path[10] <= '9';
+    const bool drive = strncmp(path, "actuators.", 10) == 0 && path[10] <= '9'; /* a number */
     if (!missing || (depth == 0 && !move && !drive)) return true;
     if (depth == 0 && found->parent && !found->key && found->kind == STUDY_MAPPING) return true;
     const bool none = load && (found == root || found == study_node_child(root, "external"));

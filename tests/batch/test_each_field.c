@@ -187,7 +187,7 @@ START_TEST(runs_that_differ_in_one_number_have_the_bits_of_runs_alone) {
         const gough_place *p = &field[k].place;
         if (p->owner != GOUGH_OWNER_MODEL || p->part & GOUGH_PART_MOTION) continue;
         for (size_t i = 0; i < p->count; i += 5)
-            for (size_t how = 0; how < 2; how++)
+            for (size_t how = 0; how < (p->part & GOUGH_PART_CONTROL ? KINDS : 2); how++)
                 differ_in(&field[k], i, kind[(k + i + how) % KINDS]);
     }
 }

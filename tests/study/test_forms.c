@@ -413,6 +413,15 @@ START_TEST(a_misspelled_section_is_not_missing_too) {
 }
 END_TEST
 
+START_TEST(what_cannot_vary_is_named) {
+    expect("", "sweep: {keys: {units: [1, 2]}}\n",
+           "4:16: `units` is not a number (choice or mapping) and cannot vary\n");
+    expect("", "sweep: {keys: {platform.base.joints: [1, 2]}}\n",
+           "4:16: `platform.base.joints` is not one number but six points: vary its elements, "
+           "numbered from 1, as in `platform.base.joints.1.1`\n");
+}
+END_TEST
+
 /* The order of the angles is found wrong before the file that has them is read. */
 START_TEST(an_order_beside_a_record_is_checked) {
     static const char csv[] = "t,heave\n0,0\n1,0\n";
@@ -489,11 +498,12 @@ START_TEST(known_loads_vary_in_a_sweep) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN(
-        "study/forms", 60, legs_have_numbers_in_their_form, drives_are_a_mapping_or_six,
-        lists_have_their_lengths, a_design_says_what_may_vary, what_varies_is_a_number_of_the_study,
-        an_order_of_angles_is_one_of_two, a_comma_in_a_formula_is_refused, units_are_single_words,
-        a_design_has_at_most_32_numbers, a_misspelled_section_is_not_missing_too,
-        an_order_beside_a_record_is_checked, settings_take_keys_of_elements_away,
-        a_design_may_vary_a_number_of_the_motion, known_loads_vary_in_a_sweep);
+    return SUITE_RUN("study/forms", 60, legs_have_numbers_in_their_form,
+                     drives_are_a_mapping_or_six, lists_have_their_lengths,
+                     a_design_says_what_may_vary, what_varies_is_a_number_of_the_study,
+                     an_order_of_angles_is_one_of_two, a_comma_in_a_formula_is_refused,
+                     units_are_single_words, a_design_has_at_most_32_numbers,
+                     a_misspelled_section_is_not_missing_too, what_cannot_vary_is_named,
+                     an_order_beside_a_record_is_checked, settings_take_keys_of_elements_away,
+                     a_design_may_vary_a_number_of_the_motion, known_loads_vary_in_a_sweep);
 }

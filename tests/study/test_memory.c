@@ -206,6 +206,12 @@ START_TEST(memory_may_end_in_settings) {
     const gough_setting swept = {"sweep.keys.load.mess", "[1, 2]"};
     both_ways("an unknown key that varies", good_study, &swept, 1);
     both_ways("unknown", good_study, settings + 11, COUNT - 11);
+    const gough_setting loads[] = {{"external", "[{force: [1, 2, 3]}]"},
+                                   {"sweep.keys.external.1.moment.2", "[1, 2]"},
+                                   {"sweep.keys.load.inertia", "[1]"}};
+    both_ways("known loads", good_study, loads, 1);
+    both_ways("an element of a list that is missing", good_study, loads, 2);
+    both_ways("a list that varies", good_study, loads + 2, 1);
 }
 END_TEST
 

@@ -161,6 +161,26 @@ START_TEST(a_sweep_on_a_failing_disk_says_so_and_goes_on_later) {
 }
 END_TEST
 
+/* The identity of a sweep is 0 where memory runs out, and else one number. */
+START_TEST(an_identity_needs_memory) {
+    static const char *const each[] = {"calloc", "strdup", "open_memstream", "fclose"};
+    const gough_sweep_options options = gough_sweep_options_default();
+    gough_sweep *sweep = new_sweep();
+    const uint64_t identity = gough_sweep_identity(sweep, &options);
+    ck_assert(identity != 0);
+    for (size_t i = 0; i < sizeof each / sizeof each[0]; i++) {
+        bool came = true;
+        for (long n = 1; came; n++) {
+            fault_arm(each[i], n, ENOMEM);
+            const uint64_t found = gough_sweep_identity(sweep, &options);
+            came = fault_disarm();
+            ck_assert(found == (came ? 0 : identity));
+        }
+    }
+    gough_sweep_free(sweep);
+}
+END_TEST
+
 START_TEST(a_part_in_use_is_left_alone) {
     char folder[PATH_SIZE], path[PATH_SIZE], part[PATH_SIZE];
     gough_error error;
@@ -273,7 +293,7 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("sweep/part_faults", 60, a_sweep_without_memory_says_so_and_goes_on_later,
-                     a_sweep_on_a_failing_disk_says_so_and_goes_on_later,
+                     a_sweep_on_a_failing_disk_says_so_and_goes_on_later, an_identity_needs_memory,
                      a_part_in_use_is_left_alone,
                      a_nameless_file_is_made_in_any_folder_for_temporary_files,
                      shards_that_cannot_be_read_are_refused_with_their_name);
