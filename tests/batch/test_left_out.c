@@ -1,4 +1,5 @@
-/* What a caller may leave out, and what no function takes: outputs that are NULL, states that are none, lanes that there are not. */
+/* What a caller may leave out, and what no function takes: outputs that are NULL, states that are none, lanes that no processor
+ * has. */
 #include <stdlib.h>
 
 #include "gough/fields.h"
