@@ -116,7 +116,9 @@ enum { RUNS = 4 };
 
 static gough_status run_batch(const gough_model *one, const gough_model *other, int lanes,
                               gough_outcome out[RUNS], gough_error *error) {
-    const gough_simulation s = short_run();
+    gough_simulation s = short_run();
+    s.method = GOUGH_RK4; /* fixed steps: runs stand in lanes where their loops are alike */
+    s.step = 0.01;
     gough_batch_run run[RUNS];
     gough_batch_options o = gough_batch_options_default();
     o.lanes = lanes;
@@ -193,7 +195,148 @@ START_TEST(runs_that_differ_in_one_number_have_the_bits_of_runs_alone) {
 }
 END_TEST
 
+/* Runs of a batch have the same kinds of legs and the same number of loads. */
+START_TEST(runs_of_other_kinds_are_refused) {
+    gough_model *bare = new_model(BARE), *legs = new_model(LEGS), *loaded = new_model(BARE);
+    gough_outcome out[RUNS];
+    gough_error error = {.message = ""};
+    gough_external load = {.at_given = false};
+    set_formula(&load.force[0], "0.1");
+    ck_assert_int_eq(gough_machine_set_external(&loaded->machine, &load, 1, &error), GOUGH_OK);
+    ck_assert_int_eq(run_batch(bare, legs, 1, out, &error), GOUGH_ERROR_INPUT);
+    ck_assert_ptr_nonnull(strstr(error.message, "run 1 takes the mass or friction of its legs"));
+    ck_assert_int_eq(run_batch(bare, loaded, 1, out, &error), GOUGH_ERROR_INPUT);
+    ck_assert_ptr_nonnull(strstr(error.message, "run 1 has another number of external loads"));
+    ck_assert_int_eq(run_batch(loaded, loaded, 1, out, &error), GOUGH_OK);
+    free(bare);
+    free(legs);
+    free(loaded);
+}
+END_TEST
+
+/* Runs whose loops have other parts do not stand in the same lanes. */
+static void have_the_bits_of_runs_alone(const gough_model *one, const gough_model *other) {
+    gough_outcome alone[RUNS], beside[RUNS];
+    gough_error error = {.message = ""};
+    ck_assert_msg(run_batch(one, other, 1, alone, &error) == GOUGH_OK, "%s", error.message);
+    if (gough_batch_lanes() < 4) return;
+    ck_assert_msg(run_batch(one, other, 4, beside, &error) == GOUGH_OK, "%s", error.message);
+    ck_assert_int_eq(memcmp(alone, beside, sizeof alone), 0);
+}
+
+START_TEST(loops_of_other_parts_have_the_bits_of_runs_alone) {
+    for (int what = -1; what < 6; what++) {
+        gough_model *one = new_model(what < 3 ? BARE : SAMPLED);
+        gough_model *other = new_model(what < 0    ? SECOND_ORDER
+                                       : what == 0 ? LAGGING
+                                       : what < 3  ? BARE
+                                                   : SAMPLED);
+        gough_status status;
+        gough_error error = {.message = ""};
+        for (int v = 0; v < GOUGH_LEGS; v++) {
+            if (what == 0) other->control.integral[v] = 0;
+            if (what < 1) {
+                gough_actuators *a = &other->machine.platform.actuators;
+                a->max_force[v][0] = a->max_force[v][1] = a->max_rate[v] = 0;
+            }
+            if (what != 1) continue;
+            other->machine.platform.actuators.max_force[v][0] = -2;
+            other->machine.platform.actuators.max_force[v][1] = 2;
+        }
+        if (what == 2) set_formula(&other->disturbance.leg_force[1], "0.01*ramp(t, 0.035)");
+        if (what == 3) {
+            other->control.sampling.velocity = GOUGH_VELOCITY_EXACT;
+            one->control.sampling.cutoff = other->control.sampling.cutoff = 0;
+        }
+        if (what == 4) other->control.sampling.preview = 0.01;
+        if (what == 5) other->control.sampling.delay = 0;
+        init_again(other, &status, &error);
+        ck_assert_msg(status == GOUGH_OK, "%s", error.message);
+        gough_external load[2] = {{.at_given = false}, {.at_given = false}};
+        if (what == 2) { /* corners of known loads end steps too */
+            one->disturbance = other->disturbance;
+            set_formula(&load[1].force[0], "0.1*ramp(t, 0.035)");
+            ck_assert_int_eq(gough_machine_set_external(&one->machine, &load[0], 1, &error), 0);
+            ck_assert_int_eq(gough_machine_set_external(&other->machine, &load[1], 1, &error), 0);
+        }
+        have_the_bits_of_runs_alone(one, other);
+        have_the_bits_of_runs_alone(other, one);
+        free(one);
+        free(other);
+    }
+}
+END_TEST
+
+/* Gains and times so large that no number holds what they make. */
+START_TEST(gains_beyond_all_numbers_are_refused) {
+    for (int what = 0; what < 3; what++) {
+        gough_model *model = new_model(what < 2 ? BARE : SAMPLED);
+        gough_stiffness stiffness;
+        gough_rest rest;
+        gough_sampled_rest sampled;
+        gough_error error = {.message = ""};
+        double matrix[GOUGH_LINEAR][GOUGH_LINEAR];
+        const gough_state state = gough_state_home(&model->machine);
+        set_gains(model, what == 1 ? 1 : 1.7e308, what == 1 ? 1.7e308 : 1);
+        const bool firm = gough_stiffness_at_rest(model, NULL, &stiffness, &error) == GOUGH_OK;
+        ck_assert(firm == (what == 1));
+        if (what < 2) {
+            error.message[0] = '\0';
+            ck_assert_int_eq(gough_stability_at_rest(model, NULL, &rest, &error),
+                             GOUGH_ERROR_NUMERICAL);
+            ck_assert(error.message[0] != '\0');
+            error.message[0] = '\0';
+            ck_assert_int_eq(gough_linearise(model, 0, &state, GOUGH_LINEAR, matrix[0], &error),
+                             GOUGH_ERROR_NUMERICAL);
+            ck_assert(error.message[0] != '\0');
+        } else {
+            ck_assert(gough_sampled_at_rest(model, NULL, &sampled, &error) != GOUGH_OK ||
+                      isfinite(sampled.radius));
+        }
+        free(model);
+    }
+}
+END_TEST
+
+/* Lags of all legs have one order. */
+START_TEST(lags_of_two_orders_are_refused) {
+    for (int second = 0; second < 2; second++) {
+        gough_model *model = new_model(second ? LAGGING : SECOND_ORDER);
+        gough_actuators *a = &model->machine.platform.actuators;
+        gough_status status;
+        gough_error error = {.message = ""};
+        a->max_rate[2] = 0;
+        a->time_constant[2] = second ? 0 : 0.02;
+        a->frequency[2] = second ? 20 : 0;
+        a->damping_ratio[2] = second ? 0.8 : 0;
+        init_again(model, &status, &error);
+        ck_assert_int_eq(status, GOUGH_ERROR_INPUT);
+        ck_assert_ptr_nonnull(strstr(error.message, second ? "the lag of leg 3 is of second order"
+                                                           : "the lag of leg 3 is of first order"));
+        free(model);
+    }
+}
+END_TEST
+
+/* A matrix of gains whose diagonal is 0 has a pattern too. */
+START_TEST(a_pattern_of_gains_may_lie_beside_the_diagonal) {
+    gough_model *model = new_model(SAMPLED);
+    gough_sampled_margins margins;
+    gough_error error = {.message = ""};
+    memset(model->control.stiffness, 0, sizeof model->control.stiffness);
+    model->control.coupled = true;
+    for (int v = 0; v < GOUGH_LEGS; v++) model->control.cross_stiffness[v][(v + 1) % 6] = 30;
+    ck_assert_msg(gough_sampled_margins_at_rest(model, NULL, &margins, &error) == GOUGH_OK, "%s",
+                  error.message);
+    free(model);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("batch/each_field", 120, a_wrong_number_is_refused_or_does_no_harm,
+                     runs_of_other_kinds_are_refused,
+                     loops_of_other_parts_have_the_bits_of_runs_alone,
+                     gains_beyond_all_numbers_are_refused, lags_of_two_orders_are_refused,
+                     a_pattern_of_gains_may_lie_beside_the_diagonal,
                      runs_that_differ_in_one_number_have_the_bits_of_runs_alone);
 }

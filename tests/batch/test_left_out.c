@@ -72,6 +72,20 @@ START_TEST(numbers_beyond_all_bounds_are_refused) {
 }
 END_TEST
 
+/* A plate: its mass has no extent across. In free fall it keeps its attitude. */
+START_TEST(a_load_may_be_flat) {
+    const double gravity[3] = {0, 0, -1}, force[6] = {0};
+    const gough_platform platform = gough_platform_symmetric(1, 0.2, 0.6, 0.3, 1);
+    const gough_load load = {.mass = 1, .inertia = {{1, 0, 0}, {0, 1, 0}, {0, 0, 2}}};
+    gough_acceleration a;
+    ck_assert_int_eq(gough_machine_init(&machine, &platform, &load, gravity, NULL), GOUGH_OK);
+    const gough_state state = gough_state_home(&machine);
+    ck_assert_int_eq(gough_forward_dynamics(&machine, &state, force, NULL, &a), GOUGH_OK);
+    ck_assert_double_eq_tol(a.linear[2], -1, 1e-13);
+    ck_assert_double_eq_tol(a.angular[0], 0, 1e-13);
+}
+END_TEST
+
 /* Without rates, drives and feed-forward a command is G times the errors, row by row. */
 START_TEST(a_law_needs_no_rates_and_no_drives) {
     gough_control control = {.coupled = true};
@@ -90,6 +104,10 @@ START_TEST(a_law_needs_no_rates_and_no_drives) {
         for (int w = 0; w < 6; w++) sum += (v == w ? 3 + v : 0.1 * (v - w)) * (wanted[w] - is[w]);
         ck_assert_double_eq_tol(command[v], sum, 1e-14);
     }
+    control.coupled = false;
+    gough_control_sample(&control, NULL, &memory, zero, wanted, zero, is, NULL, command);
+    for (int v = 0; v < 6; v++)
+        ck_assert_double_eq_tol(command[v], (3 + v) * (wanted[v] - is[v]), 1e-14);
 }
 END_TEST
 
@@ -126,6 +144,6 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("batch/left_out", 60, outputs_may_be_left_out, a_state_that_is_none_is_refused,
-                     numbers_beyond_all_bounds_are_refused, a_law_needs_no_rates_and_no_drives,
-                     lanes_are_those_of_processors);
+                     numbers_beyond_all_bounds_are_refused, a_load_may_be_flat,
+                     a_law_needs_no_rates_and_no_drives, lanes_are_those_of_processors);
 }

@@ -86,6 +86,9 @@ START_TEST(a_study_that_cannot_run_is_refused_without_a_place_for_the_reason) {
     study_varied *varied = study_varied_new(&source, NULL, 0, &axis, 1);
     ck_assert_ptr_nonnull(varied);
     ck_assert_int_eq(study_varied_make(varied, &tolerance, &study, NULL), GOUGH_ERROR_INPUT);
+    gough_error error = {.message = ""};
+    ck_assert_int_eq(study_varied_make(varied, &tolerance, &study, &error), GOUGH_ERROR_INPUT);
+    ck_assert_ptr_nonnull(strstr(error.message, "tolerance"));
     study_varied_free(varied);
 }
 END_TEST
