@@ -136,13 +136,15 @@ gough_status spectrum_of_factors(const double *factor, size_t stride, int n, siz
         s->log_determinant = sweep(factor, stride, n, count, after, triangle);
     }
     in_frame(n, q, after, triangle, t);
-    const bool solved =
-        finite(n * n, t) && LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'V', n, t, n, re, im, none, 1,
-                                               v, n, work, WORK * n) == 0;
-    if (!solved || !finite(n, re) || !finite(n, im) || !finite(n * n, v))
+    if (!finite(n * n, t))
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                           "the deviations grow beyond the range of numbers within one period, so "
                           "there are no multipliers");
+    const bool solved = LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'V', n, t, n, re, im, none, 1, v,
+                                           n, work, WORK * n) == 0;
+    if (!solved || !finite(n, re) || !finite(n, im) || !finite(n * n, v))
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "could not compute the multipliers: LAPACK did not solve their problem");
     for (int k = 0; k < n; k++) take(s, k, q, re, im, v);
     sort(s);
     return GOUGH_OK;

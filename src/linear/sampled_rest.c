@@ -98,6 +98,9 @@ gough_status gough_sampled_at_rest(const gough_model *model,
         sampled_map_of(&plant, &step, &law, &map);
         rest->listed = (size_t)sampled_multipliers(machine, &map, GOUGH_SAMPLED, rest->multiplier);
     }
+    if (step.unsolved)
+        return gough_fail(error, GOUGH_ERROR_NUMERICAL,
+                          "could not compute what a sample does: LAPACK did not solve its problem");
     if (rest->listed == 0)
         return gough_fail_key(error, GOUGH_ERROR_NUMERICAL, "control.sampling.period",
                               "could not compute the multipliers over a period of %.9g" IN_TIME

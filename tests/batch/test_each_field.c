@@ -62,7 +62,7 @@ static gough_simulation short_run(void) {
     return s;
 }
 
-/* ---- numbers that are none, or out of range ---------------------------------------------------------------------- */
+/* ---- NaN, infinity and numbers out of range ---------------------------------------------------------------------- */
 
 static int look(void *context, const gough_row *row) {
     bool *finite = context;

@@ -1,5 +1,5 @@
-/* What a caller may leave out, and what no function takes: outputs that are NULL, states that are none, lanes that no processor
- * has. */
+/* Outputs that a caller leaves out, as NULL; and what is refused: rotations that are not orthogonal, forces without bound, and
+ * numbers of lanes that no processor has. */
 #include <stdlib.h>
 
 #include "gough/fields.h"
@@ -33,7 +33,7 @@ START_TEST(outputs_may_be_left_out) {
 }
 END_TEST
 
-START_TEST(a_state_that_is_none_is_refused) {
+START_TEST(a_state_without_a_rotation_is_refused) {
     gough_state state = home();
     const gough_acceleration none = {{0, 0, 0}, {0, 0, 0}};
     const double force[6] = {0};
@@ -111,7 +111,7 @@ START_TEST(a_law_needs_no_rates_and_no_drives) {
 }
 END_TEST
 
-/* Three lanes and sixteen are none that a processor has. */
+/* No processor has three or sixteen lanes. */
 START_TEST(lanes_are_those_of_processors) {
     gough_model *model = calloc(1, sizeof *model);
     const gough_simulation simulation = gough_simulation_default();
@@ -143,7 +143,8 @@ START_TEST(lanes_are_those_of_processors) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("batch/left_out", 60, outputs_may_be_left_out, a_state_that_is_none_is_refused,
-                     numbers_beyond_all_bounds_are_refused, a_load_may_be_flat,
-                     a_law_needs_no_rates_and_no_drives, lanes_are_those_of_processors);
+    return SUITE_RUN("batch/left_out", 60, outputs_may_be_left_out,
+                     a_state_without_a_rotation_is_refused, numbers_beyond_all_bounds_are_refused,
+                     a_load_may_be_flat, a_law_needs_no_rates_and_no_drives,
+                     lanes_are_those_of_processors);
 }
