@@ -76,3 +76,11 @@ gough_design_request base_request(base *b) {
     r.context = b;
     return r;
 }
+
+void jack_refuse(gough_design_request r, const char *part) {
+    gough_design_result d;
+    gough_error error = {.message = ""};
+    ck_assert_int_eq(gough_design(&r, &d, &error), GOUGH_ERROR_INPUT);
+    ck_assert_msg(strstr(error.message, part) != NULL, "'%s' lacks '%s'", error.message, part);
+    ck_assert(!d.found);
+}

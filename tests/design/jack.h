@@ -29,4 +29,7 @@ typedef struct base {
 } base;
 gough_design_request base_request(base *b);
 
+/* Expects a request to be refused with this in the sentence. */
+void jack_refuse(gough_design_request r, const char *part);
+
 #endif

@@ -234,14 +234,6 @@ END_TEST
 
 /* ---- what is refused ---- */
 
-static void refuse(gough_design_request r, const char *part) {
-    gough_design_result d;
-    gough_error error = {.message = ""};
-    ck_assert_int_eq(gough_design(&r, &d, &error), GOUGH_ERROR_INPUT);
-    ck_assert_msg(strstr(error.message, part) != NULL, "'%s' lacks '%s'", error.message, part);
-    ck_assert(!d.found);
-}
-
 static gough_status no_box(void *context, const double *value, const gough_model **model,
                            gough_error *error) {
     gough_design_request r = jack_request(context);
@@ -253,31 +245,31 @@ static gough_status no_box(void *context, const double *value, const gough_model
 START_TEST(requests_out_of_range_are_refused) {
     gough_design_request r;
     r = jack_request(&one), r.keys = 0;
-    refuse(r, "1 to 32 numbers");
+    jack_refuse(r, "1 to 32 numbers");
     r = jack_request(&one), r.keys = 33;
-    refuse(r, "1 to 32 numbers");
+    jack_refuse(r, "1 to 32 numbers");
     r = jack_request(&one), r.make = NULL;
-    refuse(r, "a function that makes models");
+    jack_refuse(r, "a function that makes models");
     r = jack_request(&one), r.greatest[0] = 0.5;
-    refuse(r, "two finite bounds");
+    jack_refuse(r, "two finite bounds");
     r = jack_request(&one), r.start[0] = NAN;
-    refuse(r, "a finite start");
+    jack_refuse(r, "a finite start");
     r = jack_request(&one), r.weight[0] = 0;
-    refuse(r, "design.minimize must have weights");
+    jack_refuse(r, "design.minimize must have weights");
     r = jack_request(&one), r.weight[1] = -1;
-    refuse(r, "design.minimize must have weights");
+    jack_refuse(r, "design.minimize must have weights");
     r = jack_request(&one), r.telescope = -1;
-    refuse(r, "design.telescope must be 0 or greater");
+    jack_refuse(r, "design.telescope must be 0 or greater");
     r = jack_request(&one), r.least_singular_value = NAN;
-    refuse(r, "design.least_singular_value");
+    jack_refuse(r, "design.least_singular_value");
     r = jack_request(&one), r.evaluations = 9;
-    refuse(r, "design.evaluations must be from 10");
+    jack_refuse(r, "design.evaluations must be from 10");
     r = jack_request(&one), r.weight[GOUGH_AIM_SPEED] = 1;
-    refuse(r, "no workspace.velocity");
+    jack_refuse(r, "no workspace.velocity");
     r = jack_request(&one), r.make = no_box;
-    refuse(r, "workspace.box is missing");
+    jack_refuse(r, "workspace.box is missing");
     r = jack_request(&one), r.size = 8;
-    refuse(r, "gough_design_request");
+    jack_refuse(r, "gough_design_request");
 }
 END_TEST
 

@@ -178,33 +178,25 @@ END_TEST
 
 /* ---- what is refused ---- */
 
-static void refuse(gough_design_request r, const char *part) {
-    gough_design_result d;
-    gough_error error = {.message = ""};
-    ck_assert_int_eq(gough_design(&r, &d, &error), GOUGH_ERROR_INPUT);
-    ck_assert_msg(strstr(error.message, part) != NULL, "'%s' lacks '%s'", error.message, part);
-    ck_assert(!d.found);
-}
-
 START_TEST(numbers_that_are_not_finite_are_refused) {
     gough_design_request r = jack_request(&one);
     r.greatest[0] = INFINITY;
-    refuse(r, "two finite bounds");
+    jack_refuse(r, "two finite bounds");
     r = jack_request(&one), r.least[0] = -1e308, r.greatest[0] = 1e308;
-    refuse(r, "two finite bounds");
+    jack_refuse(r, "two finite bounds");
     r = jack_request(&one), r.weight[2] = INFINITY;
-    refuse(r, "design.minimize must have weights");
+    jack_refuse(r, "design.minimize must have weights");
     r = jack_request(&one), r.telescope = INFINITY;
-    refuse(r, "design.telescope must be 0 or greater");
+    jack_refuse(r, "design.telescope must be 0 or greater");
     r = jack_request(&one), r.least_singular_value = INFINITY;
-    refuse(r, "design.least_singular_value must be 0 or greater");
+    jack_refuse(r, "design.least_singular_value must be 0 or greater");
     r = jack_request(&one), r.least_singular_value = -1;
-    refuse(r, "design.least_singular_value must be 0 or greater");
+    jack_refuse(r, "design.least_singular_value must be 0 or greater");
     r = jack_request(&one), r.evaluations = 1000001;
-    refuse(r, "design.evaluations must be from 10 to 1000000");
-    refuse(changed_request(endless), "workspace.box is missing or is no box about home");
-    refuse(changed_request(aside), "workspace.box is missing or is no box about home");
-    refuse(changed_request(below), "workspace.box is missing or is no box about home");
+    jack_refuse(r, "design.evaluations must be from 10 to 1000000");
+    jack_refuse(changed_request(endless), "workspace.box is missing or is no box about home");
+    jack_refuse(changed_request(aside), "workspace.box is missing or is no box about home");
+    jack_refuse(changed_request(below), "workspace.box is missing or is no box about home");
     ck_assert(gough_design_request_init(&r, 8) != GOUGH_OK);
     ck_assert_str_eq(gough_aim_name(GOUGH_AIMS), "unknown");
     ck_assert_str_eq(gough_active_name(GOUGH_ACTIVE_KINDS), "unknown");
