@@ -70,6 +70,7 @@ pytest    | python3-xarray   | /usr/bin/python3 -c 'import xarray, pandas'
 format    | clang-format     | command -v clang-format
 docs      | doxygen          | command -v doxygen
 browser   | chromium         | command -v chromium
+browser   | poppler-utils    | command -v pdftotext
 package   | dpkg-dev         | command -v dpkg-shlibdeps
 package   | file             | command -v file
 lintian   | lintian          | command -v lintian

@@ -213,7 +213,7 @@ test("a hand on the load moves it, an arrow shows it, and feedback takes it back
   const box = await byName(page, "scene-canvas").boundingBox();
   const grip = await page.evaluate(() => {
     const { scene, live } = window.goughPage;
-    return scene.handAt({ clientX: 0, clientY: 0 }, live.centre).screen[0];
+    return scene.eye.handAt({ clientX: 0, clientY: 0 }, live.centre).screen[0];
   });
   await page.mouse.move(box.x + grip[0], box.y + grip[1]);
   await page.mouse.down();
@@ -260,6 +260,7 @@ test("runs faster than real time, and keys pause it and start it again", async (
   const stopped = await time(page);
   await page.waitForTimeout(300);
   assert.equal(await time(page), stopped);
+  await byName(page, "scene-canvas").focus();
   await page.keyboard.press("Home");
   await page.waitForFunction((before) => window.goughPage.live.row[0] < before, stopped);
   await page.close();

@@ -278,12 +278,15 @@ test("limits are drawn where the study has them", async () => {
   assert.equal(await limitPixels(paper()), 0);
 });
 
-test("keys play, step, jump and reset", async () => {
+test("keys of the stage play, step, jump and turn the view", async () => {
   const page = await seenPaper();
   const time = () => page.evaluate(() => window.goughPage.player.time);
   const near = async (wanted) =>
     assert.ok(Math.abs((await time()) - wanted) < 1e-9, `${await time()} for ${wanted}`);
+  const scene = byName(page, "scene-canvas");
+  await scene.focus();
   await page.keyboard.press("Home");
+  await byName(page, "play").focus();
   await page.keyboard.press("ArrowRight");
   await near(0.05);
   await page.keyboard.press("Shift+ArrowRight");
@@ -295,7 +298,7 @@ test("keys play, step, jump and reset", async () => {
   await page.keyboard.press("Home");
   await near(0);
   const view = await pixels(page);
-  const box = await byName(page, "scene-canvas").boundingBox();
+  const box = await scene.boundingBox();
   await page.mouse.move(box.x + 200, box.y + 300);
   await page.mouse.down();
   await page.mouse.move(box.x + 320, box.y + 260, { steps: 4 });
@@ -391,10 +394,30 @@ test("light and dark follow the system and the button", async () => {
   await dark.close();
 });
 
-test("without WebGL the page says so, and curves and numbers work", async () => {
+test("without WebGL the page says so and draws the machine by lines; curves and numbers work", async () => {
   const page = await open(paper(), { webgl: false });
   assert.match(await byName(page, "no-webgl").textContent(), /WebGL/);
+  // places of joints on the sheet against the camera of three.js, which the drawing does not use
+  const joints = await page.evaluate(() => {
+    const { camera, canvas, entries } = window.goughPage.scene;
+    camera.updateMatrixWorld();
+    const { clientWidth: width, clientHeight: height } = canvas.parentElement;
+    const drawn = [...canvas.querySelectorAll(".joint")].map((node) => [
+      Number(node.getAttribute("cx")),
+      Number(node.getAttribute("cy")),
+    ]);
+    return entries[0].machine.base.map((joint) => {
+      const seen = camera.position.clone().set(...joint).project(camera);
+      const [x, y] = [((seen.x + 1) * width) / 2, ((1 - seen.y) * height) / 2];
+      return Math.min(...drawn.map((place) => Math.hypot(place[0] - x, place[1] - y)));
+    });
+  });
+  joints.forEach((off) => assert.ok(off < 0.01, `a joint is drawn ${off} pixels beside its place`));
+  const drawn = () => byName(page, "scene-canvas").evaluate((svg) => svg.innerHTML);
+  const before = await drawn();
   await scrubTo(page, 300);
+  assert.notEqual(await drawn(), before);
+  assert.equal((await saved(page, "save-scene")).bytes.subarray(1, 4).toString(), "PNG");
   assert.ok(Math.abs(read(await byName(page, "pose-z").textContent()) - 1.3125748) < 2e-4);
   await byName(page, "curve-forces").scrollIntoViewIfNeeded();
   await byName(page, "cursor-forces").waitFor();
@@ -481,6 +504,7 @@ test("a run that ended early says where and why", async () => {
   assert.match(ending, /17\.147/);
   assert.match(ending, /singular/);
   assert.match(await byName(page, "end-facts").textContent(), /singular pose at t = 17\.14699/);
+  await byName(page, "scene-canvas").focus();
   await page.keyboard.press("End");
   await pictureDrawn(page);
   await picture(page, "ended-early");

@@ -5,7 +5,7 @@ import { plain } from "./color.js";
 import { element, themed } from "./dom.js";
 import { known, labelRoom, number, powers, ticks, unit, unitAfter } from "./format.js";
 import { download, fileName } from "./save.js";
-import { svgOf } from "./svg.js";
+import { printedSvg, svgOf } from "./svg.js";
 import { lowerBound, thin } from "./thin.js";
 
 /** The common range of time; null is all of it. */
@@ -481,17 +481,28 @@ export class Curve {
     download(svgOf(this.figure(order, data)), `${this.name}.svg`, "image/svg+xml");
   }
 
+  /** Least and greatest value of what is drawn, within the range of time; null without a value. */
+  extremes([x, ...lines]) {
+    const [from, to] = this.range.shown;
+    let [least, greatest] = [null, null];
+    for (const y of lines)
+      y.forEach((value, index) => {
+        if (!Number.isFinite(value) || x[index] < from || x[index] > to) return;
+        least = least === null ? value : Math.min(least, value);
+        greatest = greatest === null ? value : Math.max(greatest, value);
+      });
+    return [least, greatest];
+  }
+
   figure(order, data) {
     const { spec, timeUnit } = this;
-    if (!this.plot) this.draw();
-    const { min, max } = this.plot.scales.y;
     return {
       title: `${spec.title} · ${this.study}`,
       ordinate: unit(spec.unit) ? `${spec.title} [${unit(spec.unit)}]` : spec.title,
       abscissa: unit(timeUnit) ? `t [${unit(timeUnit)}]` : "t",
       x: data[0],
       xRange: this.range.shown,
-      yRange: [min, max],
+      yRange: this.ordinate(...this.extremes(data)),
       logarithmic: this.byDecades,
       limits: spec.limits,
       lines: order.map((line, index) => ({
@@ -500,6 +511,21 @@ export class Curve {
         y: data[index + 1],
       })),
     };
+  }
+
+  /** The figure for paper, in the place of the plot. */
+  print() {
+    const { order, data } = this.data();
+    const figure = this.figure(order, data);
+    // the ordinate has the unit; the heading above has the name
+    const ordinate = unit(this.spec.unit) ? `[${unit(this.spec.unit)}]` : "";
+    const lines = figure.lines.map((line, index) => ({ ...line, color: order[index].color }));
+    this.printed = printedSvg({ ...figure, ordinate, lines }, this.spec.id, this.spec.wide);
+    this.card.append(this.printed);
+  }
+
+  unprint() {
+    this.printed?.remove();
   }
 
   /** The same drawing as the SVG, at twice its size. */

@@ -10,6 +10,11 @@ function fill(node, attributes, children) {
       Object.entries(value).forEach(([key, setting]) => node.style.setProperty(key, setting));
     else node.setAttribute(name, value === true ? "" : String(value));
   }
+  return fillWith(node, children);
+}
+
+/** Appends nodes and texts, from lists in lists; what is undefined, null or false is passed over. */
+export function fillWith(node, children) {
   for (const child of children.flat(Infinity)) {
     if (child === undefined || child === null || child === false) continue;
     node.append(child);

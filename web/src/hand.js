@@ -44,7 +44,7 @@ export class Hand {
    *  reader. Called for each picture, for the load moves under a hand that rests. */
   pull(centre) {
     if (!this.grip) return;
-    const { point, screen } = this.scene.handAt(this.grip, centre);
+    const { point, screen } = this.scene.eye.handAt(this.grip, centre);
     const force = point.map((value, axis) => this.scale * (value - centre[axis]));
     this.onForce(force);
     this.draw(screen, Math.hypot(...force));

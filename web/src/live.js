@@ -96,14 +96,13 @@ export class Live {
       this.tell("set", { settings: this.moved });
       this.tell("pace", { speed: this.speed.value, step: this.step() });
     }
-    this.page.scene?.machines[0].model.setPaths(null, null);
-    if (this.page.scene)
-      this.hand = new Hand(
-        this.page.scene,
-        this.study,
-        (force) => this.pushBy(force),
-        () => !this.over && this.centre,
-      );
+    this.page.scene.machines[0].model.setPaths(null, null);
+    this.hand = new Hand(
+      this.page.scene,
+      this.study,
+      (force) => this.pushBy(force),
+      () => !this.over && this.centre,
+    );
     this.run(true);
   }
 
@@ -196,9 +195,7 @@ export class Live {
       element(
         "p",
         { class: "help" },
-        this.page.scene
-          ? "Take the platform or the load and pull; or hold a button:"
-          : "Hold a button to push the load:",
+        "Take the platform or the load and pull; or hold a button:",
       ),
       element("div", { class: "pad" }, this.pushButtons()),
       element("h3", {}, "Pace"),
@@ -548,11 +545,9 @@ export class Live {
     this.centre = placed(pose, this.study.machine.center_of_mass);
     this.leaveTrail();
     const { scene } = this.page;
-    if (scene) {
-      scene.machines[0].model.showTrail(this.trail);
-      const plan = { position: [x, y, z], rotation: rotation(roll, pitch, yaw, order) };
-      scene.move([{ pose, forces, plan }]);
-    }
+    scene.machines[0].model.showTrail(this.trail);
+    const plan = { position: [x, y, z], rotation: rotation(roll, pitch, yaw, order) };
+    scene.move([{ pose, forces, plan }]);
     const time = `t = ${fixed(at("t"), 2)}${unitAfter(this.study.unit("t"))}`;
     byId("clock").textContent = time;
     this.clock.textContent = time;

@@ -21,27 +21,12 @@ import {
   Vector3,
 } from "three";
 import { forceColor, GREY, LEGS, plain } from "./color.js";
-import { equalEllipsoid } from "./inertia.js";
 import { legsOf } from "./pose.js";
 import { directions, triangles } from "./reach_core.js";
 import { endWords } from "./reach_words.js";
+import { cylinderLength, loadAxes, outline, THICK } from "./shape.js";
 
 const UP = new Vector3(0, 0, 1);
-
-/** Joints in order around their centre, pushed outwards by `margin`: the outline of a plate. */
-function outline(joints, margin) {
-  const centre = [0, 1, 2].map(
-    (axis) => joints.reduce((sum, joint) => sum + joint[axis], 0) / joints.length,
-  );
-  return joints
-    .map((joint) => ({ joint, angle: Math.atan2(joint[1] - centre[1], joint[0] - centre[0]) }))
-    .sort((a, b) => a.angle - b.angle)
-    .map(({ joint }) => {
-      const [dx, dy] = [joint[0] - centre[0], joint[1] - centre[1]];
-      const distance = Math.hypot(dx, dy) || 1;
-      return [joint[0] + (dx / distance) * margin, joint[1] + (dy / distance) * margin, joint[2]];
-    });
-}
 
 /** A plate between `low` and `high` (along z) over an outline, with flat sides. */
 function plate(points, low, high) {
@@ -63,6 +48,10 @@ function plate(points, low, high) {
   geometry.computeVertexNormals();
   return geometry;
 }
+
+/** The plate of some joints, of a thickness as in THICK, in a machine of this size. */
+const plateOf = (joints, { margin, low, high }, size) =>
+  plate(outline(joints, margin * size), low * size, high * size);
 
 /** A cylinder from the origin along z to (0, 0, 1). */
 function rod(radius, segments = 28) {
@@ -185,7 +174,7 @@ export class Machine {
     const s = this.size;
     this.solid.add(
       this.withEdges(
-        plate(outline(this.machine.base, 0.13 * s), -0.11 * s, -0.05 * s),
+        plateOf(this.machine.base, THICK.base, s),
         this.material.base,
       ),
     );
@@ -195,7 +184,7 @@ export class Machine {
         this.material.base,
       );
       foot.position.set(joint[0], joint[1], joint[2] - 0.03 * s);
-      const ball = new Mesh(new SphereGeometry(0.042 * s, 24, 16), this.material.joints[leg]);
+      const ball = new Mesh(new SphereGeometry(THICK.baseJoint * s, 24, 16), this.material.joints[leg]);
       ball.position.set(...joint);
       ball.castShadow = foot.castShadow = true;
       this.solid.add(foot, ball);
@@ -206,50 +195,20 @@ export class Machine {
     const s = this.size;
     this.top = posed(new Group());
     this.platform = this.withEdges(
-      plate(outline(this.machine.top, 0.075 * s), 0.02 * s, 0.07 * s),
+      plateOf(this.machine.top, THICK.top, s),
       this.material.top,
     );
     this.top.add(this.platform);
     this.machine.top.forEach((joint, leg) => {
-      const ball = new Mesh(new SphereGeometry(0.034 * s, 24, 16), this.material.joints[leg]);
+      const ball = new Mesh(new SphereGeometry(THICK.topJoint * s, 24, 16), this.material.joints[leg]);
       ball.position.set(...joint);
       ball.castShadow = true;
       this.top.add(ball);
     });
-    const { axes, vectors } = equalEllipsoid(this.machine.mass, this.machine.inertia);
-    const [u, v, w] = [0, 1, 2].map((k) => vectors.map((line) => line[k]));
-    const right =
-      u[0] * (v[1] * w[2] - v[2] * w[1]) -
-        u[1] * (v[0] * w[2] - v[2] * w[0]) +
-        u[2] * (v[0] * w[1] - v[1] * w[0]) >
-      0
-        ? 1
-        : -1;
+    const semi = loadAxes(this.machine);
     const c = this.machine.center_of_mass;
     this.load = posed(new Mesh(new SphereGeometry(1, 48, 32), this.material.load));
-    this.load.matrix.set(
-      u[0] * axes[0],
-      v[0] * axes[1],
-      right * w[0] * axes[2],
-      c[0],
-      u[1] * axes[0],
-      v[1] * axes[1],
-      right * w[1] * axes[2],
-      c[1],
-      u[2] * axes[0],
-      v[2] * axes[1],
-      right * w[2] * axes[2],
-      c[2],
-      0,
-      0,
-      0,
-      1,
-    );
-    // how far the load rises over the top frame's origin: the ellipsoid's height along z
-    this.rise = Math.max(
-      0.15 * s,
-      c[2] + Math.hypot(u[2] * axes[0], v[2] * axes[1], w[2] * axes[2]),
-    );
+    this.load.matrix.makeBasis(...semi.map((axis) => new Vector3(...axis))).setPosition(...c);
     this.load.renderOrder = 2;
     this.centre = centreMark(0.05 * s);
     this.centre.position.set(...c);
@@ -260,13 +219,11 @@ export class Machine {
 
   buildLegs() {
     const s = this.size;
-    const shared = { cylinder: rod(0.036 * s), collar: rod(0.044 * s), piston: rod(0.02 * s) };
-    const least = this.machine.limits?.length?.[0];
-    this.legs = this.machine.home_length.map((home, index) => {
+    const shared = { cylinder: rod(THICK.cylinder * s), collar: rod(0.044 * s), piston: rod(THICK.piston * s) };
+    this.legs = this.machine.home_length.map((_, index) => {
       const body = new MeshStandardMaterial({ roughness: 0.45, metalness: 0.05 });
       const leg = {
         body,
-        cylinderLength: least ? 0.92 * least : 0.6 * home,
         group: new Group(),
         cylinder: new Mesh(shared.cylinder, body),
         collar: new Mesh(shared.collar, body),
@@ -297,7 +254,7 @@ export class Machine {
     const s = this.size;
     this.ghost = new Group();
     this.ghostTop = posed(new Group());
-    const geometry = plate(outline(this.machine.top, 0.085 * s), 0.015 * s, 0.075 * s);
+    const geometry = plateOf(this.machine.top, THICK.ghost, s);
     this.ghostTop.add(
       new Mesh(geometry, this.material.ghost),
       new LineSegments(new EdgesGeometry(geometry, 20), this.material.ghostEdge),
@@ -369,7 +326,7 @@ export class Machine {
     const direction = new Vector3();
     legsOf(this.machine, pose).forEach(({ base, along, length }, index) => {
       const leg = this.legs[index];
-      const cylinder = Math.min(leg.cylinderLength, 0.96 * length);
+      const cylinder = cylinderLength(this.machine, index, length);
       const inside = Math.min(0.1 * this.size, cylinder);
       leg.group.visible = length > 0;
       leg.group.position.set(...base);
@@ -406,7 +363,7 @@ export class Machine {
   showPoses(poses) {
     this.poses.children.forEach((ghost) => ghost.traverse((part) => part.geometry?.dispose()));
     this.poses.clear();
-    const geometry = plate(outline(this.machine.top, 0.075 * this.size), 0.02 * this.size, 0.07 * this.size);
+    const geometry = plateOf(this.machine.top, THICK.top, this.size);
     const edges = new EdgesGeometry(geometry, 20);
     for (const pose of poses) {
       const { pose: face, poseEdge, otherEdge, poseLegs } = this.material;

@@ -1,6 +1,8 @@
 // The page: reads the data, shows the study chosen (or all), and drives scene, panel and curves by one clock.
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
+import "./drawing.css";
+import "./print.css";
 import { forceGradient, studyColor } from "./color.js";
 import { Curves } from "./curves.js";
 import { readStudies } from "./data.js";
@@ -10,8 +12,10 @@ import { bindKeys } from "./keys.js";
 import { Live } from "./live.js";
 import { compareNumbers, showNumbers } from "./numbers.js";
 import { Player } from "./player.js";
+import { bindPrint } from "./print.js";
 import { Reach } from "./reach.js";
 import { ComparisonPanel, StudyPanel } from "./recorded.js";
+import { DrawnScene } from "./drawn_scene.js";
 import { download, fileName } from "./save.js";
 import { Scene } from "./scene.js";
 import { Transport } from "./transport.js";
@@ -34,6 +38,7 @@ class Page {
     });
     this.choose(studies.length > 1 ? ALL : 0);
     bindKeys(this);
+    bindPrint(this);
     document.addEventListener("visibilitychange", () => this.live.hide(document.hidden));
     this.loop();
   }
@@ -43,24 +48,24 @@ class Page {
   openScene() {
     try {
       this.scene = new Scene(byId("view"));
-      byId("hint").textContent = "drag to turn · wheel to zoom";
-      this.scene.controls.addEventListener("start", () => (byId("hint").textContent = ""));
     } catch {
-      this.scene = null;
-      byId("view").prepend(
+      this.scene = new DrawnScene(byId("view"));
+      byId("view").classList.add("without");
+      byId("hint").after(
         element(
-          "div",
+          "p",
           { class: "no-webgl", "data-testid": "no-webgl", role: "status" },
-          element("strong", {}, "No picture of the machine: this browser does not provide WebGL."),
-          element(
-            "span",
-            {},
-            "Curves, numbers and the live run work without it. Most browsers need hardware acceleration switched on.",
-          ),
+          "Drawn by lines: this browser does not provide WebGL.",
         ),
       );
-      byId("view").classList.add("without");
     }
+    byId("hint").textContent = matchMedia("(pointer: coarse)").matches
+      ? "two fingers turn and zoom"
+      : "drag to turn · wheel to zoom";
+    this.scene.controls.addEventListener("start", () => (byId("hint").textContent = ""));
+    Object.entries({ tabindex: "0", role: "application", "aria-roledescription": "view of the machine" }).forEach(
+      ([name, value]) => this.scene.canvas.setAttribute(name, value),
+    );
   }
 
   // ---- what is chosen: a study, or all of them ----
@@ -187,27 +192,37 @@ class Page {
     return Math.max(...this.shown.map((study) => study.peakForce));
   }
 
+  /** What a leg's colour tells, and the ends of its scale. */
+  get scale() {
+    const { peak, shown } = this;
+    const whose = shown.some(({ machine }) => machine.legs_take_force)
+      ? "force of a drive"
+      : "force in a leg";
+    return {
+      whose: this.mixed ? `${whose}, of each study's greatest` : whose,
+      forceUnit: this.mixed ? "" : unitAfter(shown[0].unit("f1")),
+      ends: this.mixed
+        ? ["greatest pull", "greatest push"]
+        : [`pull ${number(-peak, 3)}`, `push ${number(peak, 3)}`],
+    };
+  }
+
+  /** The colours of the recorded run in words. */
+  legendWords() {
+    const { whose, forceUnit, ends } = this.scale;
+    return `Colour of a leg (${whose}): blue is ${ends[0]}${forceUnit}, pale no force, orange ${ends[1]}${forceUnit}.`;
+  }
+
   /** What the colours of the scene mean. */
   showLegend() {
-    const { peak, shown } = this;
     if (this.mode === "reach") {
       byId("legend").replaceChildren(...this.reach.legend());
       byId("legend").setAttribute("aria-label", byId("legend").textContent);
       return;
     }
-    const forceUnit = unitAfter(shown[0].unit("f1")).trim();
-    const whose = shown.some(({ machine }) => machine.legs_take_force)
-      ? "force of a drive"
-      : "force in a leg";
-    const ends = this.mixed
-      ? ["greatest pull", "greatest push"]
-      : [`pull ${number(-peak, 3)}`, `push ${number(peak, 3)}`];
+    const { whose, forceUnit, ends } = this.scale;
     byId("legend").replaceChildren(
-      element(
-        "span",
-        { class: "legend-title" },
-        `${whose}${this.mixed ? ", of each study's greatest" : forceUnit && ` [${forceUnit}]`}`,
-      ),
+      element("span", { class: "legend-title" }, `${whose}${forceUnit && ` [${forceUnit.trim()}]`}`),
       element("i", { class: "legend-bar", style: { background: forceGradient } }),
       element(
         "span",
@@ -217,31 +232,26 @@ class Page {
         element("b", {}, ends[1]),
       ),
     );
-    byId("legend").setAttribute(
-      "aria-label",
-      `Colour of a leg: blue is ${ends[0]}, pale no force, orange ${ends[1]}`,
-    );
+    byId("legend").setAttribute("aria-label", this.legendWords());
   }
 
   showScene() {
     const { peak, shown } = this;
     this.paths = shown.map((study) => study.run.path(study.machine.center_of_mass));
-    if (!this.scene) return;
-    this.scene.show(
-      shown.map((study, index) => ({
-        machine: study.machine,
-        peak: this.mixed ? study.peakForce : peak,
-        accent: shown.length > 1 ? studyColor(study.index) : null,
-        name: study.label,
-        run: this.paths[index].points,
-        plan: study.plan.path(study.machine.center_of_mass).points,
-      })),
-      this.mixed,
-    );
+    this.entries = shown.map((study, index) => ({
+      machine: study.machine,
+      peak: this.mixed ? study.peakForce : peak,
+      accent: shown.length > 1 ? studyColor(study.index) : null,
+      name: study.label,
+      run: this.paths[index].points,
+      plan: study.plan.path(study.machine.center_of_mass).points,
+    }));
+    this.scene.show(this.entries, this.mixed);
     for (const [part, visible] of Object.entries(this.switched)) this.scene.toggle(part, visible);
     this.scene.canvas.setAttribute(
       "aria-label",
-      `The machine in three dimensions: ${shown.map((study) => study.label).join("; ")}`,
+      `The machine in three dimensions: ${shown.map((study) => study.label).join("; ")}. Arrow keys turn the view, \
++ and − zoom, 1 to 5 are standard views.`,
     );
   }
 
@@ -291,7 +301,7 @@ class Page {
   }
 
   repaint() {
-    this.scene?.paint();
+    this.scene.paint();
     this.section.repaint();
     this.live?.repaint();
     this.reach?.repaint();
@@ -326,7 +336,7 @@ class Page {
           type: "button",
           title: "reset the view (r)",
           "data-testid": "reset-view",
-          onclick: () => this.scene?.resetView(),
+          onclick: () => this.scene.resetView(),
         },
         "reset view",
       ),
@@ -342,7 +352,6 @@ class Page {
         "PNG",
       ),
     );
-    if (!this.scene) byId("switches").hidden = true;
   }
 
   switchPart(part) {
@@ -350,12 +359,11 @@ class Page {
     byId("switches")
       .querySelector(`[data-part="${part}"]`)
       .setAttribute("aria-pressed", String(this.switched[part]));
-    this.scene?.toggle(part, this.switched[part]);
+    this.scene.toggle(part, this.switched[part]);
   }
 
   async savePicture() {
-    if (this.scene)
-      download(await this.scene.picture(), `${fileName(this.shown[0].label)}-machine.png`);
+    download(await this.scene.picture(), `${fileName(this.shown[0].label)}-machine.png`);
   }
 
   bindModes() {
@@ -386,7 +394,7 @@ class Page {
     byId("no-live").textContent = this.live.possible || !this.alone ? "" : this.live.reason;
     byId("stage").classList.toggle("live", live);
     byId("stage").classList.toggle("many", this.chosen === ALL);
-    if (live && this.scene) byId("hint").textContent = "take the load and pull";
+    if (live) byId("hint").textContent = "take the load and pull";
     byId("transport").hidden = live || reach;
     byId("strips").hidden = !live;
     byId("travels").hidden = !reach;
@@ -402,11 +410,11 @@ class Page {
       this.reach.start();
     } else {
       byId("fallen").hidden = true;
-      if (this.scene) this.showScenePaths();
+      this.showScenePaths();
       this.moved = true;
     }
     this.showLegend();
-    this.scene?.resize();
+    this.scene.resize();
   }
 
   showScenePaths() {
@@ -433,19 +441,22 @@ class Page {
     byId("clock").textContent = `t = ${fixed(time, this.transport.decimals)}${this.transport.unit}`;
     this.panel.show(time);
     this.section.setTime(time);
-    this.scene?.move(
-      this.shown.map((study, index) => {
-        const at = Math.min(time, study.lastTime);
-        return {
-          pose: study.run.rows ? study.run.pose(at) : study.home,
-          forces: FORCES.map((name) => (study.isOver(time) ? NaN : study.run.value(name, at))),
-          plan: study.plan.rows ? study.plan.pose(time) : null,
-          points: study.run.rows
-            ? Math.floor(study.run.at(at).row / this.paths[index].stride) + 1
-            : 0,
-        };
-      }),
-    );
+    this.scene.move(this.momentsAt(time));
+  }
+
+  /** Pose, forces, program and how much of the path is drawn of each study at a time. */
+  momentsAt(time) {
+    return this.shown.map((study, index) => {
+      const at = Math.min(time, study.lastTime);
+      return {
+        pose: study.run.rows ? study.run.pose(at) : study.home,
+        forces: FORCES.map((name) => (study.isOver(time) ? NaN : study.run.value(name, at))),
+        plan: study.plan.rows ? study.plan.pose(time) : null,
+        points: study.run.rows
+          ? Math.floor(study.run.at(at).row / this.paths[index].stride) + 1
+          : 0,
+      };
+    });
   }
 
   loop() {
@@ -457,7 +468,7 @@ class Page {
         this.player.advance(seconds);
         if (this.moved) this.show();
       } else if (this.mode === "live") this.live.frame();
-      if (this.scene?.draw(seconds) && !document.documentElement.dataset.firstPicture)
+      if (this.scene.draw(seconds) && !document.documentElement.dataset.firstPicture)
         document.documentElement.dataset.firstPicture = performance.now().toFixed(0);
       requestAnimationFrame(frame);
     };

@@ -63,10 +63,10 @@ export class Reach {
       });
       this.fromRun();
       this.worker.postMessage({ kind: "travel" });
-      if (this.page.scene)
+      if (this.page.scene.solid)
         this.worker.postMessage({ kind: "surface", azimuths: AZIMUTHS, rings: RINGS });
     }
-    this.page.scene?.machines[0].model.setPaths(null, null);
+    this.page.scene.machines[0].model.setPaths(null, null);
     this.show();
   }
 
@@ -74,10 +74,10 @@ export class Reach {
   stop() {
     if (!this.active) return;
     this.active = false;
-    const model = this.page.scene?.machines[0].model;
-    model?.showPoses([]);
-    model?.showSurface(null);
-    this.page.scene?.toggle("load", this.page.switched.load);
+    const { model } = this.page.scene.machines[0];
+    model.showPoses([]);
+    model.showSurface(null);
+    this.page.scene.toggle("load", this.page.switched.load);
   }
 
   /** Ends the thread, for another study takes its place. */
@@ -137,7 +137,7 @@ export class Reach {
           button("reach-run", "the pose of the recorded run at its time", "from the run", () =>
             this.fromRun(),
           ),
-          this.page.scene && this.surfaceButton,
+          this.page.scene.solid && this.surfaceButton,
         ),
         element("h3", {}, "Leg lengths"),
         this.sliders.map(({ node }) => node),
@@ -353,7 +353,6 @@ export class Reach {
     const { scene } = this.page;
     if (!this.active) return;
     byId("clock").textContent = "";
-    if (!scene) return;
     const { model } = scene.machines[0];
     // the load's ellipsoid would cover the ghosts
     scene.toggle("load", false);

@@ -12,28 +12,20 @@ import {
   LineSegments,
   Mesh,
   PCFShadowMap,
-  PerspectiveCamera,
-  Raycaster,
   Scene as Stage,
   ShadowMaterial,
-  Vector2,
   Vector3,
   WebGLRenderer,
 } from "three";
-import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { element, themed } from "./dom.js";
+import { arrange, extent, halfRow, riseOf } from "./arrange.js";
 import { LEGS } from "./color.js";
+import { element, themed } from "./dom.js";
+import { Eye } from "./eye.js";
 import { Machine } from "./machine.js";
 
-/** Where the reader stands at first: azimuth from x, elevation (radians). */
-const AZIMUTH = (-62 * Math.PI) / 180;
-const ELEVATION = (15 * Math.PI) / 180;
-const FIELD = 30;
 /** A picture that takes longer is slow; nothing but slow ones for so long is too much. Seconds. */
 const SLOW = 0.045;
 const PATIENCE = 2.5;
-/** Distance between machines side by side, in base radii. */
-const SPACING = 2.5;
 
 /** Lines on the ground that fade out, within `reach` of the origin. */
 function groundLines(size, reach) {
@@ -66,6 +58,7 @@ export class Scene {
   /** @param host element that the scene fills. Throws where there is no WebGL. */
   constructor(host) {
     this.host = host;
+    this.solid = true;
     if (!document.createElement("canvas").getContext("webgl2")) throw new Error("no WebGL");
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
     // asking a program whether it was linked waits until it is
@@ -73,24 +66,17 @@ export class Scene {
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.canvas = this.renderer.domElement;
-    this.canvas.setAttribute("role", "img");
     this.canvas.dataset.testid = "scene-canvas";
     this.labels = element("div", { class: "labels", "aria-hidden": "true" });
     host.prepend(this.canvas, this.labels);
     this.stage = new Stage();
-    this.camera = new PerspectiveCamera(FIELD, 1, 0.01, 1000);
-    this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.enableDamping = false;
-    this.controls.maxPolarAngle = 0.96 * Math.PI;
-    this.controls.addEventListener("change", () => this.invalidate());
-    this.raycaster = new Raycaster();
+    this.eye = new Eye(this.canvas, () => this.invalidate());
+    this.camera = this.eye.camera;
+    this.controls = this.eye.controls;
     this.machines = [];
-    this.follow = true;
     this.dirty = true;
     this.slow = 0;
     this.fineness = 1;
-    this.framed = { height: 0, factor: 1 };
     this.light();
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(host);
@@ -119,14 +105,15 @@ export class Scene {
       this.stage.remove(model.group);
       model.dispose();
     }
-    this.size = Math.max(...entries.map(({ machine }) => machine.base_radius));
-    const across = [-Math.sin(AZIMUTH), Math.cos(AZIMUTH)];
+    this.entries = entries;
+    this.room = arrange(entries, mixed, Eye.direction("first"));
+    this.size = this.room.size;
+    this.low = this.room.low;
     this.machines = entries.map((entry, index) => {
+      const { scale, shift } = this.room.places[index];
       const model = new Machine(entry.machine, entry.peak, entry.accent);
-      const scale = mixed ? this.size / entry.machine.base_radius : 1;
       model.group.scale.setScalar(scale);
-      const shift = (index - (entries.length - 1) / 2) * SPACING * this.size;
-      model.group.position.set(across[0] * shift, across[1] * shift, 0);
+      model.group.position.set(...shift);
       model.setPaths(entry.run, entry.plan);
       this.stage.add(model.group);
       return { model, entry, scale };
@@ -139,13 +126,6 @@ export class Scene {
 
   buildGround() {
     if (this.ground) this.stage.remove(this.ground);
-    this.low = Math.min(
-      ...this.machines.map(
-        ({ entry: { machine }, scale }) =>
-          scale *
-          (Math.min(...machine.base.map((joint) => joint[2])) - 0.112 * machine.base_radius),
-      ),
-    );
     this.lines = groundLines(0.5 * this.size, 6 + 3 * this.machines.length);
     this.shade = new Mesh(
       new CircleGeometry(20 * this.size, 48),
@@ -157,7 +137,7 @@ export class Scene {
     this.ground.position.z = this.low;
     this.stage.add(this.ground);
     const s = this.size;
-    const reach = (1.8 + 0.5 * SPACING * (this.machines.length - 1)) * s;
+    const reach = (1.8 + halfRow(this.machines.length)) * s;
     this.sun.position.set(1.6 * s, -1.2 * s, 5.2 * s);
     this.fill.position.set(-3 * s, 2 * s, 2 * s);
     const { camera } = this.sun.shadow;
@@ -229,77 +209,19 @@ export class Scene {
 
   /** The view that all machines at home fill. */
   resetView() {
-    const height = Math.max(
-      ...this.machines.map(
-        ({ entry, model, scale }) => scale * (entry.machine.height + model.rise) - 0.15 * this.size,
-      ),
-      0.4 * this.size,
-    );
-    const width = 2.5 * this.size + SPACING * this.size * (this.machines.length - 1);
-    const aspect = Math.max(this.camera.aspect, 0.3);
-    const half = Math.tan((FIELD * Math.PI) / 360);
-    const distance =
-      Math.max((0.5 * (height + 1.15 * this.size)) / half, (0.5 * width) / (half * aspect)) +
-      0.9 * this.size;
-    const target = new Vector3(0, 0, 0.5 * height - 0.02 * this.size);
-    const cosine = Math.cos(ELEVATION);
-    this.controls.target.copy(target);
-    this.camera.position.set(
-      distance * cosine * Math.cos(AZIMUTH),
-      distance * cosine * Math.sin(AZIMUTH),
-      target.z + distance * Math.sin(ELEVATION),
-    );
-    this.camera.near = 0.02 * this.size;
-    this.camera.far = 400 * this.size;
-    this.camera.updateProjectionMatrix();
-    this.controls.minDistance = 0.5 * this.size;
-    this.controls.maxDistance = 150 * this.size;
-    this.home = { height, factor: 1 };
-    this.framed = { height: 0, factor: 1 };
-    this.controls.update();
-    this.frame();
-    this.invalidate();
+    this.eye.fit(extent(this.entries, this.room));
   }
 
   /** Moves the machines: [{pose, forces, plan, points}] in order; keeps what has left the view's first frame within it. */
   move(moments) {
-    let rise = 0;
     moments.forEach(({ pose, forces, plan, points }, index) => {
-      const { model, entry, scale } = this.machines[index];
+      const { model } = this.machines[index];
       model.move(pose, forces);
       model.moveGhost(plan);
       if (points !== undefined) model.showPath(points);
-      const high = pose.position[2] - entry.machine.height;
-      const aside = Math.hypot(pose.position[0], pose.position[1]);
-      rise = Math.max(rise, scale * high - 0.35 * this.size, scale * aside - 0.6 * this.size);
     });
-    this.rise = Number.isFinite(rise) ? Math.min(rise, 100 * this.size) : 0;
-    this.frame();
+    this.eye.follow(riseOf(this.entries, this.room, moments));
     this.invalidate();
-  }
-
-  /** Steps back and looks higher as the tops rise, on top of the reader's own view. */
-  frame() {
-    if (!this.home || !this.follow) return;
-    const rise = Math.max(this.rise ?? 0, 0);
-    const wanted = {
-      height: 0.5 * rise,
-      factor: 1 + (0.8 * rise) / (this.home.height + 1.15 * this.size),
-    };
-    if (
-      Math.abs(wanted.height - this.framed.height) < 1e-9 &&
-      Math.abs(wanted.factor - this.framed.factor) < 1e-9
-    )
-      return;
-    const { target } = this.controls;
-    const offset = this.camera.position
-      .clone()
-      .sub(target)
-      .multiplyScalar(wanted.factor / this.framed.factor);
-    target.z += wanted.height - this.framed.height;
-    this.camera.position.copy(target).add(offset);
-    this.framed = wanted;
-    this.controls.update();
   }
 
   /** Shows or hides "ghost", "paths", "load", "labels". */
@@ -319,12 +241,9 @@ export class Scene {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (!width || !height) return;
-    const narrower = Math.abs(width / height - this.camera.aspect) > 0.05;
     this.renderer.setPixelRatio(this.fineness * Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
-    if (narrower && this.machines.length) this.resetView();
+    if (this.eye.proportion(width, height) && this.machines.length) this.resetView();
     this.invalidate();
   }
 
@@ -379,45 +298,10 @@ export class Scene {
 
   /** The point of a machine's moving part under the pointer, or null; in base axes. */
   pick(event) {
-    this.aim(event);
+    this.eye.aim(event);
     const { model } = this.machines[0];
-    const [hit] = this.raycaster.intersectObjects([model.platform, model.load], false);
+    const [hit] = this.eye.raycaster.intersectObjects([model.platform, model.load], false);
     return hit ? hit.point : null;
-  }
-
-  /** Where the pointer's ray meets the plane through `point` that faces the reader. */
-  facing(event, point) {
-    this.aim(event);
-    const normal = this.camera.getWorldDirection(new Vector3());
-    const { origin, direction } = this.raycaster.ray;
-    return direction
-      .clone()
-      .multiplyScalar(point.clone().sub(origin).dot(normal) / direction.dot(normal))
-      .add(origin);
-  }
-
-  /** The hand: the pointer's point in the plane through `centre` that faces the reader, and both on the screen. */
-  handAt(event, centre) {
-    const from = new Vector3(...centre);
-    const point = this.facing(event, from);
-    const box = this.canvas.getBoundingClientRect();
-    const seen = from.clone().project(this.camera);
-    return {
-      point: point.toArray(),
-      screen: [
-        [((seen.x + 1) * box.width) / 2, ((1 - seen.y) * box.height) / 2],
-        [event.clientX - box.left, event.clientY - box.top],
-      ],
-    };
-  }
-
-  aim(event) {
-    const box = this.canvas.getBoundingClientRect();
-    const pointer = new Vector2(
-      (2 * (event.clientX - box.left)) / box.width - 1,
-      1 - (2 * (event.clientY - box.top)) / box.height,
-    );
-    this.raycaster.setFromCamera(pointer, this.camera);
   }
 
   /** The picture as a PNG blob, on the theme's ground. */
