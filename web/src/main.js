@@ -2,6 +2,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import "./drawing.css";
+import "./access.css";
 import "./print.css";
 import { forceGradient, studyColor } from "./color.js";
 import { Curves } from "./curves.js";
@@ -59,13 +60,18 @@ class Page {
         ),
       );
     }
-    byId("hint").textContent = matchMedia("(pointer: coarse)").matches
-      ? "two fingers turn and zoom"
-      : "drag to turn · wheel to zoom";
+    byId("hint").textContent = this.turnHint;
     this.scene.controls.addEventListener("start", () => (byId("hint").textContent = ""));
     Object.entries({ tabindex: "0", role: "application", "aria-roledescription": "view of the machine" }).forEach(
       ([name, value]) => this.scene.canvas.setAttribute(name, value),
     );
+  }
+
+  /** How the view is turned, in words. */
+  get turnHint() {
+    return matchMedia("(pointer: coarse)").matches
+      ? "two fingers turn and zoom"
+      : "drag to turn · wheel to zoom";
   }
 
   // ---- what is chosen: a study, or all of them ----
@@ -394,7 +400,7 @@ class Page {
     byId("no-live").textContent = this.live.possible || !this.alone ? "" : this.live.reason;
     byId("stage").classList.toggle("live", live);
     byId("stage").classList.toggle("many", this.chosen === ALL);
-    if (live) byId("hint").textContent = "take the load and pull";
+    byId("hint").textContent = live ? "take the load and pull" : this.turnHint;
     byId("transport").hidden = live || reach;
     byId("strips").hidden = !live;
     byId("travels").hidden = !reach;

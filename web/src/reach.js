@@ -383,14 +383,15 @@ export class Reach {
       ["side", "other poses, sign of the determinant as at home"],
       ["side other", MIRRORED],
     ];
-    return [
+    const lines = [
       ...sides.map(([name, words]) => element("span", { class: "legend-line" }, element("i", { class: name }), words)),
-      element(
+      this.page.scene.solid && element(
         "span",
         { class: "legend-line" },
         "surface: where straight ways of the moved point end, in the colour of the leg that ends them",
       ),
     ];
+    return lines.filter(Boolean);
   }
 
   repaint() {

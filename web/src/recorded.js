@@ -87,7 +87,7 @@ export class PoseTable {
         element(
           "tr",
           {},
-          element("th", { scope: "col" }),
+          element("td", {}),
           element("th", { scope: "col" }, "actual"),
           element("th", { scope: "col" }, "off program"),
         ),
