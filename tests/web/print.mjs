@@ -11,6 +11,8 @@ const SIZES = { A4: [595, 842], Letter: [612, 792] };
 /** Dots of the rendered page per inch, and per point of the PDF. */
 const DPI = 72;
 
+const UNSEEN = { webgl: false };
+
 after(closeAll);
 
 /** Output of one of poppler's tools. */
@@ -81,6 +83,11 @@ const laidOut = (page) =>
           dash: line.getAttribute("stroke-dasharray"),
           points: numbersOf(line.getAttribute("d")),
         })),
+        names: [...svg.querySelectorAll(".end-name")].map((node) => ({
+          text: node.textContent,
+          x: Number(node.getAttribute("x")),
+        })),
+        limits: svg.querySelectorAll(".limit-word").length,
         size: Number(svg.getAttribute("font-size")),
         wide: Number(svg.getAttribute("viewBox").split(" ")[2]),
       };
@@ -150,7 +157,7 @@ for (const format of ["A4", "Letter"])
 
 test("lines on paper, read by the ticks, are those of the table", async () => {
   const { names, rows } = table("simulate", example("own-machine"));
-  const page = await open(report(example("own-machine")), { webgl: false });
+  const page = await open(report(example("own-machine")), UNSEEN);
   const { figures } = await laidOut(page);
   const height = 0.28;
   const columns = {
@@ -184,7 +191,7 @@ test("lines on paper, read by the ticks, are those of the table", async () => {
 });
 
 test("the six legs differ without colours, and text is at least 7 points high on half a page", async () => {
-  const page = await open(report(example("own-machine")), { webgl: false });
+  const page = await open(report(example("own-machine")), UNSEEN);
   const { figures } = await laidOut(page);
   const forces = figures.find(({ id }) => id === "forces");
   assert.equal(new Set(forces.lines.map(({ dash }) => dash)).size, 6);
@@ -196,14 +203,14 @@ test("the six legs differ without colours, and text is at least 7 points high on
 
 test("several studies, a run that ended, a zoomed range and the live part are printed", async () => {
   const three = ["paper-heave", "paper-perturbed", "paper-feedback"].map(example);
-  const several = await open(report(...three), { webgl: false });
+  const several = await open(report(...three), UNSEEN);
   await scrubTo(several, 340);
   const { pages } = await printed(several, "print-three", "A4");
   const all = pages.map(({ text }) => text).join(" ");
   for (const words of ["3 studies side by side", "The machines at t = 17.00", "The studies beside each other", "Figure 4"])
     assert.ok(all.includes(words), words);
   await several.close();
-  const ended = await open(report(example("paper-no-feedforward"), "--set", "control.stiffness=2"), { webgl: false });
+  const ended = await open(report(example("paper-no-feedforward"), "--set", "control.stiffness=2"), UNSEEN);
   await ended.evaluate(() => window.goughPage.section.range.set(2, 6));
   await byName(ended, "mode-live").click();
   const print = await printed(ended, "print-ended", "Letter");
@@ -214,4 +221,23 @@ test("several studies, a run that ended, a zoomed range and the live part are pr
   assert.deepEqual([Math.min(...times), Math.max(...times)], [2, 6]);
   assert.deepEqual(ended.said, []);
   await ended.close();
+});
+
+/** The study of own machine with limits that end it early, as a reader edits it. */
+const broken = () =>
+  report(example("own-machine"), "--set", "platform.legs={length: [0.27, 0.36], max_speed: 0.1, max_force: 15.5}");
+
+test("names are where lines end, also in a run that ended early, and limits in the picture have their word", async () => {
+  const page = await open(broken(), UNSEEN);
+  const { figures } = await laidOut(page);
+  const lengths = figures.find(({ id }) => id === "lengths");
+  const time = scaleBy(lengths.x, "abscissa");
+  assert.deepEqual(lengths.names.map(({ text }) => text).sort(), ["1", "2", "3", "4", "5", "6"]);
+  // the run ends at 2.548; names are 8 beside the ends of their lines
+  for (const { text, x } of lengths.names) {
+    const at = time(x - 8);
+    assert.ok(at > 2.5 && at < 2.56, `the name of leg ${text} is at ${at} s`);
+  }
+  assert.equal(lengths.limits, 2);
+  await page.close();
 });

@@ -187,30 +187,47 @@ function spread(ends, step, top, bottom) {
     members.forEach((end, k) => (end.at = middle + (k - 0.5 * (members.length - 1)) * step));
 }
 
-/** Names of lines at their right ends, moved apart where they would cover each other. */
+/** Where a line ends within the range of time: {line, x, y, place}; null without a point. */
+function endOf(figure, places, line, place) {
+  const { right, top, bottom } = places;
+  for (let k = line.y.length - 1; k >= 0; k--)
+    if (Number.isFinite(line.y[k]) && figure.x[k] <= figure.xRange[1] + 1e-9)
+      return {
+        line,
+        place,
+        x: Math.min(places.x(figure.x[k]), right),
+        y: Math.min(Math.max(places.y(line.y[k]), top), bottom),
+      };
+  return null;
+}
+
+/** Names of lines at their ends, moved apart where they would cover each other. A run that ended early ends within the figure. */
 function endNames(figure, places) {
-  const { sheet, right, top, bottom } = places;
-  const step = 0.95 * sheet.font;
-  const ends = figure.lines
-    .map((line) => {
-      for (let k = line.y.length - 1; k >= 0; k--)
-        if (Number.isFinite(line.y[k]) && figure.x[k] <= figure.xRange[1] + 1e-9)
-          return { line, y: Math.min(Math.max(places.y(line.y[k]), top), bottom) };
-      return null;
-    })
-    .filter(Boolean)
-    .sort((a, b) => a.y - b.y);
-  spread(ends, step, top, bottom);
-  return ends.map(({ line, y, at }) => [
+  const { sheet, top, bottom } = places;
+  const ends = figure.lines.map((line, k) => endOf(figure, places, line, k)).filter(Boolean);
+  // lines that look the same have their names in order
+  const row = ({ y }) => Math.round(y);
+  ends.sort((a, b) => row(a) - row(b) || a.place - b.place);
+  const columns = new Set(ends.map(({ x }) => Math.round(x)));
+  for (const column of columns)
+    spread(ends.filter(({ x }) => Math.round(x) === column), 0.95 * sheet.font, top, bottom);
+  return ends.map(({ line, x, y, at }) => [
     drawing("path", {
-      d: `M${right} ${y.toFixed(1)}L${right + 6} ${at.toFixed(1)}`,
+      d: `M${x.toFixed(1)} ${y.toFixed(1)}L${(x + 6).toFixed(1)} ${at.toFixed(1)}`,
       stroke: sheet.tint(line.color),
       "stroke-width": 0.7,
       fill: "none",
     }),
-    words(right + 8, at + 0.35 * sheet.font, line.label, { class: "end-name" }),
+    words(x + 8, at + 0.35 * sheet.font, line.label, { class: "end-name" }),
   ]);
 }
+
+/** The word at the lines of limits, which dashes alone do not tell from those of legs. */
+const limitWords = (figure, { left, top, bottom, y }) =>
+  (figure.limits ?? [])
+    .map(({ value, beyond }) => ({ at: y(value), side: beyond > 0 ? 10 : -4 }))
+    .filter(({ at }) => at >= top && at <= bottom)
+    .map(({ at, side }) => words(left + 4, at + side, "limit", { class: "limit-word" }));
 
 /** Names of both axes. */
 function axisNames(figure, places) {
@@ -293,6 +310,7 @@ export function printedSvg(figure, id, wide) {
     plot(drawn, places, `printed-${id}`),
     legend.nodes,
     named ? endNames(drawn, places) : [],
+    limitWords(drawn, places),
     axisNames(drawn, places),
   );
 }
