@@ -64,6 +64,10 @@ GOUGH_API bool gough_csv_line(gough_piece *rest, gough_piece *line);
  *  @return false, with nothing written, after the last cell. Safe to call concurrently. */
 GOUGH_API bool gough_csv_cell(gough_piece *line, gough_piece *cell);
 
+/** The same for a line whose cells are separated by another character: a semicolon, a tab, or with ' ' any number of blanks and
+ *  tabs, which may also stand before the first cell and after the last. Safe to call concurrently. */
+GOUGH_API bool gough_csv_cell_by(gough_piece *line, char separator, gough_piece *cell);
+
 /** Whether nothing but line ends is left, as editors leave them at the end of a file. Safe to call concurrently. */
 GOUGH_API bool gough_csv_ended(gough_piece rest);
 

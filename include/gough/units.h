@@ -110,6 +110,14 @@ GOUGH_API const char *gough_unit_word(const gough_units *units, gough_unit unit)
  *  @param error  as a function of the library filled it */
 GOUGH_API void gough_error_say(gough_error *error, const gough_units *units);
 
+/** Reads the name of a unit as records have it: those of gough_unit_choice(), more that instruments write (cm, degree, second, min,
+ *  g, Gal …), and what is composed of them (m/s, deg/s, mm/s2, m/s^2), in letters of either case.
+ *  @param word,length  need not be terminated
+ *  @param[out] unit    a length, an angle, a time, or a speed or acceleration of these. Written only if the name is known
+ *  @param[out] size    one of it in SI and radians, accurate to a few roundings; likewise
+ *  @return false if there is no such unit. Safe to call concurrently. */
+GOUGH_API bool gough_unit_named(const char *word, size_t length, gough_unit *unit, double *size);
+
 /** The unit that the table of fields calls so: "force/length", "angle [degrees]" …; GOUGH_UNIT_NONE for "" and any other. */
 GOUGH_API gough_unit gough_unit_of_field(const char *unit);
 

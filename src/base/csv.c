@@ -3,7 +3,9 @@
 
 #include "gough/text.h"
 
-static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+static bool is_blank(char c, char separator) {
+    return (c == ' ' || c == '\t') && (c != separator || separator == ' ');
+}
 
 bool gough_csv_line(gough_piece *rest, gough_piece *line) {
     const size_t left = (size_t)(rest->end - rest->begin);
@@ -27,16 +29,34 @@ static const char *after_quotes(const char *at, const char *end) {
     return at;
 }
 
-bool gough_csv_cell(gough_piece *line, gough_piece *cell) {
+/* Where a cell ends: at its separator, or with blanks between cells at the first of them. */
+static const char *cell_end(const char *at, const char *end, char separator) {
+    if (separator != ' ') {
+        const char *found = at < end ? memchr(at, separator, (size_t)(end - at)) : NULL;
+        return found ? found : end;
+    }
+    while (at < end && !is_blank(*at, ' ')) at++;
+    return at;
+}
+
+bool gough_csv_cell_by(gough_piece *line, char separator, gough_piece *cell) {
     const char *from = line->begin, *end = line->end;
     if (!from) return false;
-    while (from < end && is_blank(*from)) from++;
+    while (from < end && is_blank(*from, separator)) from++;
     const char *at = from < end && *from == '"' ? after_quotes(from, end) : from;
-    const char *comma = at < end ? memchr(at, ',', (size_t)(end - at)) : NULL;
-    *cell = (gough_piece){from, comma ? comma : end};
-    line->begin = comma ? comma + 1 : NULL;
-    while (cell->end > cell->begin && is_blank(cell->end[-1])) cell->end--;
+    const char *stop = cell_end(at, end, separator), *next = stop;
+    if (separator == ' ')
+        while (next < end && is_blank(*next, ' ')) next++;
+    *cell = (gough_piece){from, stop};
+    line->begin = next == end && (separator == ' ' || stop == end) ? NULL
+                  : separator == ' '                               ? next
+                                                                   : stop + 1;
+    while (cell->end > cell->begin && is_blank(cell->end[-1], separator)) cell->end--;
     return true;
+}
+
+bool gough_csv_cell(gough_piece *line, gough_piece *cell) {
+    return gough_csv_cell_by(line, ',', cell);
 }
 
 bool gough_csv_ended(gough_piece rest) {

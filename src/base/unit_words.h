@@ -16,6 +16,25 @@
     NEXT("rad", 1, a, b) NEXT("mrad", 1e-3, a, b) NEXT("arcsec", UNIT_DEGREE / 3600, a, b)
 #define TIMES(FIRST, NEXT, a, b) FIRST("s", 1, a, b) NEXT("ms", 1e-3, a, b)
 
+/* what records call units besides: those above by other names, and some that a study does not choose. Gal is cm/s² */
+#define LENGTHS_OF_RECORDS(W)                                                                      \
+    W("metre", 1)                                                                                  \
+    W("metres", 1)                                                                                 \
+    W("meter", 1)                                                                                  \
+    W("meters", 1) W("cm", 1e-2) W("km", 1e3) W("\u00b5m", 1e-6) W("\u03bcm", 1e-6)                \
+        W("inch", 0.0254) W("inches", 0.0254) W("feet", 0.3048)
+#define ANGLES_OF_RECORDS(W)                                                                       \
+    W("degree", UNIT_DEGREE)                                                                       \
+    W("degrees", UNIT_DEGREE)                                                                      \
+    W("\u00b0", UNIT_DEGREE) W("radian", 1) W("radians", 1) W("arcmin", UNIT_DEGREE / 60)
+#define TIMES_OF_RECORDS(W)                                                                        \
+    W("sec", 1)                                                                                    \
+    W("secs", 1)                                                                                   \
+    W("second", 1)                                                                                 \
+    W("seconds", 1) W("msec", 1e-3) W("millisecond", 1e-3) W("milliseconds", 1e-3) W("us", 1e-6)   \
+        W("\u00b5s", 1e-6) W("\u03bcs", 1e-6) W("ns", 1e-9) W("min", 60) W("h", 3600)
+#define ACCELERATIONS_OF_RECORDS(W) W("g", 9.80665) W("mg", 9.80665e-3) W("gal", 1e-2)
+
 #define UNIT_DEGREE (3.14159265358979323846 / 180)
 
 /* "m, mm, um, in, ft" */

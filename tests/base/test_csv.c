@@ -105,7 +105,42 @@ START_TEST(an_open_quote_swallows_nothing) {
 }
 END_TEST
 
+/* the same cells behind other separators; blanks stand for one, wherever they are */
+START_TEST(cells_are_apart_by_what_is_asked_for) {
+    static const struct {
+        char separator;
+        const char *line;
+        int cells;
+        const char *cell[4];
+    } lines[] = {
+        {';', "a; b c ;\"d;e\"", 3, {"a", "b c", "\"d;e\""}},
+        {';', "1,5;2", 2, {"1,5", "2"}},
+        {';', "a;", 2, {"a", ""}},
+        {'\t', "a\t b\t\tc", 4, {"a", "b", "", "c"}},
+        {'\t', "\t", 2, {"", ""}},
+        {' ', "  a  b\t c ", 3, {"a", "b", "c"}},
+        {' ', "\"a b\" c", 2, {"\"a b\"", "c"}},
+        {' ', "a", 1, {"a"}},
+        {' ', "  ", 1, {""}},
+        {' ', "", 1, {""}},
+    };
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        gough_piece line = {lines[i].line, lines[i].line + strlen(lines[i].line)}, cell;
+        for (int c = 0; c < lines[i].cells; c++) {
+            const char *expected = lines[i].cell[c];
+            ck_assert_msg(gough_csv_cell_by(&line, lines[i].separator, &cell), "%zu", i);
+            ck_assert_msg((size_t)(cell.end - cell.begin) == strlen(expected) &&
+                              memcmp(cell.begin, expected, strlen(expected)) == 0,
+                          "%zu: '%.*s' instead of '%s'", i, (int)(cell.end - cell.begin),
+                          cell.begin, expected);
+        }
+        ck_assert_msg(!gough_csv_cell_by(&line, lines[i].separator, &cell), "%zu has more", i);
+    }
+}
+END_TEST
+
 int main(void) {
-    return SUITE_RUN("base/csv", 60, what_was_written_is_read, ends_are_those_of_the_text,
-                     the_last_line_needs_no_end, an_open_quote_swallows_nothing);
+    return SUITE_RUN("base/csv", 60, cells_are_apart_by_what_is_asked_for, what_was_written_is_read,
+                     ends_are_those_of_the_text, the_last_line_needs_no_end,
+                     an_open_quote_swallows_nothing);
 }

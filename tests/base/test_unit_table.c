@@ -255,10 +255,56 @@ START_TEST(a_long_sentence_stays_in_its_room) {
 }
 END_TEST
 
+/* as records have them, in letters of either case */
+START_TEST(units_of_records_have_their_sizes) {
+    const double degree = 3.14159265358979323846 / 180;
+    const struct {
+        const char *word;
+        gough_unit unit;
+        double size;
+    } known[] = {
+        {"m", GOUGH_UNIT_LENGTH, 1},
+        {"MM", GOUGH_UNIT_LENGTH, 1e-3},
+        {"cm", GOUGH_UNIT_LENGTH, 1e-2},
+        {"\u00b5m", GOUGH_UNIT_LENGTH, 1e-6},
+        {"feet", GOUGH_UNIT_LENGTH, 0.3048},
+        {"Degrees", GOUGH_UNIT_ANGLE, degree},
+        {"\u00b0", GOUGH_UNIT_ANGLE, degree},
+        {"rad", GOUGH_UNIT_ANGLE, 1},
+        {"S", GOUGH_UNIT_TIME, 1},
+        {"msec", GOUGH_UNIT_TIME, 1e-3},
+        {"min", GOUGH_UNIT_TIME, 60},
+        {"g", GOUGH_UNIT_ACCELERATION, 9.80665},
+        {"Gal", GOUGH_UNIT_ACCELERATION, 0.01},
+        {"mm/s", GOUGH_UNIT_SPEED, 1e-3},
+        {"deg/ms", GOUGH_UNIT_ANGULAR_SPEED, degree * 1e3},
+        {"cm/s2", GOUGH_UNIT_ACCELERATION, 1e-2},
+        {"m/s^2", GOUGH_UNIT_ACCELERATION, 1},
+        {"m/s\u00b2", GOUGH_UNIT_ACCELERATION, 1},
+        {"m/s/s", GOUGH_UNIT_ACCELERATION, 1},
+        {"rad/s^2", GOUGH_UNIT_ANGULAR_ACCELERATION, 1},
+    };
+    static const char *const unknown[] = {"",      "x",   "m/",  "/s",  "m/m",    "s/s",
+                                          "N",     "g/s", "m2",  "m/2", "m/s/ms", "m/s^3",
+                                          "m/s//", "kg",  "m s", "m/s "};
+    gough_unit unit;
+    double size;
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        ck_assert_msg(gough_unit_named(known[i].word, strlen(known[i].word), &unit, &size), "%s",
+                      known[i].word);
+        ck_assert_msg(unit == known[i].unit && fabs(size / known[i].size - 1) <= 1e-15, "%s",
+                      known[i].word);
+    }
+    for (size_t i = 0; i < sizeof unknown / sizeof unknown[0]; i++)
+        ck_assert_msg(!gough_unit_named(unknown[i], strlen(unknown[i]), &unit, &size), "%s",
+                      unknown[i]);
+}
+END_TEST
+
 int main(void) {
-    return SUITE_RUN("base/unit_table", 30, each_word_has_its_size,
-                     a_word_of_another_unit_changes_nothing, thousandths_keep_their_digits,
-                     composed_units_have_their_names_and_factors,
+    return SUITE_RUN("base/unit_table", 30, units_of_records_have_their_sizes,
+                     each_word_has_its_size, a_word_of_another_unit_changes_nothing,
+                     thousandths_keep_their_digits, composed_units_have_their_names_and_factors,
                      every_combination_is_named_by_its_words, powers_follow_the_choice_of_force,
                      a_struct_of_another_size_is_refused, marks_are_not_part_of_a_sentence,
                      sentences_are_written_in_units, numbers_of_a_part_are_carried,
