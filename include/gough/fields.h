@@ -48,6 +48,9 @@ typedef enum gough_shape {
     GOUGH_SHAPE_AIMS,           /**< one of the words in the range, or a mapping */
     GOUGH_SHAPE_DRIVES,         /**< a mapping for all legs, or one for each */
     GOUGH_SHAPE_RANGE_OR_SIX,   /**< as GOUGH_SHAPE_RANGE for all legs, or one for each */
+    GOUGH_SHAPE_SAMPLES,        /**< path of a file, or a mapping */
+    GOUGH_SHAPE_COLUMN,         /**< name or number of a column, or a mapping */
+    GOUGH_SHAPE_COLUMNS,        /**< a mapping of names to columns */
     GOUGH_SHAPE_GAINS /**< as GOUGH_SHAPE_NUMBER_OR_SIX, or a matrix of six rows of any six
                                      numbers: [leg that pushes][leg whose error it is] */
 } gough_shape;

@@ -19,7 +19,7 @@ extern "C" {
 #endif
 
 enum {
-    GOUGH_REMARKS = 24,      /**< at most about one record */
+    GOUGH_REMARKS = 32,      /**< at most about one record */
     GOUGH_REMARK_TEXT = 400, /**< bytes of a sentence, its end included */
 };
 
@@ -103,6 +103,56 @@ enum {
  *  @return words to follow "is", such as "a table of results in HDF5, which `gough plot` draws"; NULL if the file is of a wanted
  *  kind, of no kind that gough reads or writes, or not a regular file. The words live as long as the program. */
 GOUGH_API const char *gough_input_kind(int file, unsigned wanted);
+
+/** One column of a file of recorded motion. */
+typedef struct gough_motion_column {
+    const char *name; /**< as the file has it, without quotes; "" if no row names it */
+    const char *unit; /**< beside the name or below it, "" if none */
+    const char *
+        quantity; /**< "t", "heave", "qw", "r11" …: what the mapping below takes it for; "" if it leaves it out */
+    bool certain; /**< the name and unit leave no doubt about that */
+    size_t
+        numbers; /**< rows in which it has a number; what follows is of these, in the unit of the file, NaN if none */
+    double least;    /**< least number */
+    double greatest; /**< greatest number */
+    double
+        step; /**< step in which its numbers are written, the largest if steps differ; 0: none found */
+    double
+        acceleration; /**< that rounding to this step can make, per square of the unit of the times; NaN without times */
+    double jump;     /**< greatest change from a row to the next */
+    size_t jump_row; /**< the later of these rows, from 1; 0 if nothing changes */
+} gough_motion_column;
+
+/** What a file of recorded motion is, for whoever writes the mapping of `motion.samples`. */
+typedef struct gough_motion_file {
+    size_t rows;                       /**< of numbers */
+    size_t columns;                    /**< of the file */
+    const gough_motion_column *column; /**< each of them */
+    char separator; /**< a comma, a semicolon, a tab, or ' ' for blanks and tabs */
+    char decimal;   /**< '.' or ',' */
+    bool named;     /**< a row names the columns */
+    size_t first;   /**< line of the first row of numbers, from 1 */
+    size_t time;    /**< column of the times, from 1; 0: none is known */
+    double
+        interval; /**< time between two rows, NaN without times; all times in the unit of the file */
+    double time_step; /**< step in which the times are written; 0: none found */
+    bool even;    /**< rows are at whole multiples of the interval, but for rounding of the times */
+    bool certain; /**< a bare file name is enough; else the mapping is a proposal */
+    const char *mapping; /**< value of `motion.samples` as one line of YAML */
+    void *memory_;       /**< private */
+} gough_motion_file;
+
+/** Reads a file of recorded motion and describes it. At most 2 000 000 rows; it takes the memory of all numbers of the file and
+ *  half as much besides.
+ *  @param path  a regular file; the mapping names it so
+ *  @param[out] file      set on GOUGH_OK only; free with gough_motion_file_free()
+ *  @param[out] messages  as from gough_study_read()
+ *  @return as gough_study_read() */
+GOUGH_API gough_status gough_motion_file_read(const char *path, gough_motion_file **file,
+                                              char **messages);
+
+/** Frees a description; NULL is ignored. */
+GOUGH_API void gough_motion_file_free(gough_motion_file *file);
 
 /** Reads, checks and prepares a study.
  *

@@ -67,6 +67,8 @@ static const struct {
     SIZE_OF(gough_mode),
     SIZE_OF(gough_model),
     SIZE_OF(gough_motion),
+    SIZE_OF(gough_motion_column),
+    SIZE_OF(gough_motion_file),
     SIZE_OF(gough_move),
     SIZE_OF(gough_multiplier),
     SIZE_OF(gough_noise),

@@ -32,6 +32,9 @@
 #define TYPE_SWEPT "mapping of paths"
 #define TYPE_VARIED "mapping of paths"
 #define TYPE_AIMS "choice or mapping"
+#define TYPE_SAMPLES "file or mapping"
+#define TYPE_COLUMN "column or mapping"
+#define TYPE_COLUMNS "mapping of columns"
 
 #define BOUND(text, rule, least, greatest, open)                                                   \
     .range = text, .bound = {rule, least, greatest, open}
@@ -76,6 +79,11 @@
 #define BOUND_SMOOTH WORDS("rounding, none")
 #define BOUND_COMBINE WORDS("product, zip")
 #define BOUND_SCALE WORDS("lin, log")
+#define BOUND_SKIP BOUND("0 to 100000", "a whole number from 0 to 100000", 0, 1e5, false)
+#define BOUND_SEPARATOR WORDS("comma, semicolon, tab, blanks")
+#define BOUND_DECIMAL WORDS("point, comma")
+#define BOUND_FIRST WORDS("first")
+#define BOUND_ROTATION WORDS("angles, quaternion, matrix")
 #define BOUND_AIMS WORDS("force, stroke, speed, footprint")
 
 /* ---- the table ---- */

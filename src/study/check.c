@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "study/chosen_units.h"
+#include "study/record_keys.h"
 #include "study/value.h"
 
 static void check_mapping(study_messages *messages, study_node *node, const char *parent);
@@ -305,6 +306,56 @@ static void check_drives(study_messages *messages, study_node *node, const gough
         study_say_shape(messages, node, study_shape_phrase(key->shape));
 }
 
+/* A column of a record: its name or number, or a mapping with keys of the path `parent`. */
+static void check_column(study_messages *messages, study_node *node, const char *parent) {
+    if (node->kind == STUDY_MAPPING && node->count > 0)
+        check_mapping(messages, node, parent);
+    else if (node->kind == STUDY_SCALAR && node->length > 0)
+        study_check_text(messages, node, GOUGH_SHAPE_FILE);
+    else
+        study_say_shape(messages, node, study_shape_phrase(GOUGH_SHAPE_COLUMN));
+}
+
+/* The columns of a record by what they are. */
+static void check_columns(study_messages *messages, study_node *node) {
+    const char *names[STUDY_QUANTITIES];
+    for (int q = 0; q < STUDY_QUANTITIES; q++) names[q] = study_quantity_name(q);
+    if (node->kind != STUDY_MAPPING || node->count == 0) {
+        study_say_shape(messages, node, study_shape_phrase(GOUGH_SHAPE_COLUMNS));
+        return;
+    }
+    for (study_node *column = node->first; column; column = column->next) {
+        const study_node *first = study_node_child(node, column->key->text);
+        if (study_quantity_of(column->key->text) < 0) {
+            const char *nearest = study_nearest(column->key->text, names, STUDY_QUANTITIES);
+            study_node_say(messages, column, study_node_place(column, true),
+                           "unknown key `%s`; %s%s%s",
+                           study_quote(messages->arena, column->key->text, column->key->length),
+                           nearest ? "did you mean `" : "known here: ",
+                           nearest ? nearest : join(messages->arena, names, STUDY_QUANTITIES),
+                           nearest ? "`?" : "");
+        } else if (first != column) {
+            say_duplicate(messages, column, first);
+        } else {
+            check_column(messages, column, "motion.samples.columns.KEY");
+        }
+    }
+}
+
+/* A file or column alone, or a mapping about it. */
+static void check_record(study_messages *messages, study_node *node, const gough_key *key) {
+    if (key->shape == GOUGH_SHAPE_COLUMNS)
+        check_columns(messages, node);
+    else if (key->shape == GOUGH_SHAPE_COLUMN)
+        check_column(messages, node, key->path);
+    else if (node->kind == STUDY_MAPPING && node->count > 0)
+        check_mapping(messages, node, key->path);
+    else if (node->kind == STUDY_SCALAR && node->length > 0)
+        study_check_text(messages, node, GOUGH_SHAPE_FILE);
+    else
+        study_say_shape(messages, node, study_shape_phrase(key->shape));
+}
+
 static void check_value(study_messages *messages, study_node *node, const gough_key *key) {
     const char *phrase = study_shape_phrase(key->shape);
     const bool single = node->kind == STUDY_SCALAR && node->length > 0;
@@ -334,6 +385,11 @@ static void check_value(study_messages *messages, study_node *node, const gough_
     case GOUGH_SHAPE_CHOICE:
         if (!study_units_check(messages, node, key->path))
             study_check_choice(messages, node, key->range);
+        break;
+    case GOUGH_SHAPE_SAMPLES:
+    case GOUGH_SHAPE_COLUMN:
+    case GOUGH_SHAPE_COLUMNS:
+        check_record(messages, node, key);
         break;
     case GOUGH_SHAPE_SWEPT:
         check_swept(messages, node);

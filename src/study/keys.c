@@ -47,6 +47,11 @@ const char *study_shape_phrase(gough_shape shape) {
         [GOUGH_SHAPE_VARIED] = "a mapping such as {platform.top.radius: [0.8, 1.9]}",
         [GOUGH_SHAPE_AIMS] =
             "force, stroke, speed, footprint or a mapping such as {force: 1, stroke: 0.5}",
+        [GOUGH_SHAPE_SAMPLES] =
+            "the name of a file or a mapping such as {file: log.csv, columns: {heave: 2}}",
+        [GOUGH_SHAPE_COLUMN] =
+            "the name or number of a column or a mapping such as {column: 2, unit: mm}",
+        [GOUGH_SHAPE_COLUMNS] = "a mapping such as {heave: {column: 2, unit: mm}}",
     };
     return phrases[shape];
 }

@@ -53,7 +53,7 @@ void study_say(study_messages *messages, gough_status status, study_place place,
         messages->left_out++;
         return;
     }
-    char sentence[1200];
+    char sentence[4000]; /* all columns of a record are named at once */
     va_list arguments;
     va_start(arguments, format);
     gough_sentence(sentence, sizeof sentence, format, arguments);
@@ -98,7 +98,7 @@ static size_t count_characters(const char *text, size_t length) {
 
 void study_place_find(study_place place, size_t *line, size_t *column) {
     size_t begin = line_begin(place);
-    *line = 1;
+    *line = 1 + place.source->lines;
     for (size_t i = 1; i <= begin; i++)
         if (line_ends_before(place.source, i)) ++*line;
     if (begin == 0 && mark_length(place.source) <= place.offset) begin = mark_length(place.source);
@@ -160,7 +160,9 @@ static int compare(const void *left, const void *right) {
     const study_message *a = *(study_message *const *)left, *b = *(study_message *const *)right;
     const int rank_a = a->place.source->rank, rank_b = b->place.source->rank;
     if (rank_a != rank_b) return rank_a < rank_b ? -1 : 1;
-    if (a->place.offset != b->place.offset) return a->place.offset < b->place.offset ? -1 : 1;
+    const size_t at_a = a->place.source->bytes + a->place.offset,
+                 at_b = b->place.source->bytes + b->place.offset;
+    if (at_a != at_b) return at_a < at_b ? -1 : 1;
     return (a->order > b->order) - (a->order < b->order);
 }
 

@@ -14,6 +14,8 @@ typedef struct study_source {
     size_t length;
     int rank;     /* messages come by rank, then by offset */
     bool setting; /* its name is the whole place, without line and column */
+    size_t lines; /* of the file, before the text */
+    size_t bytes; /* likewise */
 } study_source;
 
 typedef struct study_place {

@@ -95,21 +95,30 @@ static gough_order read_order(const study_node *motion) {
     return order && !order->wrong && strcmp(order->text, "xyz") == 0 ? GOUGH_XYZ : GOUGH_ZYX;
 }
 
-static void build_samples(study_build *build, const study_node *motion, study_node *file) {
+/* The file of samples, and what the study says about it. Keys of motion that are beside a bare name are inside a mapping. */
+static void build_samples(study_build *build, const study_node *motion, study_node *samples) {
     study_messages *messages = build->messages;
+    const bool mapping = samples->kind == STUDY_MAPPING;
+    study_node *file = mapping ? study_node_child(samples, "file") : samples;
+    if (!file) return;
     const char *folder = file->text[0] == '/' ? "" : build->folder;
-    const size_t length = strlen(folder);
+    const size_t length = strlen(folder), before = messages->count;
     char *path = study_arena_take(messages->arena, length + file->length + 1);
     if (!path) return;
     memcpy(path, folder, length);
     memcpy(path + length, file->text, file->length);
     build->samples_path = path;
-    study_recording recording = {.smoothing = read_smoothing(motion),
+    const gough_order order = read_order(motion);
+    study_recording recording = {.smoothing = read_smoothing(mapping ? samples : motion),
                                  .units = build->study->units,
-                                 .order = read_order(motion),
+                                 .order = order,
+                                 .keys = mapping ? study_record_keys_read(messages, samples, order)
+                                                 : study_record_keys_none(samples, order),
+                                 .file = file->text,
                                  .record = build->record,
                                  .samples = &build->study->model->motion.samples};
-    study_samples_read(messages, study_node_place(file, false), path, &recording);
+    if (messages->count == before)
+        study_samples_read(messages, study_node_place(file, false), path, &recording);
     build->samples = recording.memory;
     if (build->samples)
         build->study->record = build->record;
@@ -118,16 +127,32 @@ static void build_samples(study_build *build, const study_node *motion, study_no
 }
 
 /* Smoothing is for records, and by one rule. */
-static void check_smoothing(study_build *build, const study_node *motion) {
+static void check_smoothing(study_build *build, const study_node *motion, const char *path) {
+    study_node *smooth = study_node_child(motion, "smooth");
+    study_node *cutoff = study_node_child(motion, "cutoff");
+    if (smooth && cutoff)
+        study_node_say(build->messages, cutoff, study_node_place(cutoff, true),
+                       "`%s` has both `cutoff` and `smooth`; give only one of them", path);
+    if (smooth && !smooth->wrong && smooth->kind == STUDY_MAPPING && !smooth->first)
+        study_say_shape(build->messages, smooth, study_shape_phrase(GOUGH_SHAPE_SMOOTH));
+}
+
+/* Keys of smoothing beside the samples. */
+static void check_place(study_build *build, const study_node *motion) {
     study_node *smooth = study_node_child(motion, "smooth");
     study_node *cutoff = study_node_child(motion, "cutoff");
     study_node *either = smooth ? smooth : cutoff;
-    if (smooth && cutoff)
-        study_node_say(build->messages, cutoff, study_node_place(cutoff, true),
-                       "`motion` has both `cutoff` and `smooth`; give only one of them");
-    if (smooth && !smooth->wrong && smooth->kind == STUDY_MAPPING && !smooth->first)
-        study_say_shape(build->messages, smooth, study_shape_phrase(GOUGH_SHAPE_SMOOTH));
-    if (either && !study_node_child(motion, "samples") && !study_node_meant(motion, "samples"))
+    const study_node *samples = study_node_child(motion, "samples");
+    check_smoothing(build, motion, "motion");
+    if (samples && samples->kind == STUDY_MAPPING) {
+        check_smoothing(build, samples, "motion.samples");
+        if (either)
+            study_node_say(build->messages, either, study_node_place(either, true),
+                           "`motion.%s` is for a bare file name; write it into the mapping, as "
+                           "`motion.samples.%s`",
+                           either->key->text, either->key->text);
+    }
+    if (either && !samples && !study_node_meant(motion, "samples"))
         study_node_say(build->messages, either, study_node_place(either, true),
                        "`motion.%s` smooths recorded motion, but there is no `motion.samples`",
                        either->key->text);
@@ -142,7 +167,7 @@ bool study_motion_build(study_build *build) {
     if (node->kind != STUDY_MAPPING || !find_kind(build, node, &motion->kind)) return false;
     study_node *samples = study_node_child(node, "samples");
     study_node *moves = study_node_child(node, "moves");
-    check_smoothing(build, node);
+    check_place(build, node);
     if (samples && !samples->wrong) build_samples(build, node, samples);
     if (moves && !moves->wrong) build_moves(build, moves);
     study_part_read(build->study, build->root, GOUGH_PART_MOTION);

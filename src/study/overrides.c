@@ -19,7 +19,7 @@ static study_source *source_of(study_arena *arena, const gough_setting *setting,
     text[key] = '=';
     memcpy(text + key + 1, setting->value, value);
     sprintf(name, "--set %s", study_printable(arena, setting->key));
-    *source = (study_source){name, text, key + value + 1, rank, true};
+    *source = (study_source){name, text, key + value + 1, rank, true, 0, 0};
     return source;
 }
 

@@ -18,8 +18,13 @@ typedef struct doubt {
     double rounding;  /* the acceleration that it can make, as recorded */
 } doubt;
 
-size_t study_record_scratch(size_t count) {
-    return gough_samples_smooth_scratch(count) + count * GOUGH_COMPONENTS;
+/* Of a row: the eight numbers of smoothing, or six of curvature and two of the spline's solution; and a column as it was. */
+enum { SMOOTHED_APART = 8, WORK = SMOOTHED_APART + 1 };
+
+size_t study_record_work(size_t count) { return WORK * count; }
+
+static double *column_of(const study_record_table *table) {
+    return table->work + SMOOTHED_APART * table->count;
 }
 
 double study_record_degrees(const study_recording *recording) {
@@ -108,16 +113,16 @@ static double left_by(const doubt *d, double interval, double cutoff) {
 static double acceleration(const study_record_table *table, int c) {
     double most = 0;
     for (size_t i = 0; i < table->count; i++)
-        most = fmax(most, fabs(table->curvature[i * GOUGH_COMPONENTS + (size_t)c]));
+        most = fmax(most, fabs(table->work[i * GOUGH_COMPONENTS + (size_t)c]));
     return most;
 }
 
 /* The strongest smoothing that moves values no further than rounding may have done; a half more is left for errors of the
  * smooth curve itself. */
-static gough_status smooth_rounding(const study_record_table *table, double *value, int c,
-                                    const doubt *d, double *cutoff, gough_error *error) {
-    return gough_samples_smooth(table->count, table->time, value, c, d->deviation,
-                                1.5 * d->greatest, cutoff, table->scratch, error);
+static gough_status smooth_rounding(const study_record_table *table, int c, const doubt *d,
+                                    double *cutoff, gough_error *error) {
+    return gough_samples_smooth(table->count, table->time, table->value, c, d->deviation,
+                                1.5 * d->greatest, cutoff, table->work, error);
 }
 
 static gough_status smooth(const study_record_table *table, const study_smoothing *how, int c,
@@ -125,14 +130,14 @@ static gough_status smooth(const study_record_table *table, const study_smoothin
     *cutoff = INFINITY;
     switch (how->kind) {
     case STUDY_SMOOTH_ROUNDING:
-        return smooth_rounding(table, table->value, c, d, cutoff, error);
+        return smooth_rounding(table, c, d, cutoff, error);
     case STUDY_SMOOTH_DEVIATIONS:
         return gough_samples_smooth(table->count, table->time, table->value, c, how->deviation[c],
-                                    INFINITY, cutoff, table->scratch, error);
+                                    INFINITY, cutoff, table->work, error);
     case STUDY_SMOOTH_CUTOFF:
         if (table->count > 3) *cutoff = how->cutoff;
         return gough_samples_low_pass(table->count, table->time, table->value, c, how->cutoff,
-                                      table->scratch, error);
+                                      table->work, error);
     default:
         return GOUGH_OK;
     }
@@ -143,41 +148,45 @@ static void measure_change(const study_record_table *table, const double *before
                            gough_record_column *column) {
     double squares = 0;
     for (size_t i = 0; i < table->count; i++) {
-        const double moved = fabs(*at(table, i, c) - before[i * GOUGH_COMPONENTS + (size_t)c]);
+        const double moved = fabs(*at(table, i, c) - before[i]);
         squares += moved * moved;
         column->worst_change = fmax(column->worst_change, moved);
     }
     column->change = sqrt(squares / (double)table->count);
 }
 
-static gough_status prepare(const study_record_table *table, const double *value,
-                            gough_error *error) {
-    const gough_samples spline = {
-        .count = table->count, .time = table->time, .value = value, .curvature = table->curvature};
-    return gough_samples_prepare(&spline, table->scratch, error);
+static gough_status prepare(const study_record_table *table, gough_error *error) {
+    const gough_samples spline = {.count = table->count,
+                                  .time = table->time,
+                                  .value = table->value,
+                                  .curvature = table->work};
+    return gough_samples_prepare(&spline, table->work + GOUGH_COMPONENTS * table->count, error);
 }
 
-/* Where rounding may hide the motion, the motion is what is left when rounding is smoothed away. `copy`: the values as
- * recorded. */
-static void uncover_motion(const study_record_table *table, const doubt *d, gough_record *record,
-                           double *copy) {
-    double cutoff, smoothed[GOUGH_COMPONENTS] = {0};
+static void copy_column(const study_record_table *table, int c, double *column) {
+    for (size_t i = 0; i < table->count; i++) column[i] = *at(table, i, c);
+}
+
+/* Where rounding may hide the motion, the motion is what is left when rounding is smoothed away. */
+static void uncover_motion(const study_record_table *table, const doubt *d, gough_record *record) {
+    double *column = column_of(table);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
-        const gough_record_column *column = &record->column[c];
-        if (isfinite(column->cutoff) || column->rounding <= 0.05 * column->motion) continue;
-        cutoff = INFINITY;
-        smooth_rounding(table, copy, c, &d[c], &cutoff, NULL);
-        if (isfinite(cutoff)) smoothed[c] = 1;
+        gough_record_column *found = &record->column[c];
+        double cutoff = INFINITY;
+        if (isfinite(found->cutoff) || found->rounding <= 0.05 * found->motion) continue;
+        copy_column(table, c, column);
+        smooth_rounding(table, c, &d[c], &cutoff, NULL);
+        if (!isfinite(cutoff)) continue;
+        if (prepare(table, NULL) == GOUGH_OK) /* unreachable: times as before */
+            found->motion = acceleration(table, c);
+        for (size_t i = 0; i < table->count; i++)
+            table->value[i * GOUGH_COMPONENTS + (size_t)c] = column[i];
     }
-    if (prepare(table, copy, NULL) != GOUGH_OK) return; /* unreachable: times as before */
-    for (int c = 0; c < GOUGH_COMPONENTS; c++)
-        if (smoothed[c] > 0) record->column[c].motion = acceleration(table, c);
 }
 
 static void find_clock(study_record_table *table, study_recording *recording) {
     gough_record *record = recording->record;
-    const study_clock clock =
-        study_clock_find(&table->clock, table->time, table->count, table->scratch);
+    const study_clock clock = table->clock;
     record->interval = clock.interval;
     record->time_step = clock.step;
     record->even = clock.even;
@@ -186,19 +195,20 @@ static void find_clock(study_record_table *table, study_recording *recording) {
     if (record->retimed) study_clock_set(&clock, table->time, table->count);
 }
 
-/* copy: the values as recorded */
 static gough_status smooth_columns(const study_record_table *table,
                                    const study_recording *recording, const doubt *d,
-                                   const double *copy, gough_error *error) {
+                                   gough_error *error) {
+    double *column_before = column_of(table);
     gough_record *record = recording->record;
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         gough_record_column *column = &record->column[c];
         if (!changes(table, c)) continue;
+        copy_column(table, c, column_before);
         const gough_status status =
             smooth(table, &recording->smoothing, c, &d[c], &column->cutoff, error);
         if (status != GOUGH_OK) return status;
         if (!isfinite(column->cutoff)) continue;
-        measure_change(table, copy, c, column);
+        measure_change(table, column_before, c, column);
         column->rounding = left_by(&d[c], record->interval, column->cutoff);
     }
     return GOUGH_OK;
@@ -219,35 +229,30 @@ static void mirror(study_record_table *table, const study_recording *recording) 
 gough_status study_record_make(study_record_table *table, study_recording *recording,
                                gough_error *error) {
     gough_record *record = recording->record;
-    double *copy = table->scratch + gough_samples_smooth_scratch(table->count);
     study_quantum step[GOUGH_COMPONENTS];
     doubt d[GOUGH_COMPONENTS] = {{0, 0, 0}};
-    /* before whole turns are added: large angles may be written with fewer decimals */
-    for (int c = 0; c < GOUGH_COMPONENTS; c++)
-        step[c] = study_quantum_find(&table->digits[c], table->value + c, GOUGH_COMPONENTS,
-                                     table->count, table->scratch);
+    memcpy(step, table->step, sizeof step);
     begin_degrees(table, recording, step);
     mirror(table, recording);
     record->unwrapped = gough_samples_unwrap(table->count, table->value, 180);
-    study_record_turn(table, recording, step, copy);
+    study_record_turn(table, recording, step, table->work);
     find_clock(table, recording);
     const double time_step = record->retimed ? 0 : record->time_step;
-    memcpy(copy, table->value, table->count * GOUGH_COMPONENTS * sizeof *copy);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) {
         gough_record_column *column = &record->column[c];
         column->cutoff = INFINITY;
-        column->given = table->digits[c].any | (record->turned & (c >= GOUGH_ROLL));
+        column->given = table->given[c] | (record->turned & (c >= GOUGH_ROLL));
         if (!changes(table, c)) continue;
         d[c] = doubt_of(table, &step[c], time_step, c);
         column->step = step[c].greatest;
         column->rounding = table->count > 2 ? d[c].rounding : 0;
     }
-    gough_status status = smooth_columns(table, recording, d, copy, error);
-    if (status == GOUGH_OK) status = prepare(table, table->value, error);
+    gough_status status = smooth_columns(table, recording, d, error);
+    if (status == GOUGH_OK) status = prepare(table, error);
     if (status != GOUGH_OK) return status;
     for (int c = 0; c < GOUGH_COMPONENTS; c++) record->column[c].motion = acceleration(table, c);
     study_record_say_jumps(table, recording);
-    uncover_motion(table, d, record, copy);
+    uncover_motion(table, d, record);
     study_record_say_rest(table, recording);
     mirror(table, recording);
     end_degrees(recording);

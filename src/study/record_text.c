@@ -35,10 +35,7 @@ static const char *frequency_unit(const study_recording *recording, char text[40
     return text;
 }
 
-static void say(const study_recording *recording, bool warning, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-static void say(const study_recording *recording, bool warning, const char *format, ...) {
+void study_record_say(const study_recording *recording, bool warning, const char *format, ...) {
     gough_record *record = recording->record;
     if (record->remarks == GOUGH_REMARKS) return; /* unreachable: there is room for all */
     gough_remark *remark = &record->remark[record->remarks++];
@@ -74,12 +71,14 @@ static void say_unwrapped(const study_record_table *table, const study_recording
         columns++;
     }
     if (columns)
-        say(recording, false,
+        study_record_say(
+            recording, false,
             "motion.samples: %s jump%s by a whole turn (%s, first between %s); the angles are read "
             "as continuous, which is the same rotation",
             names, columns == 1 ? "s" : "", times(jumps), where);
     if (done->flips)
-        say(recording, false,
+        study_record_say(
+            recording, false,
             "motion.samples: roll, pitch and yaw jump together to other angles of the same "
             "rotation, roll + 180, 180 - pitch, yaw + 180 deg (%s, first between %s); the "
             "continuous ones are used",
@@ -89,7 +88,8 @@ static void say_unwrapped(const study_record_table *table, const study_recording
 static void say_turned(const study_record_table *table, const study_recording *recording) {
     char where[80];
     between(table, table->turned, recording, where);
-    say(recording, false,
+    study_record_say(
+        recording, false,
         "motion.samples: between %s pitch is within %.2g%s of 90 deg, where roll and yaw cannot "
         "follow a motion; the record is interpolated as the same rotations about turned axes, "
         "which it never brings closer than %.2g%s to such a pose",
@@ -108,7 +108,8 @@ static void say_pole(const study_record_table *table, const study_recording *rec
         if (jump > most && study_turn_between(table, i) < jump / 3) most = jump, worst = i;
     }
     if (!worst) return;
-    say(recording, true,
+    study_record_say(
+        recording, true,
         "motion.samples: yaw changes by %.3g%s between %s while the platform turns by only %.3g%s: "
         "close to a pitch of 90 deg, roll and yaw cannot follow a motion, and the spline "
         "through them makes false accelerations; there are no axes that stay away from such a pose "
@@ -128,7 +129,8 @@ static void say_turn(const study_record_table *table, const study_recording *rec
         if (turn > most) most = turn, worst = i;
     }
     if (!worst) return;
-    say(recording, true,
+    study_record_say(
+        recording, true,
         "motion.samples: the platform turns by %.3g%s between %s; rows so far apart do not "
         "determine its way from one to the next",
         angle(recording, most), word(recording, GOUGH_UNIT_ANGLE),
@@ -147,8 +149,9 @@ static void say_jump(const study_record_table *table, const study_recording *rec
     }
     if (!worst) return;
     char where[80];
-    const double *m = table->curvature + worst * stride + (size_t)c;
-    say(recording, true,
+    const double *m = table->work + worst * stride + (size_t)c;
+    study_record_say(
+        recording, true,
         "motion.samples: %s jumps by %.3g%s between %s, which is no whole turn; the spline "
         "through these rows makes %.3g%s",
         gough_component_name(c), angle(recording, most), word(recording, GOUGH_UNIT_ANGLE),
@@ -207,7 +210,8 @@ static void say_rounding(const study_recording *recording, int c) {
         snprintf(clock, sizeof clock, "%stimes in steps of %.3g%s%s", *step ? " and " : "",
                  record->time_step, word(recording, GOUGH_UNIT_TIME),
                  *step ? "" : " for a moving ");
-    say(recording, recording->smoothing.kind != STUDY_EXACT,
+    study_record_say(
+        recording, recording->smoothing.kind != STUDY_EXACT,
         "motion.samples has %s%s%s: rounding to them %s accelerations of up to %.3g%s, "
         "beside %.3g%s of the motion itself; %s",
         step, clock, *step ? "" : name, isfinite(column->cutoff) ? "can still make" : "can make",
@@ -220,13 +224,15 @@ void study_record_say_rest(const study_record_table *table, const study_recordin
     char frequency[40];
     (void)table;
     if (record->retimed)
-        say(recording, false,
+        study_record_say(
+            recording, false,
             "motion.samples: the times, rounded to %.3g%s, are read as equal steps of %.6g%s",
             record->time_step, time, record->interval, time);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) say_rounding(recording, c);
     if (recording->smoothing.kind == STUDY_SMOOTH_CUTOFF &&
         recording->smoothing.cutoff > 0.5 / record->interval)
-        say(recording, false,
+        study_record_say(
+            recording, false,
             "motion.cutoff: %.6g %s is above half of the rows' frequency, %.6g; it smooths almost "
             "nothing",
             recording->smoothing.cutoff, frequency_unit(recording, frequency),

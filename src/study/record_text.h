@@ -10,4 +10,8 @@ void study_record_say_jumps(const study_record_table *table, const study_recordi
 /* Rounding that makes accelerations, and smoothing that does nothing. */
 void study_record_say_rest(const study_record_table *table, const study_recording *recording);
 
+/* A sentence about a record. */
+void study_record_say(const study_recording *recording, bool warning, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
 #endif

@@ -117,7 +117,7 @@ const char *study_rewritten(study_arena *arena, const study_source *source,
     }
     if (!edit_all(&e, settings, setting_count, varied)) return NULL;
     char *text = join(&e);
-    const study_source made = {source->name, text, text ? strlen(text) : 0, 0, false};
+    const study_source made = {source->name, text, text ? strlen(text) : 0, 0, false, 0, 0};
     const study_node *root = text ? parse(arena, &made) : NULL;
     if (root && is_same(root, varied->root)) return text;
     if (arena->exhausted)

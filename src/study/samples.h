@@ -1,11 +1,12 @@
-/* Recorded motion from a CSV file. */
+/* Recorded motion from a text file: rows of cells, as record_layout.h has them. */
 #ifndef STUDY_SAMPLES_H
 #define STUDY_SAMPLES_H
 
 #include "gough/study.h"
 #include "study/messages.h"
+#include "study/record_keys.h"
 
-/* How a record is smoothed: `motion.smooth` and `motion.cutoff`. */
+/* How a record is smoothed: `smooth` and `cutoff` of motion or motion.samples. */
 typedef struct study_smoothing {
     enum {
         STUDY_AS_RECORDED,       /* nothing is said about it: rounding that matters is warned of */
@@ -21,8 +22,10 @@ typedef struct study_smoothing {
 /* A record to be read. */
 typedef struct study_recording {
     study_smoothing smoothing;
-    gough_units units;      /* of the record, and of sentences */
-    gough_order order;      /* of the angles */
+    gough_units units;      /* of sentences, and of cells that have no other */
+    gough_order order;      /* of the angles of the study */
+    study_record_keys keys; /* what the study says about the file */
+    const char *file;       /* as the study names it */
     gough_record *record;   /* receives what was found out */
     gough_samples *samples; /* receives the motion in units of the run, its spline prepared */
     void *

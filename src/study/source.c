@@ -86,33 +86,32 @@ int gough_open_input(const char *path, gough_error *error) {
     return -1;
 }
 
-char *study_source_read(study_messages *messages, study_place place, const char *path, size_t most,
-                        bool regular, size_t *length) {
-    const char *name = study_printable(messages->arena, path);
-    const bool standard = !regular && strcmp(path, "-") == 0;
+/* Opens it; -1 with what is wrong said. */
+static int open_source(study_messages *messages, study_place place, const char *path) {
     const char *kind = NULL;
-    const int file = standard ? STDIN_FILENO : open_input(path, &kind);
-    if (file < 0 && kind) {
+    const int file = open_input(path, &kind);
+    if (file >= 0) return file;
+    const char *name = study_printable(messages->arena, path);
+    if (kind)
         study_say(messages, GOUGH_ERROR_FILE, place, "`%s` is %s; a regular file is needed", name,
                   kind);
-        return NULL;
-    }
-    if (file < 0) {
+    else
         study_say(messages, GOUGH_ERROR_FILE, place, "cannot open `%s`: %s", name,
                   cause_text(messages->arena, errno));
-        return NULL;
-    }
-    struct stat about;
+    return -1;
+}
+
+char *study_source_read(study_messages *messages, study_place place, const char *path, size_t most,
+                        size_t *length) {
+    const bool standard = strcmp(path, "-") == 0;
+    const int file = standard ? STDIN_FILENO : open_source(messages, place, path);
+    if (file < 0) return NULL;
+    const char *name = study_printable(messages->arena, path);
+    const char *other = gough_input_kind(file, GOUGH_INPUT_STUDY);
     char *text = NULL;
-    const char *other = gough_input_kind(file, regular ? GOUGH_INPUT_CSV : GOUGH_INPUT_STUDY);
     if (other) {
-        study_say(messages, GOUGH_ERROR_INPUT, place, "`%s` is %s; %s", name, other,
-                  regular ? "recorded motion is a table in CSV with a column `t`"
-                          : "a study is YAML text, such as `gough example` prints");
-    } else if (regular && fstat(file, &about) == 0 && !S_ISREG(about.st_mode)) {
-        study_say(messages, GOUGH_ERROR_FILE, place,
-                  "`%s` is not a regular file; recorded motion is read from regular files only",
-                  name);
+        study_say(messages, GOUGH_ERROR_INPUT, place,
+                  "`%s` is %s; a study is YAML text, such as `gough example` prints", name, other);
     } else {
         text = read_all(file, most, length);
         if (!text && errno == EFBIG)
@@ -125,6 +124,42 @@ char *study_source_read(study_messages *messages, study_place place, const char 
     }
     if (!standard) close(file);
     return text;
+}
+
+/* Whether the first character of a text is the brace or bracket of JSON. */
+static bool is_json(int file) {
+    char bytes[256];
+    const ssize_t got = pread(file, bytes, sizeof bytes, 0);
+    for (ssize_t i = 0; i < got; i++)
+        if (!strchr(" \t\r\n", bytes[i])) return bytes[i] == '{' || bytes[i] == '[';
+    return false;
+}
+
+int study_record_open(study_messages *messages, study_place place, const char *path, size_t most) {
+    struct stat about = {.st_mode = S_IFREG};
+    const int file = open_source(messages, place, path);
+    if (file < 0) return -1;
+    const char *name = study_printable(messages->arena, path);
+    const char *other = gough_input_kind(file, GOUGH_INPUT_CSV);
+    if (other || is_json(file))
+        study_say(messages, GOUGH_ERROR_INPUT, place,
+                  "`%s` is %s; recorded motion is a table in CSV with a column `t`%s", name,
+                  other ? other : "JSON",
+                  other ? ""
+                        : ", which `jq -r '.[] | [.t, .heave] | @csv'` makes of a list of such "
+                          "objects");
+    else if (fstat(file, &about) == 0 && !S_ISREG(about.st_mode))
+        study_say(messages, GOUGH_ERROR_FILE, place,
+                  "`%s` is not a regular file; recorded motion is read from regular files only",
+                  name);
+    else if ((size_t)about.st_size > most)
+        study_say(messages, GOUGH_ERROR_INPUT, place,
+                  "`%s` is larger than the %zu MiB that a record may have", name,
+                  most / 1024 / 1024);
+    else
+        return file;
+    close(file);
+    return -1;
 }
 
 static bool is_control(unsigned code) {

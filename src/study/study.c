@@ -97,7 +97,7 @@ gough_setting *study_input_copy(study_arena *arena, const char *name, const char
     const char *own_text = study_arena_copy(arena, text, length);
     gough_setting *own = study_arena_take(arena, (count + 1) * sizeof *own);
     if (arena->exhausted) return NULL;
-    *source = (study_source){own_name, own_text, length, 0, false};
+    *source = (study_source){own_name, own_text, length, 0, false, 0, 0};
     for (size_t i = 0; i < count; i++) {
         own[i].key = study_arena_copy(arena, settings[i].key, strlen(settings[i].key));
         own[i].value = study_arena_copy(arena, settings[i].value, strlen(settings[i].value));
@@ -158,7 +158,7 @@ gough_status gough_study_parse(const char *name, const char *text, size_t length
     study_messages said = {.arena = &arena};
     gough_study *made = NULL;
     const char *copy = study_arena_copy(&arena, text, length);
-    const study_source source = {name, copy, length, 0, false};
+    const study_source source = {name, copy, length, 0, false, 0, 0};
     if (copy) made = read_study(&said, &source, settings, setting_count);
     return finish(&said, made, study, messages);
 }
@@ -169,8 +169,8 @@ gough_status gough_study_read(const char *path, const gough_setting *settings, s
     study_messages said = {.arena = &arena};
     const study_source file = {.name = strcmp(path, "-") == 0 ? "standard input" : path};
     size_t length = 0;
-    char *text = study_source_read(&said, (study_place){&file, 0}, path, STUDY_MOST_BYTES + 3,
-                                   false, &length);
+    char *text =
+        study_source_read(&said, (study_place){&file, 0}, path, STUDY_MOST_BYTES + 3, &length);
     if (!text) return finish(&said, NULL, study, messages);
     const gough_status status =
         gough_study_parse(file.name, text, length, settings, setting_count, study, messages);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "study/chosen_units.h"
+#include "study/record_keys.h"
 #include "study/sweep_plan.h"
 #include "study/swept_number.h"
 #include "study/value.h"
@@ -53,7 +54,9 @@ static makeup makeup_of(gough_shape shape) {
 static bool is_mapping(gough_shape shape) {
     return shape == GOUGH_SHAPE_MAPPING || shape == GOUGH_SHAPE_CONSTRAINTS ||
            shape == GOUGH_SHAPE_SMOOTH || shape == GOUGH_SHAPE_UNITS || shape == GOUGH_SHAPE_AIMS ||
-           shape == GOUGH_SHAPE_MOVES || shape == GOUGH_SHAPE_LOADS || shape == GOUGH_SHAPE_DRIVES;
+           shape == GOUGH_SHAPE_MOVES || shape == GOUGH_SHAPE_LOADS ||
+           shape == GOUGH_SHAPE_DRIVES || shape == GOUGH_SHAPE_SAMPLES ||
+           shape == GOUGH_SHAPE_COLUMN || shape == GOUGH_SHAPE_COLUMNS;
 }
 
 /* The next part of a path, cut off; NULL at its end. */
@@ -99,6 +102,11 @@ static const gough_key *walk_keys(char **rest) {
         if (key && (key->shape == GOUGH_SHAPE_MOVES || key->shape == GOUGH_SHAPE_LOADS)) {
             if (number_of(part) == 0) return NULL;
             parent = key->shape == GOUGH_SHAPE_MOVES ? "motion.moves.N" : "external.N";
+            part = take_part(rest);
+        }
+        if (key && key->shape == GOUGH_SHAPE_COLUMNS) {
+            if (study_quantity_of(part) < 0) return NULL;
+            parent = "motion.samples.columns.KEY";
             part = take_part(rest);
         }
         /* the number of a drive, of a list of six */

@@ -61,7 +61,7 @@ size_t gough_study_place(const gough_study *study, const char *sentence, char *p
     if (size > 0) place[0] = '\0';
     if (!where) return 0;
     if (where->setting) return (size_t)snprintf(place, size, "%s", where->setting);
-    const study_source file = {study->name, study->text, strlen(study->text), 0, false};
+    const study_source file = {study->name, study->text, strlen(study->text), 0, false, 0, 0};
     size_t line, column;
     study_place_find((study_place){&file, where->offset}, &line, &column);
     return (size_t)snprintf(place, size, "%s:%zu:%zu", study->name, line, column);

@@ -19,10 +19,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static gough_record record;
     study_recording recording = {.smoothing = kinds[size % 4],
                                  .units = gough_units_si(),
+                                 .keys = study_record_keys_none(NULL, GOUGH_ZYX),
+                                 .file = "fuzz.csv",
                                  .record = &record,
                                  .samples = &samples};
     const char *text = study_arena_copy(&arena, (const char *)data, size);
-    const study_source source = {"fuzz.csv", text, size, 0, false};
+    const study_source source = {"fuzz.csv", text, size, 0, false, 0, 0};
     if (!text) return 0;
     study_samples_parse(&messages, &source, &recording);
     void *memory = recording.memory;

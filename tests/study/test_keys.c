@@ -22,6 +22,9 @@ static void nest(lone *made, const gough_key *key, const char *suffix, const cha
         dot = strchr(part, '.');
         if (dot) *dot++ = '\0';
         char *end = made->text + strlen(made->text);
+        static char quantity[] = "heave"; /* of the columns of a record */
+        if (strcmp(part, "KEY") == 0 && strncmp(key->path, "motion.samples.", 15) == 0)
+            part = quantity;
         if (strcmp(part, "N") == 0) {
             item = true;
             strcat(made->path, ".1");
@@ -110,8 +113,10 @@ START_TEST(rejects_wrong_type_of_every_key) {
     EACH_KEY(key) {
         const bool mapping = type_is(key, "mapping") || type_is(key, "list of mappings") ||
                              type_is(key, "mapping of paths") ||
+                             type_is(key, "mapping of columns") ||
                              type_is(key, "mapping or six mappings");
-        const bool other = type_is(key, "choice or mapping");
+        const bool other = type_is(key, "choice or mapping") || type_is(key, "file or mapping") ||
+                           type_is(key, "column or mapping");
         lone made;
         char sentence[400];
         nest(&made, key, "", mapping ? "5" : other ? "[1]" : "{a: 1}");
@@ -125,7 +130,8 @@ START_TEST(rejects_every_key_without_a_value) {
     EACH_KEY(key) {
         lone made;
         char sentence[400];
-        if (type_is(key, "text")) continue; /* an empty title is one */
+        if (type_is(key, "text"))
+            continue; /* an empty title is one, and no unit is that of the study */
         nest(&made, key, "", "");
         snprintf(sentence, sizeof sentence, "`%s` must be ", made.path);
         expect_at(&made, true, sentence);
@@ -295,6 +301,8 @@ START_TEST(hints_for_keys_in_the_wrong_place_are_true) {
                                           "platform.legs",
                                           "load",
                                           "motion",
+                                          "motion.samples",
+                                          "motion.samples.time",
                                           "motion.moves.1",
                                           "external.1",
                                           "disturbance",

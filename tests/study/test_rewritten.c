@@ -21,8 +21,9 @@ static void rewrite(const char *own, const char *other, const gough_setting *set
     const double mass = 12.5;
     const gough_study *study = NULL;
     gough_error error = {.message = ""};
-    const study_source mine = {"own.yaml", own ? own : file, strlen(own ? own : file), 0, false};
-    const study_source its = {"other.yaml", other, strlen(other), 0, false};
+    const study_source mine = {"own.yaml", own ? own : file, strlen(own ? own : file), 0, false, 0,
+                               0};
+    const study_source its = {"other.yaml", other, strlen(other), 0, false, 0, 0};
     study_varied *varied = study_varied_new(&its, NULL, 0, &axis, 1);
     ck_assert_msg(varied != NULL, "%s", other);
     (void)study_varied_make(varied, &mass, &study, NULL);
@@ -80,7 +81,7 @@ START_TEST(a_study_that_cannot_run_is_refused_without_a_place_for_the_reason) {
     study_axis axis = {.key = {.path = "simulation.tolerance"}, .touches = GOUGH_PART_SIMULATION};
     const double tolerance = 1e-20;
     const gough_study *study = NULL;
-    const study_source source = {"its.yaml", text, sizeof text - 1, 0, false};
+    const study_source source = {"its.yaml", text, sizeof text - 1, 0, false, 0, 0};
     static const gough_bound any = {"", -INFINITY, INFINITY, false};
     axis.bound = &any;
     study_varied *varied = study_varied_new(&source, NULL, 0, &axis, 1);
