@@ -53,7 +53,8 @@ printf 't,yaw\n0,0\n1,0\n2,359\n3,0\n' >jump.csv
 json check-4.json check own-machine.yaml --set 'motion={samples: jump.csv}' --set simulation.duration=3
 json check-5.json check own-machine.yaml --pose yaw=5 --set 'external=[{force: [0, 0, 30]}]'
 json check-6.json check own-machine.yaml --set 'control.sampling={period: 0.001}' --set control.damping=1000
-hold '## check' check-6.json check-1.json check-2.json check-3.json check-4.json check-5.json
+json check-7.json check jump.csv
+hold '## check' check-6.json check-7.json check-1.json check-2.json check-3.json check-4.json check-5.json
 
 lengths=0.33,0.32,0.33,0.32,0.33,0.32
 json pose-1.json pose own-machine.yaml --lengths "$lengths"

@@ -25,7 +25,11 @@ wrong() { # wrong FILE KIND RIGHT VERB ARGUMENT…
 }
 needs_study='a study is YAML text, such as `gough example` prints'
 declare -A kinds=([run.h5]=$hdf5 [run.csv]=$csv [sweep.csv]=$csv [a.shard]=$shard [run.json]=$json [page.html]=$page [picture.png]=$picture)
-for file in "${!kinds[@]}"; do wrong $file "${kinds[$file]}" "$needs_study" check $file; done
+for file in "${!kinds[@]}"; do
+    # check describes a file whose name ends in .csv as a record of motion
+    [[ $file == *.csv ]] && verb=forces || verb=check
+    wrong $file "${kinds[$file]}" "$needs_study" $verb $file
+done
 for verb in forces simulate sweep; do wrong run.h5 "$hdf5" "$needs_study" $verb run.h5 -o new.h5; done
 wrong run.csv "$csv" "$needs_study" stability run.csv
 wrong run.csv "$csv" "$needs_study" tune run.csv --deviation 1e-3

@@ -1,6 +1,7 @@
 /* gough check: validates a study and prints the machine that it describes, in the study's units. */
 #include <math.h>
 
+#include "cli/check/check_file.h"
 #include "cli/check/check_json.h"
 #include "cli/check/check_limits.h"
 #include "cli/check/check_loop.h"
@@ -390,6 +391,7 @@ static gough_status check_file(const check_line *asked, const char *path, json_t
     const command_line *line = &asked->line;
     gough_study *study = NULL;
     gough_sweep *sweep = NULL;
+    if (is_motion_file(path)) return check_motion_file(line, path, list);
     pose_view pose = asked->pose;
     gough_status status = read_study(line, path, &study);
     if (!status && study->swept) status = read_sweep(line, study, &sweep);
@@ -411,7 +413,10 @@ static gough_status check_files(const check_line *asked) {
     for (size_t i = 0; i < line->file.count; i++) {
         const char *path = line->file.word[i];
         const size_t before = json_array_size(list);
-        if (!line->json && !line->quiet) print_line(stdout, "%s%s", i ? "\n" : "", path);
+        if (!line->json && !line->quiet) {
+            if (i) printf("\n");
+            print_line(stdout, "%s", path);
+        }
         const gough_status status = check_file(asked, path, list);
         if (status > worst) worst = status;
         if (list && json_array_size(list) == before) json_array_append_new(list, json_object());
@@ -451,7 +456,7 @@ extern const command_verb check_verb;
 const command_verb check_verb = {
     .name = "check",
     .arguments = "STUDY...",
-    .sentence = "validate studies and describe their machines",
+    .sentence = "validate studies and describe their machines, or records of motion",
     .text =
         "Validate a study and describe its machine: leg lengths, condition and least singular "
         "value at home, principal moments of inertia, external loads, stiffness and compliance at "
@@ -461,8 +466,11 @@ const command_verb check_verb = {
         "settings. Suspicious values are reported as "
         "warnings.\vSTUDY is a study file, or - for standard input. Several are checked one after "
         "the other, also after one that is "
-        "wrong; the exit status is the greatest of theirs, and the JSON a list.",
-    .endings = "yaml yml",
+        "wrong; the exit status is the greatest of theirs, and the JSON a list. A file whose name "
+        "ends "
+        "in .csv, .tsv, .txt, .dat or .asc is a record of motion: its columns, times, rounding and "
+        "ranges are printed, and a mapping for motion.samples that reads it.",
+    .endings = "yaml yml csv tsv txt dat asc",
     .least_files = 1,
     .most_files = MOST_STUDIES,
     .groups = groups,
