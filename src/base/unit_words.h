@@ -21,8 +21,10 @@
     W("metre", 1)                                                                                  \
     W("metres", 1)                                                                                 \
     W("meter", 1)                                                                                  \
-    W("meters", 1) W("cm", 1e-2) W("km", 1e3) W("\u00b5m", 1e-6) W("\u03bcm", 1e-6)                \
-        W("inch", 0.0254) W("inches", 0.0254) W("feet", 0.3048)
+    W("meters", 1)                                                                                 \
+    W("cm", 1e-2)                                                                                  \
+    W("km", 1e3)                                                                                   \
+    W("\u00b5m", 1e-6) W("\u03bcm", 1e-6) W("inch", 0.0254) W("inches", 0.0254) W("feet", 0.3048)
 #define ANGLES_OF_RECORDS(W)                                                                       \
     W("degree", UNIT_DEGREE)                                                                       \
     W("degrees", UNIT_DEGREE)                                                                      \
@@ -31,8 +33,11 @@
     W("sec", 1)                                                                                    \
     W("secs", 1)                                                                                   \
     W("second", 1)                                                                                 \
-    W("seconds", 1) W("msec", 1e-3) W("millisecond", 1e-3) W("milliseconds", 1e-3) W("us", 1e-6)   \
-        W("\u00b5s", 1e-6) W("\u03bcs", 1e-6) W("ns", 1e-9) W("min", 60) W("h", 3600)
+    W("seconds", 1)                                                                                \
+    W("msec", 1e-3)                                                                                \
+    W("millisecond", 1e-3)                                                                         \
+    W("milliseconds", 1e-3)                                                                        \
+    W("us", 1e-6) W("\u00b5s", 1e-6) W("\u03bcs", 1e-6) W("ns", 1e-9) W("min", 60) W("h", 3600)
 #define ACCELERATIONS_OF_RECORDS(W) W("g", 9.80665) W("mg", 9.80665e-3) W("gal", 1e-2)
 
 #define UNIT_DEGREE (3.14159265358979323846 / 180)
