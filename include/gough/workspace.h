@@ -232,7 +232,7 @@ typedef struct gough_volume {
  *          positions.
  *
  *  The proved bounds differ by less than 20 % of the greatest unless most_tests is too small; limits of speeds or clearances
- *  need the most tests. An exact value is accurate to about 3e-6 of itself, another to about two digits. */
+ *  need the most tests. An exact value is accurate to 1e-6 of itself, another to about two digits. */
 GOUGH_API gough_status gough_workspace_volume(const gough_reach *reach, const double orientation[3],
                                               gough_volume *volume, gough_error *error);
 

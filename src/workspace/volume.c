@@ -1,14 +1,15 @@
 /* The volume of the positions at one orientation, (space-17): gough_workspace_volume(). Bounds by splitting a box about all of
- * them; the value, where lengths are all that limits it, from vertical lines, which meet the limits in closed form. */
+ * them; the value, where lengths are all that limits it, from upright lines. */
 #define NUMBER_DOUBLE
 #include <string.h>
 
 #include "workspace/certify.h"
+#include "workspace/lines.h"
 #include "workspace/stiff.h"
 
-/* lines across each side of the box; the depth at which cells are first left undecided, and by how much it grows; cells of
+/* the depth at which cells are first left undecided, and by how much it grows; cells of
  * lengths alone for each box that a search may test, and boxes for each cell otherwise */
-enum { LINES = 801, FIRST_DEPTH = 9, DEEPER = 3, DEEPEST = 45, CELLS = 5, PIECES = 2 * LEGS + 2 };
+enum { FIRST_DEPTH = 9, DEEPER = 3, DEEPEST = 45, CELLS = 5 };
 static const double GAP = 0.2;
 
 typedef struct cells {
@@ -17,6 +18,8 @@ typedef struct cells {
     int depth;
     bool exact; /* the value comes from lines */
     double inside, undecided, likely;
+    hull allowed,
+        doubtful; /* of the cells that are not outside; of those that may have poses on the other side */
     size_t tests;
 } cells;
 
@@ -50,6 +53,15 @@ static void count_halves(cells *q, const double least[3], const double greatest[
     q->s->regular = before;
 }
 
+static const hull NOWHERE = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+static void widen(hull *h, const double least[3], const double greatest[3]) {
+    for (int c = 0; c < 3; c++) {
+        h->least[c] = fmin(h->least[c], least[c]);
+        h->greatest[c] = fmax(h->greatest[c], greatest[c]);
+    }
+}
+
 /* A cell with the fixed orientation. */
 static void count_cell(cells *q, const double least[3], const double greatest[3], int depth) {
     double volume = 1;
@@ -63,10 +75,16 @@ static void count_cell(cells *q, const double least[3], const double greatest[3]
     box_view_of(q->s, &box, &view);
     const judge j = box_judge(q->s, &view);
     q->tests++;
-    if (j.verdict == GOUGH_OUTSIDE) return;
+    if (j.verdict == GOUGH_OUTSIDE) {
+        if (j.binding.bind == GOUGH_BIND_SINGULAR) widen(&q->doubtful, least, greatest);
+        return;
+    }
     if (j.verdict == GOUGH_INSIDE) {
+        widen(&q->allowed, least, greatest);
         q->inside += volume;
     } else if (depth >= q->depth) {
+        widen(&q->allowed, least, greatest);
+        if (!q->s->regular) widen(&q->doubtful, least, greatest);
         const double in = fmax(0, j.in), left = fmax(0, 1 - in - j.out);
         q->inside += in * volume;
         q->undecided += left * volume;
@@ -79,7 +97,7 @@ static void count_cell(cells *q, const double least[3], const double greatest[3]
 
 /* A box about all positions: each leg keeps the point in a ball. */
 static bool find_extent(const space *s, const double orientation[3], double least[3],
-                        double greatest[3], vector centre[LEGS]) {
+                        double greatest[3], vector centre[LEGS], triad *R) {
     const gough_limits *l = &s->reach->limits;
     double pose[GOUGH_COMPONENTS] = {0, 0, 0, orientation[0], orientation[1], orientation[2]};
     gough_box one;
@@ -87,6 +105,7 @@ static bool find_extent(const space *s, const double orientation[3], double leas
     bool about = true, bounded = true;
     memcpy(one.least, pose, sizeof pose), memcpy(one.greatest, pose, sizeof pose);
     box_view_of(s, &one, &view);
+    *R = view.R;
     for (int k = 0; k < 3; k++) {
         about &= fabs(s->reach->about[k] - l->about[k]) <= 0;
         least[k] = -INFINITY, greatest[k] = INFINITY;
@@ -111,125 +130,6 @@ static bool find_extent(const space *s, const double orientation[3], double leas
     return bounded;
 }
 
-/* ---- lines ---- */
-
-typedef struct pieces {
-    int count;
-    double end[PIECES][2];
-} pieces;
-
-/* keeps what lies between two heights, or with `out` what does not */
-static void cut(pieces *p, double low, double high, bool out) {
-    pieces kept = {.count = 0};
-    for (int i = 0; i < p->count; i++) {
-        const double part[2][2] = {{out ? p->end[i][0] : fmax(p->end[i][0], low),
-                                    out ? fmin(p->end[i][1], low) : fmin(p->end[i][1], high)},
-                                   {fmax(p->end[i][0], high), p->end[i][1]}};
-        for (int k = 0; k < (out ? 2 : 1); k++) {
-            if (!(part[k][0] < part[k][1]) || kept.count == PIECES) continue;
-            memcpy(kept.end[kept.count++], part[k], sizeof part[k]);
-        }
-    }
-    *p = kept;
-}
-
-/* (space-17): heights of one line at which all legs keep their lengths */
-static pieces allowed_on(const space *s, const vector centre[LEGS], double x, double y, double low,
-                         double high) {
-    pieces p = {1, {{low, high}}};
-    for (int v = 0; v < LEGS; v++) {
-        const double *limit = s->reach->limits.length[v], dx = x - centre[v].x,
-                     dy = y - centre[v].y, square = dx * dx + dy * dy;
-        const double outer = limit[1] * limit[1] - square, inner = limit[0] * limit[0] - square;
-        if (!(outer > 0)) return (pieces){.count = 0};
-        cut(&p, centre[v].z - sqrt(outer), centre[v].z + sqrt(outer), false);
-        if (inner > 0) cut(&p, centre[v].z - sqrt(inner), centre[v].z + sqrt(inner), true);
-    }
-    return p;
-}
-
-/* the determinant at a pose times the lengths of the legs, positive on the side of home */
-static double side_of(const space *s, const double pose[GOUGH_COMPONENTS]) {
-    gough_box one;
-    box_view view;
-    memcpy(one.least, pose, sizeof one.least), memcpy(one.greatest, pose, sizeof one.greatest);
-    box_view_of(s, &one, &view);
-    double value = legs_determinant(&s->h, &view.x, &view.g).determinant * s->reach->side;
-    for (int v = 0; v < LEGS; v++) value *= view.g.length[v];
-    return value;
-}
-
-/* a cubic on [−1, 1] by its values at −1, −1/3, 1/3, 1 */
-static void cubic_through(const double f[4], double c[4]) {
-    const double even = f[0] + f[3], odd = f[3] - f[0], inner = f[1] + f[2], slope = f[2] - f[1];
-    c[0] = (9 * inner - even) / 16;
-    c[1] = (27 * slope - odd) / 16;
-    c[2] = 9 * (even - inner) / 16;
-    c[3] = 9 * (odd - 3 * slope) / 16;
-}
-
-static double cubic_at(const double c[4], double x) {
-    return ((c[3] * x + c[2]) * x + c[1]) * x + c[0];
-}
-
-/* how much of an interval in which a cubic rises or falls throughout is above 0 */
-static double above_zero(const double c[4], double low, double high) {
-    const bool starts = cubic_at(c, low) > 0, ends = cubic_at(c, high) > 0;
-    double one = low, two = high;
-    if (starts == ends) return starts ? high - low : 0;
-    for (int n = 0; n < 60; n++) {
-        const double middle = 0.5 * (one + two);
-        if ((cubic_at(c, middle) > 0) == starts)
-            one = middle;
-        else
-            two = middle;
-    }
-    return starts ? two - low : high - one;
-}
-
-/* (space-17): how much of a piece of a line is on the side of home: the determinant times the lengths is a cubic of the height */
-static double on_home_side(const space *s, double pose[GOUGH_COMPONENTS], const double end[2]) {
-    const double middle = 0.5 * (end[0] + end[1]), half = 0.5 * (end[1] - end[0]);
-    double f[4], c[4], turn[4] = {-1, -1, -1, 1}, sum = 0;
-    for (int n = 0; n < 4; n++) {
-        pose[2] = middle + half * (2.0 * n / 3 - 1);
-        f[n] = side_of(s, pose);
-    }
-    cubic_through(f, c);
-    /* between the ends and where it turns it rises or falls */
-    const double under = c[2] * c[2] - 3 * c[1] * c[3];
-    if (under > 0) {
-        const double q = -(c[2] + copysign(sqrt(under), c[2]));
-        const double one = q / (3 * c[3]), two = c[1] / q;
-        turn[1] = fmin(fmax(fmin(one, two), -1), 1);
-        turn[2] = fmin(fmax(fmax(one, two), -1), 1);
-    }
-    for (int n = 0; n < 3; n++) {
-        if (turn[n] < turn[n + 1]) sum += above_zero(c, turn[n], turn[n + 1]);
-    }
-    return sum * half;
-}
-
-static double volume_of_lines(const space *s, const double orientation[3], const double least[3],
-                              const double greatest[3], const vector centre[LEGS]) {
-    const double dx = (greatest[0] - least[0]) / LINES, dy = (greatest[1] - least[1]) / LINES;
-    double sum = 0;
-    for (int i = 0; i < LINES; i++) {
-        double row = 0;
-        for (int k = 0; k < LINES; k++) {
-            const double x = least[0] + (i + 0.5) * dx, y = least[1] + (k + 0.5) * dy;
-            const pieces p = allowed_on(s, centre, x, y, least[2], greatest[2]);
-            for (int n = 0; n < p.count; n++) {
-                double pose[GOUGH_COMPONENTS] = {
-                    x, y, 0, orientation[0], orientation[1], orientation[2]};
-                row += on_home_side(s, pose, p.end[n]);
-            }
-        }
-        sum += row;
-    }
-    return sum * dx * dy;
-}
-
 /* ---- together ---- */
 
 static bool is_lengths_only(const space *s) {
@@ -244,6 +144,7 @@ gough_status gough_workspace_volume(const gough_reach *reach, const double orien
                                     gough_volume *volume, gough_error *error) {
     double least[3], greatest[3];
     vector centre[LEGS];
+    triad R;
     space s;
     cells q = {.orientation = orientation};
     if (!isfinite(orientation[0] + orientation[1] + orientation[2]))
@@ -251,7 +152,7 @@ gough_status gough_workspace_volume(const gough_reach *reach, const double orien
     if (!reach_is_valid(reach)) return reach_refuse(error);
     space_begin(&s, reach);
     s.parts_wanted = true;
-    if (!find_extent(&s, orientation, least, greatest, centre))
+    if (!find_extent(&s, orientation, least, greatest, centre, &R))
         return gough_fail(error, GOUGH_ERROR_NUMERICAL,
                           "no limit bounds the positions, so they have no volume: give "
                           "platform.legs.length or platform.legs.stroke");
@@ -262,6 +163,7 @@ gough_status gough_workspace_volume(const gough_reach *reach, const double orien
     for (q.depth = FIRST_DEPTH; q.depth <= DEEPEST; q.depth += DEEPER) {
         const size_t before = q.tests;
         q.inside = q.undecided = q.likely = 0;
+        q.allowed = q.doubtful = NOWHERE;
         count_cell(&q, least, greatest, 0);
         if (q.undecided <= GAP * (q.inside + q.undecided)) break;
         if (q.tests - before >= most) break;
@@ -271,6 +173,6 @@ gough_status gough_workspace_volume(const gough_reach *reach, const double orien
                              .value = q.inside + q.likely,
                              .exact = q.exact,
                              .tests = q.tests};
-    if (volume->exact) volume->value = volume_of_lines(&s, orientation, least, greatest, centre);
+    if (volume->exact) volume->value = lines_volume(&s, &R, &q.allowed, &q.doubtful, centre);
     return GOUGH_OK;
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # gough-mpi: a sweep on the processes of MPI has the bytes of `gough sweep`, whatever their number; killed processes lose nothing that
 # was written; processes that would compute other numbers are refused.
+# Label: thorough.
 # Not sanitized: MPI's own memory would be reported
 source "$(dirname "$0")/support.sh"
 cd "$scratch" || exit 1

@@ -1,7 +1,7 @@
 /* The search with a sampled controller: between the edges of its window the G found meets the accuracy, and beyond them runs do
  * not; damping ratios are those of the multipliers; where the window is closed it says so.
  * Sanitized: campaign: hundreds of runs and thousands of eigenvalues.
- * Label: standard. */
+ * Label: thorough. */
 #include <complex.h>
 #include <stdlib.h>
 
