@@ -209,7 +209,7 @@ typedef struct gough_envelope {
  *          GOUGH_ERROR_NUMERICAL with a sentence if the box may contain a singular pose, where forces have no bound.
  *
  *  Bounds are certified, with errors of rounding enclosed. They are drawn nearer until bound and sampled value differ by less
- *  than 1 % (of push and pull: or a quarter of that of the larger of both; lengths: 0.01 %; swing: or 0.1 degrees; clearance: or
+ *  than 1 % (of push and pull: or a tenth of that of the larger of both; lengths: 0.01 %; swing: or 0.02 degrees; clearance: or
  *  0.1 % of the least length), or until the search has tested its share of most_tests, 16000 boxes at most for each value. In a
  *  large box near singular poses they may stay apart, condition and singular value sooner than the others: their difference is
  *  what is not known. Allocates nothing; uses about 450 KiB of stack. */

@@ -95,11 +95,18 @@ static void find_outcome(const asker *a, const effort *e, outcome *to) {
 
 /* ---- extremes ---- */
 
-/* Greatest and least value so far: numbers that depend on the pose, and what is bounded over the box only. */
+/* Greatest value so far, or with the sign −1 the least: a number that depends on the pose, and what is bounded over the box only. */
+typedef struct end_of_range {
+    double sign;
+    taylor near;
+    double more; /* ≥ 0: beyond `near`, where the pose asks for it or not */
+    double sure; /* ≤ 0: what may be missing of `near` */
+    double
+        still; /* what every pose reaches for certain: at rest, or at one corner of the velocities */
+} end_of_range;
+
 typedef struct range {
-    taylor up, down;
-    double more, less; /* ≥ 0: added above, taken away below, where the pose asks for it or not */
-    double sure_more, sure_less; /* of this, what is there in every pose */
+    end_of_range up, down;
 } range;
 
 /* (space-14): a part that may have either sign, as large as `size` */
@@ -107,11 +114,11 @@ static void range_either(range *r, taylor part, double size) {
     const double spread = taylor_spread(&part);
     const taylor scaled = taylor_scale(part.c < 0 ? -size : size, part);
     if (fabs(part.c) >= spread) {
-        r->up = taylor_add(r->up, scaled);
-        r->down = taylor_less(r->down, scaled);
+        r->up.near = taylor_add(r->up.near, scaled);
+        r->down.near = taylor_less(r->down.near, scaled);
     } else {
-        r->more += size * taylor_magnitude(&part);
-        r->less += size * taylor_magnitude(&part);
+        r->up.more += size * taylor_magnitude(&part);
+        r->down.more += size * taylor_magnitude(&part);
     }
 }
 
@@ -137,56 +144,111 @@ static void add_linear(const asker *a, range extreme[RESULTS]) {
     }
 }
 
-/* the quadratic form of the velocities, half of its matrix, each times the greatest velocities */
+/* the quadratic form of the velocities, each coefficient times the greatest velocities; j ≥ k at curve_at(k, j) */
 typedef struct form {
-    double c[RATES][RATES], spread;
+    taylor q[CURVES];
 } form;
 
 static void find_forms(const asker *a, form forms[RESULTS]) {
     effort most = effort_most(a->b->s->reach);
-    outcome own[RATES];
     memset(forms, 0, RESULTS * sizeof *forms);
     for (int j = 0; j < RATES; j++) {
-        for (int k = j; k >= 0; k--) {
+        for (int k = 0; k <= j; k++) {
             const double size = *rate_demand(&most, j) * *rate_demand(&most, k);
             effort e = {.gravity = 0};
             outcome both;
             if (!(size > 0)) continue;
-            *rate_demand(&e, j) = *rate_demand(&e, k) = 1;
+            *rate_demand(&e, j) = *rate_demand(&most, j);
+            *rate_demand(&e, k) = *rate_demand(&most, k);
             find_outcome(a, &e, &both);
-            if (j == k) own[j] = both;
-            for (int i = 0; i < RESULTS; i++) {
-                taylor x = both.x[i];
-                if (j != k) x = taylor_less(x, taylor_add(own[j].x[i], own[k].x[i]));
-                forms[i].c[j][k] = size * x.c;
-                forms[i].spread += size * (taylor_spread(&x) + ROUNDED * fabs(x.c));
-            }
+            for (int i = 0; i < RESULTS; i++) forms[i].q[curve_at(k, j)] = both.x[i];
         }
     }
+    /* of the sum of two velocities the squares of both are taken off */
+    for (int i = 0; i < RESULTS; i++)
+        for (int j = 0; j < RATES; j++)
+            for (int k = 0; k < j; k++) {
+                taylor *q = &forms[i].q[curve_at(k, j)];
+                const taylor own =
+                    taylor_add(forms[i].q[curve_at(j, j)], forms[i].q[curve_at(k, k)]);
+                if (*rate_demand(&most, j) * *rate_demand(&most, k) > 0) *q = taylor_less(*q, own);
+            }
 }
 
-/* the form at a corner of the box of velocities; `whole`: with the squares that are below 0 (sign 1) or above (sign −1) */
-static double form_at(const form *f, int corner, double sign, bool whole) {
+/* whether the product of two velocities is below 0 at a corner of their box */
+static bool is_negative(int corner, int j, int k) { return (corner >> j ^ corner >> k) & 1; }
+
+/* the parts of a form with these coefficients, at the centre and at a corner */
+static double form_at(const form *f, int corner, const bool with[CURVES]) {
     double sum = 0;
-    for (int j = 0; j < RATES; j++) {
-        const double square = f->c[j][j];
-        if (whole || sign * square > 0) sum += square;
-        for (int k = 0; k < j; k++) sum += ((corner >> j ^ corner >> k) & 1 ? -1 : 1) * f->c[j][k];
-    }
+    for (int j = 0; j < RATES; j++)
+        for (int k = 0; k <= j; k++) {
+            const int at = curve_at(k, j);
+            if (with[at]) sum += is_negative(corner, j, k) ? -f->q[at].c : f->q[at].c;
+        }
     return sum;
 }
 
-/* (space-15): a form whose squares are not below 0 is greatest at a corner, and rest is one of the velocities */
-static void add_form(const form *f, range *r) {
-    double most = 0, least = 0, sure_most = 0, sure_least = 0;
-    for (int corner = 0; corner < CORNERS; corner++) {
-        most = fmax(most, form_at(f, corner, 1, false));
-        least = fmin(least, form_at(f, corner, -1, false));
-        sure_most = fmax(sure_most, form_at(f, corner, 1, true));
-        sure_least = fmin(sure_least, form_at(f, corner, -1, true));
+/* by how much a corner exceeds another anywhere, or 0: only products whose sign differs count */
+static double corner_beyond(const form *f, int corner, int best, double sign,
+                            const bool with[CURVES]) {
+    taylor sum = taylor_of(0);
+    double crude = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int j = 0; j < RATES; j++)
+            for (int k = 0; k < j; k++) {
+                const bool differs = is_negative(corner, j, k) != is_negative(best, j, k);
+                if (!differs || !with[curve_at(k, j)]) continue;
+                const taylor *q = &f->q[curve_at(k, j)];
+                const double twice = is_negative(corner, j, k) ? -2 * sign : 2 * sign;
+                if (pass == 0)
+                    crude += twice * q->c + 2 * taylor_spread(q) + 8 * ROUNDED * fabs(q->c);
+                else
+                    sum = taylor_add(sum, taylor_scale(twice, *q));
+            }
+        if (!(crude > 0)) return 0;
     }
-    r->more += most + f->spread, r->less += f->spread - least;
-    r->sure_more = fmax(0, sure_most - f->spread), r->sure_less = fmax(0, -sure_least - f->spread);
+    return fmax(0, taylor_most(&sum));
+}
+
+/* Which coefficients have one sign over the box: the others are bounded by themselves, squares that may be below 0 left out. */
+static void find_certain(const form *f, end_of_range *r, bool certain[CURVES]) {
+    for (int j = 0; j < RATES; j++)
+        for (int k = 0; k <= j; k++) {
+            const taylor q = taylor_scale(r->sign, f->q[curve_at(k, j)]);
+            const double least = taylor_least(&q), most = taylor_most(&q);
+            certain[curve_at(k, j)] = least >= 0 || (j != k && most <= 0);
+            if (certain[curve_at(k, j)]) continue;
+            r->more += j == k ? fmax(0, most) : fmax(most, -least);
+            r->sure += j == k ? fmin(0, least) : fmin(least, -most);
+        }
+}
+
+/* (space-15): a form whose squares are not below 0 is greatest at a corner */
+static void add_form(const form *f, end_of_range *r) {
+    bool certain[CURVES], all[CURVES];
+    double beyond = 0, spread = 0, greatest = 0, sure = 0;
+    int best = 0;
+    find_certain(f, r, certain);
+    for (int i = 0; i < CURVES; i++) {
+        spread += taylor_spread(&f->q[i]) + ROUNDED * fabs(f->q[i].c);
+        all[i] = true;
+    }
+    for (int corner = 0; corner < CORNERS; corner++) {
+        const double value = r->sign * form_at(f, corner, certain);
+        if (corner == 0 || value > greatest) greatest = value, best = corner;
+        sure = fmax(sure, r->sign * form_at(f, corner, all) - spread);
+    }
+    for (int corner = 0; corner < CORNERS; corner++)
+        if (corner != best) beyond = fmax(beyond, corner_beyond(f, corner, best, r->sign, certain));
+    r->more += beyond;
+    r->still += sure;
+    for (int j = 0; j < RATES; j++)
+        for (int k = 0; k <= j; k++) {
+            const taylor *q = &f->q[curve_at(k, j)];
+            if (!certain[curve_at(k, j)]) continue;
+            r->near = taylor_add(r->near, is_negative(best, j, k) ? taylor_scale(-1, *q) : *q);
+        }
 }
 
 static bool any_rate(const gough_reach *reach) {
@@ -202,21 +264,26 @@ static void find_ranges(const asker *a, range extreme[RESULTS]) {
     outcome still;
     form forms[RESULTS];
     find_outcome(a, &rest, &still);
-    memset(extreme, 0, RESULTS * sizeof *extreme);
-    for (int i = 0; i < RESULTS; i++) extreme[i].up = extreme[i].down = still.x[i];
+    for (int i = 0; i < RESULTS; i++)
+        extreme[i] = (range){{.sign = 1, .near = still.x[i]}, {.sign = -1, .near = still.x[i]}};
     add_linear(a, extreme);
+    for (int i = 0; i < RESULTS; i++) {
+        extreme[i].up.still = taylor_least(&extreme[i].up.near);
+        extreme[i].down.still = -taylor_most(&extreme[i].down.near);
+    }
     if (!any_rate(reach)) return;
     find_forms(a, forms);
-    for (int i = 0; i < RESULTS; i++) add_form(&forms[i], &extreme[i]);
+    for (int i = 0; i < RESULTS; i++)
+        add_form(&forms[i], &extreme[i].up), add_form(&forms[i], &extreme[i].down);
 }
 
-static over_box upper(const range *r) {
-    return (over_box){taylor_least(&r->up) + r->sure_more, taylor_most(&r->up) + r->more, r->up,
-                      r->sure_more, r->more};
-}
-static over_box lower_turned(const range *r) {
-    return (over_box){r->sure_less - taylor_most(&r->down), r->less - taylor_least(&r->down),
-                      taylor_scale(-1, r->down), r->sure_less, r->less};
+/* the greatest value, or the least one turned */
+static over_box over_of(const end_of_range *r) {
+    const taylor near = taylor_scale(r->sign, r->near);
+    const double least = taylor_least(&near), most = taylor_most(&near);
+    /* what every pose reaches is near + sure too */
+    const double sure = fmax(r->sure, (r->still - most) - ROUNDED * (fabs(r->still) + fabs(most)));
+    return (over_box){fmax(r->still, least + r->sure), most + r->more, near, sure, r->more};
 }
 
 /* (mass-13): what friction of a moving leg adds at most to a force that lies between two */
@@ -231,17 +298,16 @@ static void add_friction(const gough_reach *reach, int v, double speed, asked_of
     a->pull.most += dry + loss * most, a->pull.above += dry + loss * most;
 }
 
-/* |l̇| ≤ Σ |J_k| V_k */
+/* |l̇| ≤ Σ |J_k| V_k: with slopes and curvatures where J_k keeps its sign, (space-14) */
 static over_box speed_of(const space *s, const stiff *J, int v) {
     effort most = effort_most(s->reach);
-    over_box speed = {.least = 0, .most = 0};
+    range speed = {{.sign = 1, .near = taylor_of(0)}, {.sign = -1, .near = taylor_of(0)}};
     for (int j = 0; j < RATES; j++) {
-        const taylor *x = &J->row[v][j];
         const double size = *rate_demand(&most, j) * (j < 3 ? 1 : s->h.reach);
-        speed.most += size * taylor_magnitude(x) * (1 + 8 * ROUNDED);
-        speed.least += size * fmax(0, fabs(x->c) - taylor_spread(x)) * (1 - 8 * ROUNDED);
+        if (size > 0) range_either(&speed, J->row[v][j], size);
     }
-    return speed;
+    return (over_box){.least = fmax(0, taylor_least(&speed.up.near)),
+                      .most = taylor_most(&speed.up.near) + speed.up.more * (1 + 8 * ROUNDED)};
 }
 
 void asked_of(const space *s, const box_view *view, const taylor_vector n[LEGS], const stiff *J,
@@ -259,11 +325,12 @@ void asked_of(const space *s, const box_view *view, const taylor_vector n[LEGS],
         asked_of_leg *leg = &asked[v];
         leg->speed = speed_of(s, J, v);
         if (parts.force) {
-            leg->push = upper(&extreme[v]), leg->pull = lower_turned(&extreme[v]);
+            leg->push = over_of(&extreme[v].up), leg->pull = over_of(&extreme[v].down);
             add_friction(s->reach, v, leg->speed.most, leg);
         }
         if (parts.acceleration) {
-            const over_box up = upper(&extreme[LEGS + v]), down = lower_turned(&extreme[LEGS + v]);
+            const over_box up = over_of(&extreme[LEGS + v].up),
+                           down = over_of(&extreme[LEGS + v].down);
             leg->acceleration =
                 (over_box){.least = fmax(up.least, down.least), .most = fmax(up.most, down.most)};
         }

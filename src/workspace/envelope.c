@@ -6,13 +6,15 @@
 #include "workspace/certify.h"
 #include "workspace/worst_values.h"
 
-/* boxes that wait at most; how often a side is halved at most; halvings of the steps of a climb, and of a step at most */
+/* boxes that wait at most; how often a side is halved at most; halvings of the steps of a climb, and of a step at most; how often a
+ * side is halved while centres are tried */
 enum {
     CORNERS = 1 << GOUGH_COMPONENTS,
     WAITING = 1 << 13,
     DEEPEST = 26,
     FINEST = 9,
     CLIMBS = 40,
+    SAMPLED = 2,
     SHARES = 16
 };
 
@@ -20,7 +22,7 @@ enum {
 static const double TOUCHING = 1024 * DBL_EPSILON;
 
 /* how far bounds may lie beyond values that are found, in parts of the value; swing in radians besides */
-static const double PART = 0.01, PART_OF_LENGTH = 1e-4, SWING = 0.1 / 57.3;
+static const double PART = 0.01, PART_OF_LENGTH = 1e-4, SWING = 0.02 / 57.3;
 
 static double sign_of(int worst) {
     const bool least = worst == GOUGH_WORST_PULL || worst == GOUGH_WORST_SHORTEST ||
@@ -54,7 +56,7 @@ static double allowance(const gough_envelope *e, int worst) {
     switch (worst) {
     case GOUGH_WORST_PUSH:
     case GOUGH_WORST_PULL:
-        return PART * fmax(own, 0.25 * force);
+        return PART * fmax(own, 0.1 * force);
     case GOUGH_WORST_SHORTEST:
     case GOUGH_WORST_LONGEST:
         return PART_OF_LENGTH * own;
@@ -117,6 +119,7 @@ typedef struct part {
 typedef struct heap {
     part of[WAITING];
     int count;
+    double settled; /* the worst bound of the parts that need not be split */
 } heap;
 
 static void heap_put(heap *h, const part *p) {
@@ -156,7 +159,7 @@ static void view_part(const space *s, const gough_box *box, const part *p, box_v
     box_view_of(s, &one, view);
 }
 
-/* bounds a part and lets it wait */
+/* bounds a part and lets it wait, unless it is good enough as it is */
 static void bound_part(const space *s, const gough_box *box, int worst, part *p, heap *h,
                        gough_envelope *e) {
     box_view view;
@@ -166,7 +169,10 @@ static void bound_part(const space *s, const gough_box *box, int worst, part *p,
     e->tests++;
     /* a part has no worse one than the whole */
     p->most = fmin(p->most, at.most[worst]);
-    heap_put(h, p);
+    if (p->most > e->of[worst].sampled + allowance(e, worst))
+        heap_put(h, p);
+    else
+        h->settled = fmax(h->settled, p->most);
 }
 
 /* Splits until no part's bound exceeds the worst value found by more than the allowance, or too many boxes were tested. */
@@ -177,15 +183,15 @@ static void search(const space *s, const gough_box *box, int worst, size_t most_
     gough_extreme *x = &e->of[worst];
     x->bound = INFINITY;
     if (most_tests == 0) return;
-    h->count = 0;
+    h->count = 0, h->settled = x->sampled;
     bound_part(s, box, worst, &whole, h, e);
-    while (h->of[0].most > x->sampled + allowance(e, worst) && e->tests < end) {
+    while (h->count > 0 && h->of[0].most > x->sampled + allowance(e, worst) && e->tests < end) {
         part p = h->of[0];
         box_view view;
         view_part(s, box, &p, &view);
         const int side = box_widest_side(s, &view, 0);
         if (side < 0 || p.depth[side] >= DEEPEST || h->count + 1 >= WAITING) break;
-        sample(s, view.centre, 1U << worst, e);
+        if (p.depth[side] < SAMPLED) sample(s, view.centre, 1U << worst, e);
         (void)heap_take(h);
         p.depth[side]++, p.at[side] *= 2;
         part other = p;
@@ -193,7 +199,8 @@ static void search(const space *s, const gough_box *box, int worst, size_t most_
         bound_part(s, box, worst, &p, h, e);
         bound_part(s, box, worst, &other, h, e);
     }
-    x->bound = fmax(h->of[0].most, x->sampled);
+    x->bound = fmax(h->settled, x->sampled);
+    if (h->count > 0) x->bound = fmax(x->bound, h->of[0].most);
 }
 
 /* signs as users have them; an acceleration or speed that was not asked for is 0 */

@@ -11,7 +11,7 @@ static const double MATRIX_ROUNDED = 256 * DBL_EPSILON;
 
 /* unit vectors that stand for all of a plane; the part of a distance between two rows that must be certain for them to be far from
  * each other */
-enum { ANGLES = 12 };
+enum { ANGLES = 32 };
 static const double FAR = 0.5;
 
 /* (legs-5): a row is the leg's direction and its moment about the top frame's origin */
