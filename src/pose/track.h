@@ -15,6 +15,9 @@ static const double SERIES_ERROR = 1e-4, FIRST_MOST = 1e-2, SECOND_MOST = 1e-5, 
                     SECOND_PART = 1e-3;
 /* steps and distances from the end below which a path is left */
 static const double STEP_LEAST = 1e-13, LEFT_LEAST = 1e-10;
+/* Near the end, a path on which |e·e| of |x| = 1 is smaller leads to infinity: a pose there were 10⁴ machines away. Its root is not
+ * simple, so that it would come nearer by ever shorter steps only. */
+static const double AWAY = 1e-8, NEAR_END = 0.1;
 
 typedef struct {
     coefficient c[PATH_ROWS][PRODUCTS];
@@ -25,6 +28,7 @@ typedef struct {
     scalar x[SOMA]; /* |x| = 1 */
     number left;    /* 1 − s */
     number last;    /* length of the last step, or what stands for it */
+    number turned;  /* |e·e|² */
 } walkers;
 
 /* C(s) = C¹ − (1 − s)(C¹ − C⁰) */
@@ -156,6 +160,7 @@ static inline void path_advance(const path_system *from, const path_system *to, 
     for (int k = 0; k < SOMA; k++) w->x[k] = scalar_select(accepted, z[k], w->x[k]);
     w->left = number_select(accepted, left, w->left);
     w->last = number_select(accepted, h, number_of(0.0625) * h);
+    w->turned = square_magnitude(soma_dot(w->x, w->x, 4));
 }
 
 static inline void path_put(walkers *w, int lane, const path_point *p) {
@@ -182,7 +187,7 @@ static inline void path_track(const path_system *from, const path_system *to,
     walkers w;
 
     for (int k = 0; k < SOMA; k++) w.x[k] = scalar_of(number_of(0));
-    w.left = w.last = number_of(0);
+    w.left = w.last = w.turned = number_of(0);
     for (int lane = 0; lane < NUMBER_WIDTH; lane++) {
         path[lane] = next < count ? next++ : -1;
         path_put(&w, lane, &start[path[lane] < 0 ? 0 : path[lane]]);
@@ -194,7 +199,9 @@ static inline void path_track(const path_system *from, const path_system *to,
             if (path[lane] < 0) continue;
             path_end *e = &end[path[lane]];
             const double left = number_lane(w.left, lane), last = number_lane(w.last, lane);
-            if (left > LEFT_LEAST && last > STEP_LEAST / 16 && ++e->steps < STEPS_MOST) continue;
+            const int away = left < NEAR_END && number_lane(w.turned, lane) < AWAY * AWAY;
+            if (left > LEFT_LEAST && last > STEP_LEAST / 16 && !away && ++e->steps < STEPS_MOST)
+                continue;
             path_take(&w, lane, e);
             path[lane] = next < count ? next++ : -1;
             working--;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* linear demands: acceleration, angular acceleration, force, moment; velocities: of the origin, angular */
-enum { LINEAR = 12, RATES = 6, RESULTS = 2 * LEGS, CORNERS = 1 << (RATES - 1) };
+enum { LINEAR = 12, RATES = 6, RESULTS = 2 * LEGS, CORNERS = 1 << (RATES - 1), CLIMBS = 4 };
 
 /* forces of the six legs, then second rates of their lengths */
 typedef struct outcome {
@@ -224,21 +224,61 @@ static void find_certain(const form *f, end_of_range *r, bool certain[CURVES]) {
         }
 }
 
+/* A velocity u whose square has the coefficient −q < 0 and whose products with the others add b u, |b| ≤ B: the greatest −q u² + b u
+ * is no greater than that of b u times a factor below 1, by which the products of this velocity are multiplied. */
+static void ease(form *f, end_of_range *r) {
+    for (int j = 0; j < RATES; j++) {
+        const taylor square = taylor_scale(r->sign, f->q[curve_at(j, j)]);
+        const double q = -taylor_most(&square);
+        double most = 0;
+        for (int k = 0; k < RATES; k++)
+            if (k != j) most += taylor_magnitude(&f->q[k < j ? curve_at(k, j) : curve_at(j, k)]);
+        if (!(q > 0) || !(most > 0)) continue;
+        const double factor = (most > 2 * q ? 1 - q / most : most / (4 * q)) + 8 * ROUNDED;
+        r->sure -= fmax(0, 1 - factor) * most;
+        for (int k = 0; k < RATES; k++) {
+            taylor *product = &f->q[k < j ? curve_at(k, j) : curve_at(j, k)];
+            if (k != j && factor < 1) *product = taylor_scale(factor, *product);
+        }
+    }
+}
+
+/* What velocities add at the centre at least: from a corner on, each is put where it adds most, the others staying. */
+static double climb_from(const form *f, int corner, double sign) {
+    double u[RATES], sum = 0;
+    for (int j = 0; j < RATES; j++) u[j] = corner >> j & 1 ? -1 : 1;
+    for (int n = 0; n < CLIMBS * RATES; n++) {
+        const int j = n % RATES;
+        const double q = sign * f->q[curve_at(j, j)].c;
+        double b = 0;
+        for (int k = 0; k < RATES; k++)
+            if (k != j) b += sign * u[k] * f->q[k < j ? curve_at(k, j) : curve_at(j, k)].c;
+        u[j] = q < 0 ? fmin(1, fmax(-1, b / (-2 * q))) : b < 0 ? -1 : 1;
+    }
+    for (int j = 0; j < RATES; j++)
+        for (int k = 0; k <= j; k++) sum += sign * u[j] * u[k] * f->q[curve_at(k, j)].c;
+    return sum;
+}
+
 /* (space-15): a form whose squares are not below 0 is greatest at a corner */
-static void add_form(const form *f, end_of_range *r) {
+static void add_form(const form *whole, end_of_range *r) {
     bool certain[CURVES], all[CURVES];
     double beyond = 0, spread = 0, greatest = 0, sure = 0;
     int best = 0;
+    form eased = *whole;
+    const form *f = &eased;
+    ease(&eased, r);
     find_certain(f, r, certain);
     for (int i = 0; i < CURVES; i++) {
-        spread += taylor_spread(&f->q[i]) + ROUNDED * fabs(f->q[i].c);
+        spread += taylor_spread(&whole->q[i]) + 8 * ROUNDED * fabs(whole->q[i].c);
         all[i] = true;
     }
     for (int corner = 0; corner < CORNERS; corner++) {
         const double value = r->sign * form_at(f, corner, certain);
         if (corner == 0 || value > greatest) greatest = value, best = corner;
-        sure = fmax(sure, r->sign * form_at(f, corner, all) - spread);
+        sure = fmax(sure, r->sign * form_at(whole, corner, all) - spread);
     }
+    sure = fmax(sure, climb_from(whole, best, r->sign) - spread);
     for (int corner = 0; corner < CORNERS; corner++)
         if (corner != best) beyond = fmax(beyond, corner_beyond(f, corner, best, r->sign, certain));
     r->more += beyond;
