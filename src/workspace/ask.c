@@ -95,7 +95,8 @@ static void find_outcome(const asker *a, const effort *e, outcome *to) {
 
 /* ---- extremes ---- */
 
-/* Greatest value so far, or with the sign −1 the least: a number that depends on the pose, and what is bounded over the box only. */
+/* Greatest value so far, or with the sign −1 the least: a number that depends on the pose, and what is bounded over the box
+ * only. */
 typedef struct end_of_range {
     double sign;
     taylor near;
@@ -224,8 +225,8 @@ static void find_certain(const form *f, end_of_range *r, bool certain[CURVES]) {
         }
 }
 
-/* A velocity u whose square has the coefficient −q < 0 and whose products with the others add b u, |b| ≤ B: the greatest −q u² + b u
- * is no greater than that of b u times a factor below 1, by which the products of this velocity are multiplied. */
+/* A velocity u whose square has the coefficient −q < 0 and whose products with the others add b u, |b| ≤ B: the greatest
+ * −q u² + b u is no greater than that of b u times a factor below 1, by which the products of this velocity are multiplied. */
 static void ease(form *f, end_of_range *r) {
     for (int j = 0; j < RATES; j++) {
         const taylor square = taylor_scale(r->sign, f->q[curve_at(j, j)]);

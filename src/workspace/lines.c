@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Points across the whole of a side, and at least between two neighbouring edges; an edge is where a sphere of a leg begins or ends. */
+/* Points across the whole of a side, and at least between two neighbouring edges; an edge is where a sphere of a leg begins or
+ * ends. */
 enum {
     POINTS = 640,
     FEWEST = 10,

@@ -9,8 +9,9 @@ typedef struct hull {
     double least[3], greatest[3];
 } hull;
 
-/* (space-17): the volume of the positions within a box, at the orientation R, on the side of home of all singular poses. Leg v keeps
- * the point between two spheres about centre[v]. Outside of the box `doubtful` no position that all legs allow is on the other side. */
+/* (space-17): the volume of the positions within a box, at the orientation R, on the side of home of all singular poses. Leg v
+ * keeps the point between two spheres about centre[v]. Outside of the box `doubtful` no position that all legs allow is on the
+ * other side. */
 double lines_volume(const space *s, const triad *R, const hull *allowed, const hull *doubtful,
                     const vector centre[LEGS]);
 
