@@ -16,11 +16,15 @@ typedef struct named {
 #define OF_ANGLE(word, size, ...) {word, size, GOUGH_UNIT_ANGLE},
 #define OF_TIME(word, size, ...) {word, size, GOUGH_UNIT_TIME},
 #define OF_ACCELERATION(word, size, ...) {word, size, GOUGH_UNIT_ACCELERATION},
+#define LENGTH_OF_RECORD(word, size) OF_LENGTH(word, size, )
+#define ANGLE_OF_RECORD(word, size) OF_ANGLE(word, size, )
+#define TIME_OF_RECORD(word, size) OF_TIME(word, size, )
+#define ACCELERATION_OF_RECORD(word, size) OF_ACCELERATION(word, size, )
 static const named known[] = {
     /* words that differ in nothing but capitals are found in this order */
     LENGTHS(OF_LENGTH, OF_LENGTH, , ) ANGLES(OF_ANGLE, OF_ANGLE, , ) TIMES(OF_TIME, OF_TIME, , )
-        LENGTHS_OF_RECORDS(OF_LENGTH) ANGLES_OF_RECORDS(OF_ANGLE) TIMES_OF_RECORDS(OF_TIME)
-            ACCELERATIONS_OF_RECORDS(OF_ACCELERATION)};
+        LENGTHS_OF_RECORDS(LENGTH_OF_RECORD) ANGLES_OF_RECORDS(ANGLE_OF_RECORD)
+            TIMES_OF_RECORDS(TIME_OF_RECORD) ACCELERATIONS_OF_RECORDS(ACCELERATION_OF_RECORD)};
 
 static const named *find(const char *word, size_t length) {
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)

@@ -15,9 +15,9 @@ static const double SERIES_ERROR = 1e-4, FIRST_MOST = 1e-2, SECOND_MOST = 1e-5, 
                     SECOND_PART = 1e-3;
 /* steps and distances from the end below which a path is left */
 static const double STEP_LEAST = 1e-13, LEFT_LEAST = 1e-10;
-/* Near the end, a path on which |e·e| of |x| = 1 is smaller leads to infinity: a pose there were 10⁴ machines away. Its root is not
+/* Near the end, a path on which |e·e| of |x| = 1 is smaller leads to infinity: a pose there were 10⁶ machines away. Its root is not
  * simple, so that it would come nearer by ever shorter steps only. */
-static const double AWAY = 1e-8, NEAR_END = 0.1;
+static const double AWAY = 1e-13, NEAR_END = 0.1;
 
 typedef struct {
     coefficient c[PATH_ROWS][PRODUCTS];

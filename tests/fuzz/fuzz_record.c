@@ -1,5 +1,6 @@
 /* Any keys of motion.samples with any bytes as the file: the first line of the input is the inside of the mapping behind `file`,
  * the rest the record. They end in a study with a motion or in messages; and so does the description of the file alone. */
+#define _POSIX_C_SOURCE 200809L
 #include <math.h>
 
 #include "file.h"
