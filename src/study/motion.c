@@ -100,7 +100,6 @@ static void build_samples(study_build *build, const study_node *motion, study_no
     study_messages *messages = build->messages;
     const bool mapping = samples->kind == STUDY_MAPPING;
     study_node *file = mapping ? study_node_child(samples, "file") : samples;
-    if (!file) return;
     const char *folder = file->text[0] == '/' ? "" : build->folder;
     const size_t length = strlen(folder), before = messages->count;
     char *path = study_arena_take(messages->arena, length + file->length + 1);

@@ -101,9 +101,9 @@ static void describe_column(const describer *d, size_t i, gough_motion_column *c
 static void describe_times(const describer *d) {
     gough_motion_file *file = d->file;
     const size_t at = file->time;
-    const double *time = at ? d->value[at - 1] : NULL;
     file->interval = NAN;
-    bool good = time && file->rows > 1;
+    bool good = at > 0 && file->rows > 1;
+    const double *time = good ? d->value[at - 1] : NULL;
     for (size_t row = 0; good && row < file->rows; row++)
         good = isfinite(time[row]) && (row == 0 || time[row] > time[row - 1]);
     if (!good) return;
@@ -125,6 +125,7 @@ static bool is_certain(const describer *d, const double *first) {
     const bool chosen =
         study_columns_choose(&said, &d->layout, &d->keys, &units, "", first, &columns);
     study_arena_free(&arena);
+    d->messages->arena->exhausted |= arena.exhausted;
     return chosen && !(d->file->time && first[d->file->time - 1] > 0);
 }
 

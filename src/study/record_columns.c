@@ -35,7 +35,6 @@ int study_name_quantity(const char *text) {
 /* ---- units ---- */
 
 double study_channel_convert(const study_channel *channel, double cell) {
-    if (channel->direct) return cell;
     return channel->scale * (cell * channel->times / channel->over) + channel->offset;
 }
 
@@ -116,12 +115,13 @@ static size_t column_named(chooser *c, study_node *node) {
         l->named && matches == 0 ? study_nearest(node->text, l->name, l->columns) : NULL;
     const char *list = study_mapping_columns(arena, l, NULL);
     c->wrong = true;
+    if (!list) return SIZE_MAX;
     study_node_say(c->messages, node, study_node_place(node, false),
                    "the record has %s `%s`%s%s%s; its columns are %s%s",
                    matches ? "several columns" : "no column",
                    study_quote(arena, node->text, node->length), nearest ? "; did you mean `" : "",
                    nearest ? study_quote(arena, nearest, strlen(nearest)) : "", nearest ? "`?" : "",
-                   list ? list : "", matches ? "; give its number" : "");
+                   list, matches ? "; give its number" : "");
     return SIZE_MAX;
 }
 
@@ -129,15 +129,7 @@ static void choose_by_key(chooser *c, int quantity) {
     const study_column_keys *own = &c->keys->channel[quantity];
     study_channel *channel = &c->columns->channel[quantity];
     char why[200], sentence[300];
-    if (!own->column) {
-        if (quantity == STUDY_TIME || own->node->wrong) return;
-        snprintf(sentence, sizeof sentence,
-                 "`motion.samples.columns.%s.column` is missing: the name or number of a column",
-                 study_quantity_name(quantity));
-        c->wrong = true;
-        study_node_say(c->messages, own->node, study_node_place(own->node, true), "%s", sentence);
-        return;
-    }
+    if (!own->column) return; /* of the times; all others were checked to have one */
     const size_t column = own->number ? own->number - 1 : column_named(c, own->column);
     if (column == SIZE_MAX) return;
     if (column >= c->layout->columns) {
@@ -241,6 +233,23 @@ static void say_uncertain(chooser *c, const char *file, const double *first,
               list, mapping);
 }
 
+/* A quaternion has four columns, a matrix nine, also where names alone choose them. */
+static void check_rotation(chooser *c) {
+    const bool matrix = c->keys->rotation == STUDY_BY_MATRIX;
+    const int from = matrix ? STUDY_MATRIX : STUDY_QUATERNION,
+              to = matrix ? STUDY_QUANTITIES : STUDY_MATRIX;
+    if (c->keys->rotation == STUDY_ANGLES || c->wrong) return;
+    for (int q = from; q < to; q++) {
+        if (c->columns->channel[q].used) continue;
+        c->wrong = true;
+        study_say(c->messages, GOUGH_ERROR_INPUT, c->layout->place,
+                  "the record lacks the column `%s`: a rotation by %s has the columns %s",
+                  study_quantity_name(q), matrix ? "matrix" : "quaternion",
+                  matrix ? "r11, r12, r13, r21 … r33" : "qw, qx, qy, qz");
+        return;
+    }
+}
+
 static void finish(study_columns *columns) {
     for (int q = 0; q < STUDY_CHANNELS; q++) {
         study_channel *channel = &columns->channel[q];
@@ -266,6 +275,7 @@ bool study_columns_choose(study_messages *messages, const study_layout *layout,
     const bool certain = (keys->columns && timed) || choose_by_names(&c, notes, &at);
     const bool time = keys->time_step > 0 || columns->channel[STUDY_TIME].used;
     if (!certain || !time || !moves(columns)) say_uncertain(&c, file, first, notes, at);
+    check_rotation(&c);
     finish(columns);
-    return !c.wrong && !messages->arena->exhausted;
+    return !c.wrong;
 }

@@ -24,7 +24,7 @@ static void add(parts *list, const char *format, ...) {
     const size_t room = TEXT - list->used;
     const int wrote = vsnprintf(list->text + list->used, room, format, values);
     va_end(values);
-    if (wrote < 0 || (size_t)wrote >= room)
+    if ((size_t)wrote >= room)
         list->text[list->used] = '\0';
     else
         list->used += (size_t)wrote;

@@ -1,6 +1,7 @@
 /* The keys of motion.samples as a struct. */
 #include "study/record_keys.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "study/value.h"
@@ -42,13 +43,14 @@ study_record_keys study_record_keys_none(study_node *samples, gough_order order)
     return keys;
 }
 
+/* Keys are read where nothing in the mapping was wrong when it was checked. */
 static double number_or(const study_node *node, double usual) {
-    return node && !node->wrong ? study_number(node) : usual;
+    return node ? study_number(node) : usual;
 }
 
 /* A name or number of a column. */
 static void read_column(study_messages *messages, study_column_keys *own, study_node *node) {
-    if (!node || node->wrong || node->kind != STUDY_SCALAR) return;
+    if (!node) return;
     if (node->length == 0) {
         study_say_shape(messages, node, "the name or number of a column");
         return;
@@ -61,7 +63,7 @@ static void read_column(study_messages *messages, study_column_keys *own, study_
 
 static void read_channel(study_messages *messages, study_column_keys *own, study_node *node) {
     own->node = node;
-    if (!node || node->wrong) return;
+    if (!node) return;
     if (node->kind == STUDY_SCALAR) {
         read_column(messages, own, node);
         return;
@@ -72,14 +74,11 @@ static void read_channel(study_messages *messages, study_column_keys *own, study
     own->offset = number_or(study_node_child(node, "offset"), 0);
 }
 
-static bool is_true(const study_node *node) {
-    return node && !node->wrong && strcmp(node->text, "true") == 0;
-}
+static bool is_true(const study_node *node) { return node && strcmp(node->text, "true") == 0; }
 
 /* The place of the key's word among the characters; 0 if it is not given. */
 static char character_of(const study_node *node, const char *words, const char *characters) {
-    const int index = node && !node->wrong ? study_choice_index(words, node->text) : -1;
-    return index < 0 ? 0 : characters[index];
+    return node ? characters[study_choice_index(words, node->text)] : '\0';
 }
 
 /* The kind of rotation that the columns have, or the key says; columns of several kinds are an error. */
@@ -87,7 +86,7 @@ static void read_rotation(study_messages *messages, study_record_keys *keys) {
     static const char *const words[] = {"angles", "quaternion", "matrix"};
     const study_node *node = study_node_child(keys->node, "rotation");
     const study_node *first = NULL;
-    if (node && !node->wrong)
+    if (node)
         keys->rotation = (unsigned)study_choice_index("angles, quaternion, matrix", node->text);
     for (int q = GOUGH_ROLL; q < STUDY_QUANTITIES; q++) {
         study_node *own = keys->channel[q].node;
@@ -124,7 +123,7 @@ static void read_time(study_messages *messages, study_record_keys *keys) {
     study_node *time = study_node_child(keys->node, "time");
     study_column_keys *own = &keys->channel[STUDY_TIME];
     read_channel(messages, own, time);
-    if (!time || time->wrong || time->kind != STUDY_MAPPING) return;
+    if (!time || time->kind != STUDY_MAPPING) return;
     study_node *step = study_node_child(time, "step");
     keys->from_first_time = study_node_child(time, "from") != NULL;
     keys->time_step = number_or(step, 0);
@@ -144,17 +143,16 @@ study_record_keys study_record_keys_read(study_messages *messages, study_node *s
     const study_node *comment = study_node_child(samples, "comment");
     const study_node *own_order = study_node_child(samples, "order");
     keys.skip = (size_t)number_or(study_node_child(samples, "skip"), 0);
-    keys.comment = comment && !comment->wrong ? comment->text : NULL;
+    keys.comment = comment ? comment->text : NULL;
     keys.separator = character_of(study_node_child(samples, "separator"),
                                   "comma, semicolon, tab, blanks", ",;\t ");
     keys.decimal = character_of(study_node_child(samples, "decimal"), "point, comma", ".,");
     keys.from_first = is_true(study_node_child(samples, "from_first"));
-    if (own_order && !own_order->wrong)
-        keys.order = strcmp(own_order->text, "xyz") == 0 ? GOUGH_XYZ : GOUGH_ZYX;
+    if (own_order) keys.order = strcmp(own_order->text, "xyz") == 0 ? GOUGH_XYZ : GOUGH_ZYX;
     read_time(messages, &keys);
     for (study_node *own = columns ? columns->first : NULL; own; own = own->next) {
         const int quantity = study_quantity_of(own->key->text);
-        if (quantity < 0) continue;
+        assert(quantity >= 0);
         keys.columns = true;
         read_channel(messages, &keys.channel[quantity], own);
     }

@@ -131,11 +131,10 @@ static size_t split_names(gough_piece line, char separator, gough_piece *cell, s
     size_t count = 0;
     gough_piece one;
     const gough_piece bare = study_name_bare(line);
-    if (bare.begin > line.begin && line.begin < bare.begin && *line.begin != '"')
-        line.begin = bare.begin;
+    if (bare.begin > line.begin && *line.begin != '"') line.begin = bare.begin;
     while (gough_csv_cell_by(&line, separator, &one)) {
-        const bool unit = separator == ' ' && count > 0 && one.begin < one.end &&
-                          (*one.begin == '(' || *one.begin == '[');
+        /* with blanks between them, no cell but the first is empty */
+        const bool unit = separator == ' ' && count > 0 && (*one.begin == '(' || *one.begin == '[');
         if (unit)
             cell[count - 1].end = one.end;
         else if (count < most)
@@ -271,6 +270,14 @@ static bool find_rows(const study_record_keys *keys, const head *h, bool partly,
 
 /* ---- the layout ---- */
 
+/* The word of a cell in a row of units, which may stand in brackets; empty for nothing or a dash. */
+static gough_piece unit_in(gough_piece cell) {
+    gough_piece word = study_name_bare(cell), name = word;
+    if (bracket(name) == name.begin) word = study_name_unit(&name);
+    if (length_of(word) == 1 && *word.begin == '-') word.end = word.begin;
+    return word;
+}
+
 /* Whether a line is a row of units: words of units, or nothing. */
 static bool has_units(const study_layout *layout, gough_piece line) {
     gough_piece cell;
@@ -278,10 +285,9 @@ static bool has_units(const study_layout *layout, gough_piece line) {
     gough_unit unit;
     double size;
     while (gough_csv_cell_by(&line, layout->separator, &cell)) {
-        gough_piece word = study_name_bare(cell), name = {word.begin, word.end};
+        const gough_piece word = unit_in(cell);
         count++;
-        if (bracket(name) == name.begin && name.begin < name.end) word = study_name_unit(&name);
-        if (word.begin == word.end || (length_of(word) == 1 && *word.begin == '-')) continue;
+        if (word.begin == word.end) continue;
         if (!gough_unit_named(word.begin, length_of(word), &unit, &size)) return false;
         known++;
     }
@@ -307,16 +313,12 @@ static void take_names(study_arena *arena, const head *h, size_t at, study_layou
     if (arena->exhausted) return;
     split_names(h->line[at], layout->separator, cell, columns);
     const bool below = at + 1 < h->count && has_units(layout, h->line[at + 1]);
-    gough_piece row = below ? h->line[at + 1] : (gough_piece){NULL, NULL}, own;
+    gough_piece row = below ? h->line[at + 1] : (gough_piece){NULL, NULL}, own = row;
     for (size_t i = 0; i < columns; i++) {
         gough_piece name = study_name_bare(cell[i]), rest = name;
         gough_piece unit = study_name_unit(&rest);
-        if (below && gough_csv_cell_by(&row, layout->separator, &own) && unit.begin == unit.end) {
-            unit = study_name_bare(own);
-            gough_piece inside = unit;
-            if (unit.begin < unit.end && bracket(unit) == unit.begin)
-                unit = study_name_unit(&inside);
-        }
+        if (below) gough_csv_cell_by(&row, layout->separator, &own);
+        if (below && unit.begin == unit.end) unit = unit_in(own);
         layout->place_of[i] = cell[i].begin;
         layout->name[i] = copy_of(arena, name);
         layout->unit[i] = copy_of(arena, unit);
@@ -376,7 +378,7 @@ bool study_layout_find(study_lines *lines, const study_record_keys *keys, study_
         layout->place = layout->named ? layout->place : h->place[at];
     } else {
         layout->place = h->place[0];
-        layout->separator = layout->separator ? layout->separator : ',';
+        layout->separator = ',';
         layout->columns = count_cells(h->line[0], ',');
         layout->decimal = '.';
         take_names(arena, h, 0, layout);

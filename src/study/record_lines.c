@@ -25,7 +25,8 @@ study_lines study_lines_of_file(study_messages *messages, const char *name, int 
     study_lines lines = {.messages = messages, .name = name, .file = file};
     lines.buffer = malloc(FIRST_BYTES);
     lines.capacity = FIRST_BYTES;
-    lines.broken = !lines.buffer;
+    lines.own = study_arena_take(messages->arena, sizeof *lines.own);
+    lines.broken = !lines.buffer || !lines.own;
     if (lines.broken) messages->arena->exhausted = true;
     study_lines_again(&lines);
     return lines;
@@ -50,23 +51,20 @@ void study_lines_end(study_lines *lines) {
 }
 
 static void fail_long(study_lines *lines) {
-    study_source *source = study_arena_take(lines->messages->arena, sizeof *source);
     lines->broken = true;
-    if (!source) return;
-    *source = (study_source){lines->name, "", 0, 1, .lines = lines->number, .bytes = lines->taken};
-    study_say(lines->messages, GOUGH_ERROR_INPUT, (study_place){source, 0},
+    *lines->own =
+        (study_source){lines->name, "", 0, 1, .lines = lines->number, .bytes = lines->taken};
+    study_say(lines->messages, GOUGH_ERROR_INPUT, (study_place){lines->own, 0},
               "this line has more than a million bytes");
 }
 
 static void fail_read(study_lines *lines, int cause) {
     char text[128] = "";
-    study_source *source = study_arena_take(lines->messages->arena, sizeof *source);
     lines->broken = true;
-    if (!source) return;
     (void)strerror_r(cause, text, sizeof text);
-    *source = (study_source){.name = lines->name, .rank = 1};
-    study_say(lines->messages, GOUGH_ERROR_FILE, (study_place){source, 0}, "cannot read `%s`: %s",
-              lines->name, study_printable(lines->messages->arena, text));
+    *lines->own = (study_source){.name = lines->name, .rank = 1};
+    study_say(lines->messages, GOUGH_ERROR_FILE, (study_place){lines->own, 0},
+              "cannot read `%s`: %s", lines->name, study_printable(lines->messages->arena, text));
 }
 
 /* More bytes behind those that are left; false at the end of the file. */
@@ -141,7 +139,7 @@ static const study_source nowhere = {.name = "", .text = ""};
 study_place study_lines_place(study_lines *lines, const char *at) {
     if (!lines->kept || lines->kept_number != lines->number)
         lines->kept = keep(lines, lines->begin, (size_t)(lines->line.end - lines->begin),
-                           lines->number ? lines->number - 1 : 0, lines->offset);
+                           lines->number - 1, lines->offset);
     lines->kept_number = lines->number;
     if (!lines->kept) return (study_place){&nowhere, 0};
     return (study_place){lines->kept, (size_t)(at - lines->begin)};

@@ -15,6 +15,7 @@ typedef struct study_lines {
     size_t capacity;
     gough_piece rest;  /* what was read and not taken */
     bool ended;        /* there is nothing behind it */
+    study_source *own; /* of a file: the place of errors about all of it */
     bool broken;       /* the file cannot be read, or a line is too long; the error is said */
     gough_piece line;  /* the line that was taken last, without a byte-order mark */
     const char *begin; /* its first byte, which may be that of the mark */

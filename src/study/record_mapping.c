@@ -24,8 +24,8 @@ static void put(writer *w, const char *format, ...) {
     va_start(list, format);
     const int wrote = vsnprintf(w->text + w->used, MOST_TEXT - w->used, format, list);
     va_end(list);
-    if (wrote > 0) w->used += (size_t)wrote;
-    if (w->used >= MOST_TEXT) w->used = MOST_TEXT - 1;
+    const size_t room = MOST_TEXT - w->used;
+    w->used = (size_t)wrote < room ? w->used + (size_t)wrote : MOST_TEXT - 1;
 }
 
 const char *study_mapping_columns(study_arena *arena, const study_layout *layout,
@@ -126,9 +126,7 @@ static guesses guess(const study_layout *l, const double *first) {
         for (size_t i = 0; i < l->columns; i++) {
             const int q = pass ? probably(l->name[i]) : study_name_quantity(l->name[i]);
             if (q < 0 || g.column[q] || (first && isnan(first[i]))) continue;
-            bool taken = false;
-            for (int other = 0; other < STUDY_CHANNELS; other++) taken |= g.column[other] == i + 1;
-            if (!taken) g.column[q] = i + 1;
+            g.column[q] = i + 1;
         }
     g.quaternion = has_all(&g, STUDY_QUATERNION, STUDY_MATRIX);
     g.matrix = !g.quaternion && has_all(&g, STUDY_MATRIX, STUDY_QUANTITIES);
@@ -143,15 +141,14 @@ static guesses guess(const study_layout *l, const double *first) {
 
 /* Without names: the first column of numbers is the time, the second heave. A name does not decide where no time was found. */
 static void fill_gaps(const study_layout *l, const double *first, bool timed, guesses *g) {
-    size_t taken[2] = {g->column[STUDY_TIME], 0};
     bool any = false;
     for (int q = 0; q < STUDY_QUANTITIES; q++) any |= g->column[q] > 0;
     for (size_t i = 0; i < l->columns; i++) {
         bool used = false;
         for (int q = 0; q < STUDY_CHANNELS; q++) used |= g->column[q] == i + 1;
         if (used || (first && isnan(first[i]))) continue;
-        if (!timed && !taken[0] && !l->named && l->columns > 1)
-            g->column[STUDY_TIME] = taken[0] = i + 1;
+        if (!timed && !g->column[STUDY_TIME] && !l->named && l->columns > 1)
+            g->column[STUDY_TIME] = i + 1;
         else if (!any)
             g->column[GOUGH_HEAVE] = i + 1, any = true;
     }
@@ -168,24 +165,20 @@ static void put_time(writer *w, const study_layout *l, const study_record_keys *
     }
     put(w, ", time: ");
     put_column(w, l, column - 1, GOUGH_UNIT_TIME);
-    if (first && first[column - 1] > 1e14 && !(l->named && *l->unit[column - 1]))
-        put(w, ", unit: us");
-    else if (first && first[column - 1] > 1e11 && !(l->named && *l->unit[column - 1]))
-        put(w, ", unit: ms");
-    if (keys->from_first_time || (first && first[column - 1] > 0)) put(w, ", from: first");
+    const double from = first ? first[column - 1] : 0;
+    const bool unit = l->named && *l->unit[column - 1];
+    if (from > 1e11 && !unit) put(w, ", unit: %s", from > 1e14 ? "us" : "ms");
+    if (keys->from_first_time || from > 0) put(w, ", from: first");
     put(w, "}");
 }
 
 static const char *word_of(char separator) {
-    return separator == ','    ? "comma"
-           : separator == ';'  ? "semicolon"
-           : separator == '\t' ? "tab"
-                               : "blanks";
+    return separator == ';' ? "semicolon" : separator == '\t' ? "tab" : "blanks";
 }
 
-static void put_file(writer *w, const char *file) {
-    put(w, "{file: '");
-    for (const char *c = file; *c; c++) put(w, *c == '\'' ? "''" : "%c", *c);
+static void put_quoted(writer *w, const char *text) {
+    put(w, "'");
+    for (const char *c = text; *c; c++) put(w, *c == '\'' ? "''" : "%c", *c);
     put(w, "'");
 }
 
@@ -211,11 +204,15 @@ const char *study_columns_mapping(study_arena *arena, const study_layout *layout
     writer w = {"", 0};
     const guesses g = guess_all(layout, keys, first);
     size_t count = 0;
-    put_file(&w, file);
+    put(&w, "{file: ");
+    put_quoted(&w, file);
     if (keys->skip) put(&w, ", skip: %zu", keys->skip);
     if (layout->separator != ',') put(&w, ", separator: %s", word_of(layout->separator));
     if (layout->decimal == ',') put(&w, ", decimal: comma");
-    if (layout->comment) put(&w, ", comment: '%s'", layout->comment);
+    if (layout->comment) {
+        put(&w, ", comment: ");
+        put_quoted(&w, layout->comment);
+    }
     put_time(&w, layout, keys, &g, first);
     put(&w, ", columns: {");
     for (int q = 0; q < STUDY_QUANTITIES; q++) {

@@ -17,7 +17,7 @@ static void to_degrees(double angle[3]) {
 bool study_quaternion_angles(const double q[4], gough_order order, double angle[3]) {
     double most = 0, R[3][3];
     for (int i = 0; i < 4; i++) {
-        if (!isfinite(q[i])) return false;
+        if (!isfinite(q[i])) return false; /* a cell with its scale */
         most = fmax(most, fabs(q[i]));
     }
     if (!(most > 0)) return false;

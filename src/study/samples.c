@@ -34,13 +34,12 @@ typedef struct table {
     gough_order order, file_order;
     bool from_first_time, from_first;
     double time_step;
-    size_t rows;
+    size_t rows, most; /* that were read, and that there is room for */
     double *time,
         *value;   /* cells as they stand; rotations that are no angles are turned into these */
     double pitch; /* greatest |pitch| of such rotations */
     study_digits digits[STUDY_CHANNELS];
     size_t errors;
-    size_t before; /* errors that were said before the record was read */
 } table;
 
 static size_t length_of(gough_piece p) { return (size_t)(p.end - p.begin); }
@@ -120,9 +119,11 @@ static bool read_cells(table *csv, gough_piece line, double *number, const char 
     return csv->errors == before;
 }
 
-/* Puts the rotation of a row that is no three angles. */
-static bool put_rotation(table *csv, const double *number, double *angle) {
+/* Puts the rotation of a row that is no three angles; its cells have no units, but may have scales and offsets. */
+static bool put_rotation(table *csv, double *number, double *angle) {
     const unsigned by = csv->columns.rotation;
+    for (int q = STUDY_QUATERNION; q < STUDY_QUANTITIES; q++)
+        number[q] = study_channel_convert(&csv->columns.channel[q], number[q]);
     const bool good = by == STUDY_BY_QUATERNION
                           ? study_quaternion_angles(number + STUDY_QUATERNION, csv->order, angle)
                           : study_matrix_angles(number + STUDY_MATRIX, csv->order, angle);
@@ -140,6 +141,11 @@ static bool put_rotation(table *csv, const double *number, double *angle) {
 static void read_row(table *csv, gough_piece line) {
     double *value = csv->value + csv->rows * GOUGH_COMPONENTS, number[STUDY_CHANNELS] = {0};
     const char *time_at = line.begin;
+    if (csv->rows == csv->most) {
+        say(csv, line.begin, "the file has grown while it was read");
+        csv->lines->broken = true;
+        return;
+    }
     if (!read_cells(csv, line, number, &time_at)) return;
     if (csv->columns.rotation != STUDY_ANGLES && !put_rotation(csv, number, value + GOUGH_ROLL))
         return;
@@ -230,7 +236,8 @@ static void convert_rotations(const table *csv, const study_recording *recording
     study_quantum step = {0, 0};
     for (int q = STUDY_QUATERNION; q < STUDY_QUANTITIES; q++) {
         if (angles || !csv->digits[q].any || csv->digits[q].digits >= 15) continue;
-        step.greatest = fmax(step.greatest, pow(10, csv->digits[q].place));
+        step.greatest = fmax(step.greatest,
+                             fabs(csv->columns.channel[q].scale) * pow(10, csv->digits[q].place));
         step.mean = step.greatest;
     }
     if (angles && !reorder && !csv->from_first) return;
@@ -277,6 +284,7 @@ static bool are_finite(table *csv) {
         study_say(csv->messages, GOUGH_ERROR_INPUT, csv->layout.place,
                   "row %zu: %s is not finite in the units of the study", i / GOUGH_COMPONENTS + 1,
                   gough_component_name((int)(i % GOUGH_COMPONENTS)));
+        csv->errors++;
         return false;
     }
     return true;
@@ -365,16 +373,17 @@ static void read_all(table *csv, study_recording *recording, size_t most) {
     }
     csv->time = all;
     csv->value = all + most;
+    csv->most = most;
     study_lines_again(csv->lines);
     read_rows(csv);
-    if (csv->errors || csv->lines->broken || csv->messages->arena->exhausted) {
+    if (csv->errors || csv->lines->broken) {
         free(all);
         return;
     }
     const gough_status status = prepare(csv, recording, all + most * NUMBERS, &error);
     if (status != GOUGH_OK)
         say_at(csv, csv->layout.place, study_printable(csv->messages->arena, error.message));
-    if (csv->messages->count > csv->before || status != GOUGH_OK)
+    if (csv->errors)
         free(all);
     else
         recording->memory = all;
@@ -382,7 +391,7 @@ static void read_all(table *csv, study_recording *recording, size_t most) {
 
 /* The text of the lines, which are ended. */
 static void read_lines(study_messages *messages, study_lines *lines, study_recording *recording) {
-    table csv = {.messages = messages, .lines = lines, .before = messages->count};
+    table csv = {.messages = messages, .lines = lines};
     recording->memory = NULL;
     *recording->record = (gough_record){.remarks = 0};
     if (!lines->broken && begin(&csv, recording)) {

@@ -1,6 +1,6 @@
 /* Memory that runs out anywhere in reading a study: the reading ends as it would have, or says so; nothing is left allocated.
  * Faults: malloc calloc realloc open_memstream fclose study_arena_take study_arena_copy fy_diag_create fy_parser_create
- * Faults: fy_parser_set_string fy_token_iter_create newlocale read fstat */
+ * Faults: fy_parser_set_string fy_token_iter_create newlocale read fstat lseek */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <libfyaml.h>
@@ -42,6 +42,19 @@ int __wrap_fclose(FILE *stream);
 int __wrap_fclose(FILE *stream) {
     const bool fails = fault_comes("fclose");
     return __real_fclose(stream) != 0 || fails ? EOF : 0;
+}
+
+/* a file that grows when it is read once more: the text `growth` is added to the file `growing` */
+static const char *growing, *growth;
+off_t __real_lseek(int file, off_t offset, int from);
+off_t __wrap_lseek(int file, off_t offset, int from);
+off_t __wrap_lseek(int file, off_t offset, int from) {
+    if (fault_comes("lseek")) {
+        FILE *more = fopen(growing, "a");
+        fputs(growth, more);
+        __real_fclose(more);
+    }
+    return __real_lseek(file, offset, from);
 }
 
 static const char *const each[] = {"malloc",
@@ -115,6 +128,20 @@ static char *as_sweep(const char *text, size_t length, const gough_setting *sett
     }
     gough_sweep_maker_free(maker);
     gough_sweep_free(sweep);
+    return outcome(status, messages, more);
+}
+
+/* a file of recorded motion, whose path is the text */
+static char *as_record(const char *text, size_t length, const gough_setting *setting,
+                       size_t settings) {
+    gough_motion_file *file = NULL;
+    char *messages = NULL, more[3000] = "";
+    (void)length, (void)setting, (void)settings;
+    const gough_status status = gough_motion_file_read(text, &file, &messages);
+    if (file)
+        snprintf(more, sizeof more, "%zu %d %s %s", file->rows, file->certain, file->mapping,
+                 file->column[0].name);
+    gough_motion_file_free(file);
     return outcome(status, messages, more);
 }
 
@@ -243,10 +270,31 @@ START_TEST(memory_may_end_in_recorded_motion) {
         let_fail(smooth[i], as_study, text, strlen(text), NULL, 0);
     }
     forget_file(path);
-    path = write_file("wrong.csv", "t,heave\n0,a\n1,b\n", 16);
-    snprintf(text, sizeof text, "%smotion: {samples: '%s'}\n", good_study, path);
-    let_fail("wrong cells", as_study, text, strlen(text), NULL, 0);
-    forget_file(path);
+}
+END_TEST
+
+/* records by mappings, wrong ones, and files by themselves */
+START_TEST(memory_may_end_in_any_record) {
+    static const char *const records[][2] = {
+        {"t,heave\n0,a\n1,b\n", ""},
+        {"t,heave\ns,x\n0,0\n1,1\n", ""},
+        {"a,b\nx,y\n", ""},
+        {"a b\n0 0\n1 2\n", ", time: 1, columns: {heave: 2}"},
+        {"t,a,a\n0,0,0\n", ", columns: {heave: a}"},
+        {"", ""},
+        {"t;w (x);x;y;z;heave\n0;1;0;0;0;a\n1;1;0;0;0;0,5\n2;1;0;0;0,1;0\n",
+         ", columns: {qw: 2, qx: x, qy: y, qz: z}, from_first: true, order: xyz"},
+        {"t,heave\n0,0\n1,1\n", ", columns: {heave: heav, sway: {unit: m}}"},
+        {"0 0 0\n1 2 3\n2 3 4\n", ", time: 1, columns: {heave: 2, yaw: {column: 3, unit: ell}}"}};
+    for (size_t i = 0; i < sizeof records / sizeof records[0]; i++) {
+        char text[2000], *path = write_file("r.csv", records[i][0], strlen(records[i][0]));
+        snprintf(text, sizeof text,
+                 "%smotion: {samples: {file: '%s'%s}}\nsimulation: {duration: 1}\n", good_study,
+                 path, records[i][1]);
+        let_fail(records[i][0], as_study, text, strlen(text), NULL, 0);
+        let_fail(records[i][0], as_record, path, 0, NULL, 0);
+        forget_file(path);
+    }
 }
 END_TEST
 
@@ -280,7 +328,8 @@ START_TEST(files_that_cannot_be_read_are_named_with_the_cause) {
     char *path = write_file("study.yaml", text, strlen(text));
     for (long n = 1; n <= 4; n++) expect_with(path, "read", n, EINTR, "");
     expect_with(path, "read", 1, EIO, "study.yaml`: Input/output error");
-    expect_with(path, "read", 3, EIO, "motion.csv`: Input/output error");
+    for (long n = 3; n <= 10; n++)
+        expect_with(path, "read", n, EIO, "motion.csv`: Input/output error");
     expect_with(path, "fstat", 1, EIO, "study.yaml`: Input/output error");
     expect_with(path, "fstat", 2, EIO, "motion.csv`: Input/output error");
     expect_with(path, "fstat", 3, EIO, ""); /* whether it is regular has been found before */
@@ -300,6 +349,39 @@ START_TEST(files_that_cannot_be_read_are_named_with_the_cause) {
 }
 END_TEST
 
+/* reads the file `growing` from its start for the n-th time when it has grown by `growth`, by whole rows */
+static void expect_grown(long n, bool study, const char *said) {
+    static const char csv[] = "t,heave\n0,0\n1,1\n";
+    char text[2000], *path = write_file("motion.csv", csv, sizeof csv - 1), *messages = NULL;
+    gough_study *made = NULL;
+    gough_motion_file *file = NULL;
+    snprintf(text, sizeof text, "%smotion: {samples: '%s'}\nsimulation: {duration: 1}\n",
+             good_study, path);
+    growing = path;
+    growth = "2,2\n3,3\n4,4\n5,5\n6,6\n";
+    fault_arm("lseek", n, 0);
+    const gough_status status =
+        study ? gough_study_parse("./study.yaml", text, strlen(text), NULL, 0, &made, &messages)
+              : gough_motion_file_read(path, &file, &messages);
+    ck_assert(fault_disarm());
+    ck_assert_msg((status == GOUGH_OK) == !*said && strstr(messages ? messages : "", said),
+                  "read %ld times: %s", n, messages ? messages : "");
+    if (made) ck_assert_uint_eq(made->model->motion.samples.count, 7);
+    if (file) ck_assert_uint_eq(file->rows, n < 3 ? 7 : 3);
+    gough_motion_file_free(file);
+    gough_study_free(made);
+    gough_study_free_messages(messages);
+    forget_file(path);
+}
+
+/* between counting its rows, for which memory is taken, and reading them a log may grow */
+START_TEST(a_file_that_grows_is_read_to_its_room) {
+    for (long n = 1; n <= 3; n++) expect_grown(n, true, "");
+    expect_grown(4, true, "motion.csv:5:1: error: the file has grown while it was read");
+    for (long n = 1; n <= 3; n++) expect_grown(n, false, "");
+}
+END_TEST
+
 /* without a locale to print in, a number is printed in the one of the program */
 START_TEST(a_number_is_printed_without_a_locale) {
     char text[GOUGH_SWEEP_TEXT];
@@ -311,8 +393,9 @@ START_TEST(a_number_is_printed_without_a_locale) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN(
-        "study/memory", 60, memory_may_end_in_any_study_of_the_corpus, memory_may_end_in_settings,
-        memory_may_end_in_designs, memory_may_end_in_recorded_motion,
-        files_that_cannot_be_read_are_named_with_the_cause, a_number_is_printed_without_a_locale);
+    return SUITE_RUN("study/memory", 60, memory_may_end_in_any_study_of_the_corpus,
+                     memory_may_end_in_settings, memory_may_end_in_designs,
+                     memory_may_end_in_recorded_motion, memory_may_end_in_any_record,
+                     files_that_cannot_be_read_are_named_with_the_cause,
+                     a_file_that_grows_is_read_to_its_room, a_number_is_printed_without_a_locale);
 }

@@ -254,11 +254,29 @@ START_TEST(steps_of_rotations_bound_their_rounding) {
 }
 END_TEST
 
+/* a scale of -1 on the vector of a quaternion turns the other way round, and so does one on the angles of this motion */
+START_TEST(scales_hold_for_columns_of_rotations) {
+    static const char record[] = "0 2 0 0.5 0\n0.25 2 0 1 0\n0.5 2 0 0 0\n";
+    reading one = read_record("si", "time: 1, columns: {qw: 2, qx: 3, qy: 4, qz: 5}", record,
+                              sizeof record - 1);
+    reading other =
+        read_record("si",
+                    "time: 1, columns: {qw: {column: 2, offset: 2}, qx: 3, qy: {column: "
+                    "4, scale: -2}, qz: 5}",
+                    record, sizeof record - 1);
+    ck_assert(fabs(at(&one, 0, GOUGH_PITCH) - 2 * atan(0.25)) <= 1e-15);
+    for (size_t row = 0; row < 3; row++)
+        ck_assert(fabs(at(&one, row, GOUGH_PITCH) + at(&other, row, GOUGH_PITCH)) <= 1e-15);
+    reading_free(&one);
+    reading_free(&other);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("study/records", 60, values_are_scaled_and_moved_as_written,
                      angles_of_another_order_are_the_same_rotations,
                      quaternions_and_matrices_are_the_same_rotations,
                      poses_from_the_first_row_lead_back_to_those_of_the_file,
                      times_count_from_the_first_row_without_rounding,
-                     steps_of_rotations_bound_their_rounding);
+                     steps_of_rotations_bound_their_rounding, scales_hold_for_columns_of_rotations);
 }
