@@ -69,6 +69,7 @@ static int compare_numbers(const void *a, const void *b) {
 /* Where a logarithmic axis begins for a line: below all but 1/25 of its positive numbers. The rest are a start from nothing
  * and passages through zero, which would otherwise take up most of the panel. NaN without any. */
 static double logarithmic_low(const series *line) {
+    if (line->thinned) return line->logarithmic_low;
     double *sorted = malloc((line->count > 0 ? line->count : 1) * sizeof *sorted);
     if (sorted == NULL) return NAN;
     size_t count = 0;
@@ -87,6 +88,7 @@ static range range_of_lines(const panel *p) {
     for (int i = 0; i < p->count; i++) {
         const series *line = &p->series[i];
         const double low = p->logarithmic ? logarithmic_low(line) : -INFINITY;
+        widen(&r, low);
         for (size_t k = 0; k < line->count; k++) {
             if (panel_drawn(p, line->y[k]) >= low) widen(&r, panel_drawn(p, line->y[k]));
         }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 
 #include "figure/private_folder.h"
 #include "figure/sheet.h"
@@ -85,6 +86,60 @@ gough_status sheet_draw(sheet_writer write, const void *content, const char *pat
     if (status == GOUGH_OK) status = take_picture(shop.folder, format, path, error);
     workshop_close(&shop);
     return status;
+}
+
+/* ---- tables for figures -------------------------------------------------------------------------------------------- */
+
+/* A smaller file is read whole: its numbers take little memory. */
+enum { LARGE_FILE = 16 << 20 };
+
+/* A gough_table_sink: a table without numbers of the names, if they are those of a sweep. */
+static int take_heads(void *context, const gough_table *part) {
+    gough_table **heads = context, *table = NULL;
+    if (!sheet_is_sweep(part)) return 1;
+    table = gough_table_new(part->title, part->verb, part->columns, 0);
+    bool good = table != NULL;
+    for (size_t c = 0; c < part->columns && good; c++)
+        good = gough_table_name(table, c, part->name[c], part->unit[c]) != NULL;
+    if (good) {
+        for (size_t c = 0; c < table->columns; c++) free(table->value[c]);
+        free(table->value);
+        table->value = NULL;
+        table->tolerance = part->tolerance;
+        table->step = part->step;
+        *heads = table;
+    } else {
+        gough_table_free(table);
+    }
+    return 1;
+}
+
+/* Whether a figure draws a sweep of this file from its rows in parts. */
+static bool draws_parts(const gough_figure *figure, const char *path) {
+    struct stat about;
+    if (figure->kind != NULL && strcmp(figure->kind, "sweep") != 0) return false;
+    return strcmp(path, "-") != 0 && stat(path, &about) == 0 && S_ISREG(about.st_mode) &&
+           about.st_size >= LARGE_FILE;
+}
+
+gough_status gough_figure_read(const gough_figure *figure, const char *path, gough_table **table,
+                               gough_error *error) {
+    gough_table *heads = NULL;
+    *table = NULL;
+    if (gough_size_check(figure->size, sizeof(gough_figure), "gough_figure", error) != GOUGH_OK)
+        return GOUGH_ERROR_INPUT;
+    if (draws_parts(figure, path)) {
+        const gough_status status = gough_table_scan(path, NULL, take_heads, &heads, error);
+        if (status != GOUGH_OK) return status;
+    }
+    if (heads == NULL) return gough_table_read(path, table, error);
+    heads->source = strdup(path);
+    if (heads->source == NULL) {
+        gough_table_free(heads);
+        return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
+    }
+    *table = heads;
+    return GOUGH_OK;
 }
 
 static gough_status write_sheet(const void *content, sheet_format format, const char *folder,

@@ -22,6 +22,7 @@ typedef struct reader {
     const char *path;
     gough_table *table;
     hid_t file;
+    bool in_parts;   /* columns get room for a part, and no numbers yet */
     size_t room;     /* rows that all columns together may still take */
     size_t capacity; /* of the arrays of the table */
     gough_error *error;
@@ -116,6 +117,11 @@ static bool grow(reader *r) {
     return true;
 }
 
+static gough_status fail_column(const reader *r, const char *name) {
+    return gough_fail(r->error, GOUGH_ERROR_INPUT,
+                      "%s: column %.60s cannot be read; the file is damaged", r->path, name);
+}
+
 static gough_status read_column(reader *r, hid_t dataset, const char *name) {
     gough_table *table = r->table;
     const long long found = column_rows(dataset);
@@ -136,7 +142,8 @@ static gough_status read_column(reader *r, hid_t dataset, const char *name) {
             r->path, name, rows);
     r->room -= rows;
 
-    double *value = calloc(rows > 0 ? rows : 1, sizeof *value);
+    const size_t held = r->in_parts ? RESULT_PART : rows > 0 ? rows : 1;
+    double *value = calloc(held, sizeof *value);
     char *own_name = strdup(name), *unit = read_text(dataset, "units");
     if (value == NULL || own_name == NULL || unit == NULL || !grow(r)) {
         free(value);
@@ -148,11 +155,9 @@ static gough_status read_column(reader *r, hid_t dataset, const char *name) {
     table->name[table->columns] = own_name;
     table->unit[table->columns] = unit;
     table->value[table->columns++] = value;
-    if (rows > 0 && H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, value) < 0)
-        return gough_fail(r->error, GOUGH_ERROR_INPUT,
-                          "%s: column %.60s cannot be read; the file "
-                          "is damaged",
-                          r->path, name);
+    if (rows > 0 && !r->in_parts &&
+        H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, value) < 0)
+        return fail_column(r, name);
     return GOUGH_OK;
 }
 
@@ -204,25 +209,79 @@ static gough_status read_root(reader *r) {
     return GOUGH_OK;
 }
 
-/* Runs in the child. */
-static gough_status read_whole(const char *path, gough_table *table, gough_error *error) {
+/* Opens the file of a reader and reads its root. The caller closes the file if it is at least 0. */
+static gough_status open_root(reader *r) {
     struct stat about;
-    if (stat(path, &about) != 0)
-        return gough_fail(error, GOUGH_ERROR_FILE, "%s: cannot read: %s", path, strerror(errno));
+    r->file = -1;
+    if (stat(r->path, &about) != 0)
+        return gough_fail(r->error, GOUGH_ERROR_FILE, "%s: cannot read: %s", r->path,
+                          strerror(errno));
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
     H5PLset_loading_state(0); /* no filter code from elsewhere */
-
-    reader r = {.path = path, .table = table, .error = error};
-    r.room = ((size_t)about.st_size * EXPANSION + EXPANSION_BASE) / sizeof(double);
-    r.file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-    if (r.file < 0)
-        return gough_fail(error, GOUGH_ERROR_INPUT,
+    r->room = ((size_t)about.st_size * EXPANSION + EXPANSION_BASE) / sizeof(double);
+    r->file = H5Fopen(r->path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (r->file < 0)
+        return gough_fail(r->error, GOUGH_ERROR_INPUT,
                           "%s: begins like an HDF5 file but cannot be opened as one; it is damaged "
                           "or incomplete",
-                          path);
-    const gough_status status = read_root(&r);
-    H5Fclose(r.file);
+                          r->path);
+    return read_root(r);
+}
+
+/* Runs in the child. */
+static gough_status read_whole(const char *path, gough_table *table, gough_error *error) {
+    reader r = {.path = path, .table = table, .error = error};
+    const gough_status status = open_root(&r);
+    if (r.file >= 0) H5Fclose(r.file);
     return status;
+}
+
+/* ---- in parts ------------------------------------------------------------------------------------------------------ */
+
+/* Rows first … first + count − 1 of a column; false if they cannot be read. */
+static bool read_part(hid_t dataset, size_t first, size_t count, double *value) {
+    const hsize_t from = first, length = count;
+    const hid_t space = H5Dget_space(dataset), memory = H5Screate_simple(1, &length, NULL);
+    const bool good = space >= 0 && memory >= 0 &&
+                      H5Sselect_hyperslab(space, H5S_SELECT_SET, &from, NULL, &length, NULL) >= 0 &&
+                      H5Dread(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, value) >= 0;
+    H5Sclose(memory);
+    H5Sclose(space);
+    return good;
+}
+
+static gough_status read_parts(const reader *r, result_scan *scan, const hid_t *dataset) {
+    const gough_table *part = &scan->part;
+    for (size_t first = 0; first < r->table->rows && !scan->stopped; first += RESULT_PART) {
+        const size_t left = r->table->rows - first, rows = left < RESULT_PART ? left : RESULT_PART;
+        for (size_t c = 0; c < part->columns; c++)
+            if (!read_part(dataset[c], first, rows, part->value[c]))
+                return fail_column(r, part->name[c]);
+        result_scan_part(scan, rows);
+    }
+    return GOUGH_OK;
+}
+
+/* Runs in the child, whose sink is the pipe. */
+static gough_status scan_whole(result_scan *scan, gough_table *table, gough_error *error) {
+    reader r = {.path = scan->path, .table = table, .in_parts = true, .error = error};
+    gough_status status = open_root(&r);
+    hid_t *dataset = calloc(table->columns + 1, sizeof *dataset);
+    if (status == GOUGH_OK &&
+        (dataset == NULL || !result_complete_texts(table) || !result_scan_begin(scan, table)))
+        status = gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", r.path);
+    size_t open = 0;
+    for (; status == GOUGH_OK && open < scan->part.columns; open++)
+        dataset[open] = H5Dopen2(r.file, scan->part.name[open], H5P_DEFAULT);
+    if (status == GOUGH_OK) status = read_parts(&r, scan, dataset);
+    while (open > 0) H5Dclose(dataset[--open]);
+    free(dataset);
+    if (r.file >= 0) H5Fclose(r.file);
+    return status;
+}
+
+gough_status result_scan_hdf5(result_scan *scan, gough_table *table, gough_error *error) {
+    return result_scan_in_child(scan_whole, scan, table, error);
 }
 
 gough_status result_read_hdf5(const char *path, gough_table *table, gough_error *error) {

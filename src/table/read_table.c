@@ -15,12 +15,11 @@ static const size_t FILE_CAP = (size_t)4 << 30, STREAM_CAP = (size_t)256 << 20;
 
 static const char hdf5_signature[8] = {'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a', '\n'};
 
-void gough_table_free(gough_table *table) {
-    if (table == NULL) return;
+void result_table_clear(gough_table *table) {
     for (size_t c = 0; c < table->columns; c++) {
         free(table->name[c]);
         free(table->unit[c]);
-        free(table->value[c]);
+        if (table->value != NULL) free(table->value[c]);
     }
     free(table->name);
     free(table->unit);
@@ -29,11 +28,17 @@ void gough_table_free(gough_table *table) {
     free(table->verb);
     free(table->end_cause);
     free(table->end_message);
+    free(table->source);
+}
+
+void gough_table_free(gough_table *table) {
+    if (table == NULL) return;
+    result_table_clear(table);
     free(table);
 }
 
 const double *gough_table_column(const gough_table *table, const char *name) {
-    for (size_t c = 0; c < table->columns; c++) {
+    for (size_t c = 0; c < table->columns && table->value != NULL; c++) {
         if (strcmp(table->name[c], name) == 0) return table->value[c];
     }
     return NULL;
@@ -108,6 +113,19 @@ static gough_status read_csv_file(int file, const struct stat *about, const char
     return status;
 }
 
+bool result_is_hdf5(int file) {
+    char start[sizeof hdf5_signature];
+    return pread(file, start, sizeof start, 0) == sizeof start &&
+           memcmp(start, hdf5_signature, sizeof start) == 0;
+}
+
+gough_status result_other_kind(const char *path, const char *kind, gough_error *error) {
+    return gough_fail(error, GOUGH_ERROR_INPUT,
+                      "%s: is %s; a table of results is needed, as -o of `gough simulate` and "
+                      "other verbs writes",
+                      path, kind);
+}
+
 static gough_status read_file(int file, const char *path, gough_table *table, gough_error *error) {
     struct stat about;
     if (fstat(file, &about) != 0)
@@ -115,21 +133,19 @@ static gough_status read_file(int file, const char *path, gough_table *table, go
     if (S_ISDIR(about.st_mode))
         return gough_fail(error, GOUGH_ERROR_FILE, "%s: is a folder, not a result", path);
 
-    char start[sizeof hdf5_signature];
-    if (S_ISREG(about.st_mode) && pread(file, start, sizeof start, 0) == sizeof start &&
-        memcmp(start, hdf5_signature, sizeof start) == 0)
+    if (S_ISREG(about.st_mode) && result_is_hdf5(file))
         return result_read_hdf5(file == STDIN_FILENO ? "/dev/stdin" : path, table, error);
     const char *other = gough_input_kind(file, GOUGH_INPUT_CSV);
-    if (other)
-        return gough_fail(error, GOUGH_ERROR_INPUT,
-                          "%s: is %s; a table of results is needed, as -o of `gough simulate` and "
-                          "other verbs writes",
-                          path, other);
+    if (other) return result_other_kind(path, other, error);
     return read_csv_file(file, &about, path, table, error);
 }
 
-/* Texts that the format did not bring are empty. */
-static bool complete_texts(gough_table *table) {
+void result_blank_numbers(gough_table *table) {
+    table->end_time = table->tolerance = table->step = NAN;
+    table->max_speed = table->max_force = NAN;
+}
+
+bool result_complete_texts(gough_table *table) {
     bool good = true;
     char **texts[] = {&table->title, &table->verb, &table->end_cause, &table->end_message};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
@@ -154,10 +170,9 @@ gough_status gough_table_read(const char *path, gough_table **table, gough_error
     if (read == NULL) {
         status = gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     } else {
-        read->end_time = read->tolerance = read->step = NAN;
-        read->max_speed = read->max_force = NAN;
+        result_blank_numbers(read);
         status = read_file(file, standard ? "standard input" : path, read, error);
-        if (status == GOUGH_OK && !complete_texts(read))
+        if (status == GOUGH_OK && !result_complete_texts(read))
             status = gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     }
     if (!standard) close(file);

@@ -92,5 +92,40 @@ gough_status result_read_hdf5(const char *path, gough_table *table, gough_error 
 
 /* Makes room for the columns and rows of a table; false when memory is out. */
 bool result_table_shape(gough_table *table, size_t columns, size_t rows);
+/* Texts that the format did not bring become empty; false when memory is out. */
+bool result_complete_texts(gough_table *table);
+/* Numbers that are not known become NaN. */
+void result_blank_numbers(gough_table *table);
+
+/* ---- parts of a table (scan_table.c) ------------------------------------------------------------------------------- */
+
+enum { RESULT_PART = 16384 }; /* rows of a part at most */
+
+/* Reading a table in parts: `wanted` and `sink` as gough_table_scan() has them. */
+typedef struct result_scan {
+    const char *path;
+    const char *const *wanted;
+    gough_table_sink sink;
+    void *context;
+    bool stopped;     /* the sink wants no more */
+    gough_table part; /* its columns are the wanted ones of the table that is read */
+} result_scan;
+/* Makes `part` of a table whose columns have room for a part each, and hands over the names. False when memory is out. */
+bool result_scan_begin(result_scan *scan, const gough_table *table);
+void result_scan_part(result_scan *scan, size_t rows);
+void result_scan_end(result_scan *scan);
+
+/* Readers in parts, for ordinary files. The caller clears `table`, also after an error. */
+gough_status result_scan_csv(int file, result_scan *scan, gough_table *table, gough_error *error);
+gough_status result_scan_hdf5(result_scan *scan, gough_table *table, gough_error *error);
+
+/* ---- what readers share (read_table.c) ------------------------------------------------------------------------------ */
+
+/* Whether a file begins like HDF5; it must be an ordinary one. */
+bool result_is_hdf5(int file);
+/* A file that is something else than a table. */
+gough_status result_other_kind(const char *path, const char *kind, gough_error *error);
+/* Frees all that a table has. */
+void result_table_clear(gough_table *table);
 
 #endif

@@ -131,6 +131,10 @@ static gough_status write_hdf5(const gough_table *table, const char *study, cons
 gough_status gough_table_write(const gough_table *table, const char *study, const char *path,
                                gough_error *error) {
     const char *ending = strrchr(path, '.');
+    if (table->source != NULL)
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "%s: cannot be written: the numbers of this table are still in %s", path,
+                          table->source);
     if (ending && strcasecmp(ending, ".h5") == 0) return write_hdf5(table, study, path, error);
     if (strcmp(path, "-") == 0 || (ending && strcasecmp(ending, ".csv") == 0))
         return write_csv(table, path, error);

@@ -104,11 +104,12 @@ static char *list_kinds(int key, const char *text, void *input) {
     return list;
 }
 
-static gough_status read_tables(const command_line *line, gough_table **table) {
+static gough_status read_tables(const command_line *line, const gough_figure *figure,
+                                gough_table **table) {
     gough_error error = {0};
     gough_status status = GOUGH_OK;
     for (size_t i = 0; i < line->file.count && !status; i++)
-        status = gough_table_read(line->file.word[i], &table[i], &error);
+        status = gough_figure_read(figure, line->file.word[i], &table[i], &error);
     if (status) complain(line->verb, "%s", error.message);
     return status;
 }
@@ -134,7 +135,7 @@ static gough_status check_paths(const command_line *line) {
 static gough_status draw(const command_line *line, const struct plot_options *plot,
                          gough_table **table) {
     gough_error error = {0};
-    gough_status status = read_tables(line, table);
+    gough_status status = read_tables(line, &plot->figure, table);
     const char **label = allocate(line->file.count * sizeof *label);
     for (size_t i = 0; i < line->file.count; i++)
         label[i] = i < plot->label.count ? plot->label.word[i] : NULL;
