@@ -45,18 +45,18 @@ static inline gough_figure gough_figure_default(void) {
 /** Kinds of figure, terminated by NULL, each "name — sentence". */
 GOUGH_API const char *const *gough_figure_kinds(void);
 
-/** Reads a table for gough_figure_draw(), as gough_table_read() does. The numbers of a large sweep stay in its file (`source`), and each
- *  figure reads them in parts, so that memory does not grow with the runs: the table then has no numbers (`value` is NULL), and the file
- *  must remain as it is.
+/** Reads a table for gough_figure_draw(), as gough_table_read() does. The numbers of a large sweep stay in its file (`source`):
+ *  each figure reads them in parts, so that memory does not grow with the runs. The table then has no numbers (`value` is NULL),
+ *  and the file must remain as it is.
  *  @return as gough_table_read() */
 GOUGH_API gough_status gough_figure_read(const gough_figure *figure, const char *path,
                                          gough_table **table, gough_error *error);
 
 /** Draws one figure of one or several tables, compared in the same panels, to .png, .svg or .pdf. The file is complete or absent,
  *  with the same bytes each time. Legs that coincide within the errors of a run (1e-8 of the greatest) are drawn as one line;
- *  lines of many rows are thinned but keep their peaks; the motion omits components of the pose that hardly move compared with
- *  the others. Lines and shares of a sweep are thinned to the same points whether its numbers are in memory or in a file; a map of more
- *  than 600 × 340 runs has cells of several runs, shows the greatest of each, and says so. Kind "gain" draws columns G and position_deviation, and draws rings where the column `ended`, if present, is 1.
+ *  lines of many rows are thinned but keep their peaks; the motion omits components of the pose that hardly move. A sweep's picture
+ *  is the same from memory and from a file; a map over 600 × 340 runs shows the greatest number of several in a cell and says so.
+ *  Kind "gain" draws columns G and position_deviation, and draws rings where the column `ended`, if present, is 1.
  *  @param labels  name of each table in the key; NULL, or one of them NULL: its title
  *  @return GOUGH_OK, GOUGH_ERROR_INPUT (unknown extension, kind or column; the message suggests the nearest) or GOUGH_ERROR_FILE
  *  (gnuplot is missing or failed, the folder does not exist, the disk is full). gnuplot never executes text of the tables. */

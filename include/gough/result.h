@@ -92,14 +92,14 @@ typedef struct gough_table {
  *  @return GOUGH_OK, GOUGH_ERROR_INPUT (not a table; for CSV with the place: `file:line:column: …`), GOUGH_ERROR_FILE,
  *  for any bytes. */
 GOUGH_API gough_status gough_table_read(const char *path, gough_table **table, gough_error *error);
-/** Called with some rows of a table, in order: names, units and texts as in the file, `rows` the number of rows of this part. The part
- *  is valid during the call. A value other than 0 ends the reading. */
+/** Called with some rows of a table, in order: names, units and texts as in the file, `rows` the number of rows of this part. The
+ *  part is valid during the call. A value other than 0 ends the reading. */
 typedef int (*gough_table_sink)(void *context, const gough_table *part);
 
-/** Reads a table in parts of at most 16384 rows, so that memory does not grow with the rows. The first call of @p sink has the names
- *  and no rows. A file that is not an ordinary one, such as a pipe, is read whole and then is one part.
- *  @param wanted  columns to read, NULL behind the last, in any order; columns that the file does not have are left out, and numbers of
- *  other columns are not read. NULL: all columns. A part has its columns in the order of the file
+/** Reads a table in parts of at most 16384 rows, so that memory does not grow with the rows. The first call of @p sink has the
+ *  names and no rows. A file that is not an ordinary one, such as a pipe, is read whole and then is one part.
+ *  @param wanted  columns to read, NULL behind the last, in any order, which may be missing in the file; NULL: all columns. A part
+ *  has its columns in the order of the file. Numbers of other columns are not read
  *  @return as gough_table_read(), also if the sink ended the reading. Parts may have been handed over before an error. */
 GOUGH_API gough_status gough_table_scan(const char *path, const char *const *wanted,
                                         gough_table_sink sink, void *context, gough_error *error);

@@ -34,6 +34,7 @@ static range range_of_abscissae(const sheet *s) {
     for (int p = 0; p < s->count; p++) {
         for (int i = 0; i < s->panel[p].count; i++) {
             const series *line = &s->panel[p].series[i];
+            if (line->thinned && s->logarithmic_abscissa) widen(&r, line->least_above_zero);
             for (size_t k = 0; k < line->count; k++) {
                 if (!s->logarithmic_abscissa || line->x[k] > 0.0) widen(&r, line->x[k]);
             }

@@ -22,12 +22,12 @@ typedef struct series {
         *ended; /* NULL, or 1 where a point is marked as ended early: points are drawn then */
     const char *ended_label; /* what such points are called; NULL: "ended early" */
     bool points;
-    bool mark;    /* no line, but large points */
-    bool loop;    /* a curve in the plane, whose abscissa goes back and forth */
-    bool limit;   /* a dashed line that nothing should cross */
-    bool thinned; /* of a line with more points */
-    double
-        logarithmic_low; /* of a thinned line: where a logarithmic axis begins for all of its points */
+    bool mark;               /* no line, but large points */
+    bool loop;               /* a curve in the plane, whose abscissa goes back and forth */
+    bool limit;              /* a dashed line that nothing should cross */
+    bool thinned;            /* of a line with more points, of which these two tell: */
+    double least_above_zero; /* of the abscissas; +infinity without any */
+    double logarithmic_low;  /* where a logarithmic ordinate begins; NaN without any */
 } series;
 
 /* Colours over a grid of two abscissas: cells[row · columns + column], NaN where a run ended early. */

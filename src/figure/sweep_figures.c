@@ -186,8 +186,11 @@ static void put_line(builder *b, panel *p, size_t table, lines *l, size_t i, boo
         return;
     }
     series *line = &p->series[p->count++];
-    *line =
-        (series){.x = array[0], .y = array[1], .colour = colour_of_table(table), .thinned = true};
+    *line = (series){.x = array[0],
+                     .y = array[1],
+                     .colour = colour_of_table(table),
+                     .thinned = true,
+                     .least_above_zero = l->ends.least_above_zero};
     line->count = sweep_line_end(l->line[i], point, &line->logarithmic_low);
     for (size_t r = 0; r < line->count; r++) {
         array[0][r] = point[r].x;
@@ -476,7 +479,13 @@ static void add_shares(builder *b, panel *p, size_t table, const char *name, run
         const size_t count = sweep_shares_end(s->shares, x, y);
         for (size_t i = 0; i < count; i++) y[i] = 100.0 * y[i] / (double)rows;
         series *line = &p->series[p->count++];
-        *line = (series){.count = count, .x = x, .y = y, .colour = colour_of_table(table)};
+        *line = (series){.count = count,
+                         .x = x,
+                         .y = y,
+                         .colour = colour_of_table(table),
+                         .thinned = true,
+                         .least_above_zero = s->ends.least_above_zero,
+                         .logarithmic_low = NAN};
         if (builder_compares(b))
             snprintf(line->label, sizeof line->label, "%s", builder_label(b, table));
     }

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 
 void sweep_meet(sweep_ends *ends, double x, size_t row) {
+    if (ends->count == 0) ends->least_above_zero = INFINITY;
+    if (x > 0.0 && x < ends->least_above_zero) ends->least_above_zero = x;
     if (ends->count == 0 || x < ends->least) {
         ends->least = x;
         ends->first = row;

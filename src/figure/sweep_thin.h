@@ -14,7 +14,8 @@ enum {
 typedef struct sweep_ends {
     size_t count; /* of points */
     double least, greatest;
-    size_t first, last; /* rows of these two */
+    size_t first, last;      /* rows of these two */
+    double least_above_zero; /* +infinity without any */
 } sweep_ends;
 void sweep_meet(sweep_ends *ends, double x, size_t row);
 
@@ -40,8 +41,8 @@ typedef struct sweep_line {
 
 /* Zero bytes but for `ends`, and `whole` with room for SWEEP_POINTS. */
 void sweep_line_add(sweep_line *line, sweep_point point);
-/* The points kept, in order, and where a logarithmic axis begins for the line: below all but 1/25 of its magnitudes above 0, up to the
- * power of ten (NaN without any). */
+/* The points kept, in order, and where a logarithmic axis begins for the line: below all but 1/25 of its magnitudes above 0, up to
+ * the power of ten (NaN without any). */
 size_t sweep_line_end(sweep_line *line, sweep_point point[SWEEP_POINTS], double *low);
 
 /* Shares of runs being thinned: how many numbers are in each stretch, with the least and greatest of them. */

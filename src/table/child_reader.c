@@ -1,5 +1,6 @@
 /* A table read by a child process, handed over through a pipe: status and message, then shape, texts, names, numbers, each
- * text as its length and its bytes; or in parts, with status and message once more behind the last. The child is limited in time and memory; its death by a signal is an answer, not a crash. */
+ * text as its length and its bytes; or in parts, with status and message once more behind the last. The child is limited in time
+ * and memory; its death by a signal is an answer, not a crash. */
 #define _POSIX_C_SOURCE 200809L
 
 #include <errno.h>

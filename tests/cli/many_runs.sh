@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # Sourced: try_many_runs RUNS sweeps so many runs of one step and merges them, and looks at memory and processor time. Sweeps of a tenth
-# of the runs are the measure of how both grow.
+# of the runs are the measure of how both grow. The pictures are of shares of the runs and, with a key, of a line.
 source "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 cd "$scratch" || exit 1
 command -v python3 >/dev/null || { echo "skipped: no python3, which measures memory"; exit 77; }
@@ -35,8 +35,12 @@ try_many_runs() {
         check_growth sweep "$n"
         measured "merge of $n runs into HDF5" merge -q -o all.h5 all.shard
         check_growth hdf5 "$n"
+        measured "picture of $n runs in HDF5" plot -q -o picture.svg all.h5
+        check_growth picture "$n"
         measured "merge of $n runs into CSV" merge -q -o all.csv all.shard
         check_growth csv "$n"
+        measured "picture of $n runs in CSV" plot -q -o csv.svg all.csv
+        check_growth csv_picture "$n"
     done
     [[ $(wc -l <all.csv) == $((runs + 1)) ]] || fail "the table has $(wc -l <all.csv) lines"
 }

@@ -5,6 +5,14 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
+static int count_part(void *context, const gough_table *part) {
+    size_t *parts = context;
+    for (size_t c = 0; c < part->columns; c++)
+        for (size_t r = 0; r < part->rows; r++) (void)(part->value[c][r] > 0);
+    (*parts)++;
+    return 0;
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static const unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
     unsigned char *bytes = malloc(size + sizeof signature);
@@ -23,6 +31,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         if (!table->name[c] || !table->unit[c]) abort();
         for (size_t r = 0; r < table->rows; r++) (void)(table->value[c][r] > 0);
     }
+    /* read in parts it ends as it does whole */
+    size_t parts = 0;
+    const gough_status scanned = gough_table_scan(path, NULL, count_part, &parts, &error);
+    if (scanned != GOUGH_OK && !strstr(error.message, path)) abort();
+    if (scanned != status || (table != NULL && parts == 0)) abort();
     gough_table_free(table);
     free(bytes);
     return 0;

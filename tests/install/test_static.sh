@@ -15,6 +15,8 @@ if nm -u "$archive" 2>/dev/null | grep -q __asan; then echo "skipped: built with
 text=$(size "$scratch/program" | awk 'NR == 2 { print $1 }')
 echo "a program that calls gough_inverse_dynamics(): $text bytes of text"
 ((text <= 150000)) || { echo "more than 150 kB"; exit 1; }
+told=$(tr '\n' ' ' <"$SOURCE/README.md" | sed -n 's/.*--gc-sections` has \([0-9]*\) kB of *text.*/\1/p')
+((text >= told * 900 && text <= told * 1100)) || { echo "the README says ${told:-nothing} kB"; exit 1; }
 
 # an object for each source, none of whose inner names is left
 (($(ar t "$archive" | wc -l) > 50)) || { echo "the archive has $(ar t "$archive" | wc -l) objects"; exit 1; }
