@@ -175,7 +175,7 @@ GOUGH_API gough_status gough_study_parse(const char *name, const char *text, siz
 
 /** The place of the key with which a sentence about a study begins, such as "motion.heave … is not finite at t = 2".
  *  @param sentence    of an error or an end of a run
- *  @param[out] place  "own.yaml:12:10" or "--set motion.heave", at most @p size bytes, terminated; "" if there is none
+ *  @param[out] place  "own.yaml:12:10" or "--set motion.heave", at most @p size bytes, terminated; "" if it has no place
  *  @return the length of the whole place; 0 if the sentence begins with no key that the study or its settings give. */
 GOUGH_API size_t gough_study_place(const gough_study *study, const char *sentence, char *place,
                                    size_t size);

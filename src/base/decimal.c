@@ -177,7 +177,7 @@ static size_t read_digits(const char *text, size_t length, digits *d) {
     return any ? at : 0;
 }
 
-/* An exponent at text, into power; returns the bytes read, 0 if there is none. */
+/* An exponent at text, into power; returns the bytes read, 0 if the text has no exponent. */
 static size_t read_exponent(const char *text, size_t length, long *power) {
     size_t at = 1;
     if (length < 2 || (text[0] != 'e' && text[0] != 'E')) return 0;

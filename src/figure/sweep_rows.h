@@ -17,7 +17,7 @@ typedef struct sweep_rows {
 } sweep_rows;
 typedef void sweep_visitor(void *context, const sweep_rows *rows);
 
-/* Index of a column of a sweep; the count of columns if there is none of this name. */
+/* Index of the column of a sweep that has this name; the number of columns if no column has it. */
 size_t sweep_column(const gough_table *table, const char *name);
 
 /* Hands all rows of a table to the visitor, with these columns; without the columns a sentence that names one that is missing.

@@ -74,7 +74,7 @@ static bool take_memory(describer *d) {
 
 /* ---- columns ---- */
 
-/* Numbers of a column, without the cells that are none, and what is found in them. */
+/* The numbers of a column, without cells that hold no number, and what is found in them. */
 static void describe_column(const describer *d, size_t i, gough_motion_column *column) {
     double *number = d->scratch + d->rows + 1;
     size_t count = 0, before = 0;

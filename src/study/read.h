@@ -25,7 +25,7 @@ gough_setting *study_input_copy(study_arena *arena, const char *name, const char
 study_node *study_tree_read(study_messages *messages, const study_source *source,
                             const gough_setting *settings, size_t setting_count);
 
-/* The study of a tree; NULL where memory is out. */
+/* The study of a tree; NULL where out of memory. */
 gough_study *study_from_tree(study_messages *messages, study_node *root,
                              const study_source *source);
 

@@ -100,7 +100,7 @@ static void say_at(chooser *c, study_node *node, const char *sentence) {
     study_node_say(c->messages, node, study_node_place(node, false), "%s", sentence);
 }
 
-/* The column of that name; SIZE_MAX, with what is wrong said, if it is none or several. */
+/* The column of that name; SIZE_MAX, and a sentence, if no column or several columns have the name. */
 static size_t column_named(chooser *c, study_node *node) {
     size_t exact = SIZE_MAX, found = SIZE_MAX, matches = 0, exacts = 0;
     const study_layout *l = c->layout;

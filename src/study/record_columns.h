@@ -21,7 +21,7 @@ typedef struct study_columns {
 } study_columns;
 
 /* Finds them. False where an error was said: one about all columns that are not certain, with a mapping to paste, or one at the key
- * that is wrong. file: as the study names it; first: the numbers of the first row, NaN where there are none. */
+ * that is wrong. file: as the study names it; first: the numbers of the first row, NaN where a cell holds no number. */
 bool study_columns_choose(study_messages *messages, const study_layout *layout,
                           const study_record_keys *keys, const gough_units *units, const char *file,
                           const double *first, study_columns *columns);

@@ -18,7 +18,7 @@ enum {
 /* "heave", "qw", "r11", and "t" */
 const char *study_quantity_name(int quantity);
 
-/* the quantity of that name; -1 if there is none */
+/* the quantity of that name; -1 if no quantity has it */
 int study_quantity_of(const char *name);
 
 /* whether it measures a length, an angle, a time or nothing */

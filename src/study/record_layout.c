@@ -117,7 +117,7 @@ static void take_head(study_lines *lines, const study_record_keys *keys, const s
         if (line.begin == line.end) continue;
         const study_place place = study_lines_place(lines, lines->line.begin);
         const char *text = place.source->text + place.offset;
-        if (place.source->length == 0) return; /* memory is out */
+        if (place.source->length == 0) return; /* out of memory */
         h->line[h->count] = (gough_piece){text, text + length_of(lines->line)};
         h->number[h->count] = lines->number;
         h->place[h->count] = place;
@@ -203,7 +203,7 @@ static size_t names_what(const study_record_keys *keys, const gough_piece *cell,
 
 enum { MOST_NAMES = 4096 };
 
-/* The first line that names what is wanted, and with which separator; false if there is none. */
+/* The first line that names the wanted columns, and its separator; false if no line does. */
 static bool find_names(study_arena *arena, const study_record_keys *keys, const head *h,
                        study_layout *layout, size_t *at) {
     gough_piece *cell = study_arena_take(arena, MOST_NAMES * sizeof *cell);

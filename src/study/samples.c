@@ -313,7 +313,7 @@ static gough_status prepare(table *csv, study_recording *recording, double *work
 
 /* ---- the file ---- */
 
-/* Numbers of the first row, NaN for cells that are none. */
+/* The numbers of the first row, NaN for cells that hold no number. */
 static double *first_numbers(table *csv, const study_lines *lines) {
     const study_layout *layout = &csv->layout;
     double *first = study_arena_take(csv->messages->arena, layout->columns * sizeof *first);

@@ -24,7 +24,7 @@ typedef struct study_plan {
 /* Reads the plan from a checked tree; says what is wrong. Whether there is one. */
 bool study_plan_make(study_messages *messages, study_node *root, study_plan *plan);
 
-/* The number in a tree that an axis varies, made where the file does not give it; NULL where memory is out. */
+/* The number in a tree that an axis varies, made where the file does not give it; NULL where out of memory. */
 study_node *study_plan_target(study_arena *arena, study_node *root, const study_axis *axis,
                               bool *made);
 

@@ -39,7 +39,7 @@ study_node *study_node_new(study_arena *arena, study_kind kind, study_place plac
 void study_node_append(study_node *parent, study_node *child);
 void study_node_remove(study_node *parent, study_node *child);
 
-/* The first child of that name; NULL if there is none or parent is NULL or no mapping. */
+/* The first child of that name; NULL if no child has it, or if parent is NULL or no mapping. */
 study_node *study_node_child(const study_node *parent, const char *name);
 
 /* Follows the keys of a path such as "control.stiffness" from a mapping: the last node that exists on the way, or NULL; *rest

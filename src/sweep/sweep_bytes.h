@@ -12,13 +12,13 @@ enum {
 /* FNV-1a, 64 bits, over 8 bytes at a time and what is left one by one. */
 uint64_t sweep_digest(uint64_t seed, const void *bytes, size_t length);
 
-/* Allocated; NULL if memory is out. */
+/* Allocated; NULL if out of memory. */
 unsigned char *sweep_head_bytes(const sweep_head *head, size_t *length);
 
 /* Length of a whole head by its first bytes; 0 if they do not begin a head. */
 size_t sweep_head_length(const unsigned char *start, size_t length);
 
-/* NULL where the bytes are damaged or memory is out. */
+/* NULL where the bytes are damaged, or if out of memory. */
 sweep_head *sweep_head_read(const unsigned char *bytes, size_t length);
 
 #endif

@@ -22,7 +22,7 @@ typedef struct sweep_head {
     uint64_t shard, shards, first, last;
 } sweep_head;
 
-/* The head of a sweep; free its memory with sweep_head_free(). NULL if memory is out. */
+/* The head of a sweep; free its memory with sweep_head_free(). NULL if out of memory. */
 sweep_head *sweep_head_of(const gough_sweep *sweep, const gough_sweep_options *options,
                           const gough_units *units, size_t shard, size_t shards);
 void sweep_head_free(sweep_head *head);

@@ -90,9 +90,9 @@ gough_status result_read_csv(const char *path, const char *text, size_t length, 
                              gough_error *error);
 gough_status result_read_hdf5(const char *path, gough_table *table, gough_error *error);
 
-/* Makes room for the columns and rows of a table; false when memory is out. */
+/* Makes room for the columns and rows of a table; false when out of memory. */
 bool result_table_shape(gough_table *table, size_t columns, size_t rows);
-/* Texts that the format did not bring become empty; false when memory is out. */
+/* Texts that the format did not bring become empty; false when out of memory. */
 bool result_complete_texts(gough_table *table);
 /* Numbers that are not known become NaN. */
 void result_blank_numbers(gough_table *table);
@@ -110,7 +110,7 @@ typedef struct result_scan {
     bool stopped;     /* the sink wants no more */
     gough_table part; /* its columns are the wanted ones of the table that is read */
 } result_scan;
-/* Makes `part` of a table whose columns have room for a part each, and hands over the names. False when memory is out. */
+/* Makes `part` of a table whose columns have room for a part each, and hands over the names. False when out of memory. */
 bool result_scan_begin(result_scan *scan, const gough_table *table);
 void result_scan_part(result_scan *scan, size_t rows);
 void result_scan_end(result_scan *scan);

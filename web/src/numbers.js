@@ -347,7 +347,7 @@ function stabilitySection(study) {
 
 const present = (value) => value !== null && value !== undefined;
 
-/** Where a line's comment begins: a # at the start or after a space, outside quotes; the line's length if there is none. */
+/** Where a line's comment begins: a # at the start or after a space, outside quotes; the line's length if it has no comment. */
 function commentStart(line) {
   let quote = "";
   for (let index = 0; index < line.length; index++) {
