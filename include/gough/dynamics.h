@@ -79,6 +79,13 @@ GOUGH_API gough_status gough_angles_from_rotation(double rotation[3][3], double 
 GOUGH_API void gough_rotation_in_order(gough_order order, const double angles[3],
                                        double rotation[3][3]);
 
+/** R of a quaternion w, x, y, z, the scalar first, of any length above 0.
+ *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if a number is not finite or all are 0; then nothing is written.
+ *
+ *  Accurate to a few ε. */
+GOUGH_API gough_status gough_rotation_of_quaternion(const double quaternion[4],
+                                                    double rotation[3][3]);
+
 /** Roll, pitch and yaw of R in an order, as from gough_angles_from_rotation(): the pitch is within ±π/2 in both orders, and
  *  at ±π/2 only a combination of roll and yaw is determined.
  *  @return GOUGH_OK, or GOUGH_ERROR_INPUT if R is not a rotation or there is no such order.

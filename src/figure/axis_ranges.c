@@ -62,7 +62,7 @@ range sheet_abscissa(const sheet *s) {
 
 double panel_drawn(const panel *p, double value) { return p->logarithmic ? fabs(value) : value; }
 
-static int compare_numbers(const void *a, const void *b) {
+int sheet_compare_numbers(const void *a, const void *b) {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
@@ -78,7 +78,7 @@ static double logarithmic_low(const series *line) {
         const double size = fabs(line->y[k]);
         if (isfinite(size) && size > 0.0) sorted[count++] = size;
     }
-    qsort(sorted, count, sizeof *sorted, compare_numbers);
+    qsort(sorted, count, sizeof *sorted, sheet_compare_numbers);
     const double low = count > 0 ? sorted[count / 25] : NAN;
     free(sorted);
     return low;

@@ -72,6 +72,10 @@ gough_status sheet_fill(sheet *sheet, const gough_figure *figure, const gough_ta
 
 /* A sheet's own array of @p count numbers; NULL when out of memory or there are too many. */
 double *sheet_array(sheet *sheet, size_t count);
+
+/* for qsort(): numbers in rising order */
+int sheet_compare_numbers(const void *a, const void *b);
+
 void sheet_free_arrays(sheet *sheet);
 
 /* A table of a sweep: lines over one swept key, a map over two, shares of the runs over more (sweep.c). */

@@ -13,13 +13,10 @@ size_t sweep_column(const gough_table *table, const char *name) {
 
 /* ---- a pass ------------------------------------------------------------------------------------------------------- */
 
-enum { MOST_COLUMNS = 4096 };
-
 typedef struct pass {
     const char *const *names;
     size_t count;
-    size_t index[MOST_COLUMNS]; /* of each name in a part */
-    const double *value[MOST_COLUMNS];
+    const double **value; /* of each name in a part */
     size_t first;
     bool changed; /* the file has other columns than when it was opened */
     sweep_visitor *visit;
@@ -46,23 +43,24 @@ bool sweep_visit(builder *b, size_t table, const char *const *names, size_t coun
     const gough_table *t = b->tables[table];
     for (size_t i = 0; i < count && b->status == GOUGH_OK; i++)
         if (sweep_column(t, names[i]) == t->columns) (void)builder_column(b, table, names[i]);
-    pass *p = calloc(1, sizeof *p);
     const char **wanted = calloc(count + 1, sizeof *wanted);
-    if (p == NULL || wanted == NULL || count > MOST_COLUMNS)
+    const double **value = calloc(count + 1, sizeof *value);
+    if (value == NULL || wanted == NULL)
         builder_fail(b, GOUGH_ERROR_FILE, "out of memory for this figure");
     if (b->status == GOUGH_OK) {
-        *p = (pass){.names = names, .count = count, .visit = visit, .context = context};
+        pass p = {.names = names, .count = count, .value = value};
+        p.visit = visit, p.context = context;
         memcpy(wanted, names, count * sizeof *wanted);
         if (t->source != NULL)
-            b->status = gough_table_scan(t->source, wanted, take_part, p, b->error);
+            b->status = gough_table_scan(t->source, wanted, take_part, &p, b->error);
         else
-            take_part(p, t);
-        if (b->status == GOUGH_OK && p->changed)
+            take_part(&p, t);
+        if (b->status == GOUGH_OK && p.changed)
             b->status = gough_fail(b->error, GOUGH_ERROR_FILE,
                                    "%s: has changed while it was being read", t->source);
     }
     free(wanted);
-    free(p);
+    free(value);
     return b->status == GOUGH_OK;
 }
 
@@ -91,11 +89,6 @@ bool sweep_is_level(const sweep_facts *facts) {
 
 enum { PENDING = 4096, FEW_VALUES = 50 };
 
-static int compare_numbers(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 bool sweep_distinct_begin(builder *b, sweep_distinct *d) {
     *d = (sweep_distinct){.rising = true, .equal_steps = true, .equal_ratios = true};
     if (b->status == GOUGH_OK) d->value = sheet_array(b->sheet, SWEEP_VALUES + PENDING);
@@ -106,7 +99,7 @@ bool sweep_distinct_begin(builder *b, sweep_distinct *d) {
 /* Brings the pending values into the order. */
 static void settle(sweep_distinct *d) {
     const size_t all = d->count + d->pending;
-    qsort(d->value, all, sizeof *d->value, compare_numbers);
+    qsort(d->value, all, sizeof *d->value, sheet_compare_numbers);
     d->count = d->pending = 0;
     for (size_t i = 0; i < all; i++)
         if (d->count == 0 || d->value[i] > d->value[d->count - 1])

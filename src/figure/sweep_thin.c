@@ -110,11 +110,6 @@ size_t sweep_line_end(sweep_line *line, sweep_point point[SWEEP_POINTS], double 
 
 /* ---- shares ------------------------------------------------------------------------------------------------------- */
 
-static int compare_numbers(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 void sweep_shares_add(sweep_shares *shares, double x, size_t row) {
     if (shares->ends.count <= SWEEP_POINTS) {
         if (shares->kept < SWEEP_POINTS) shares->whole[shares->kept++] = x;
@@ -130,7 +125,7 @@ void sweep_shares_add(sweep_shares *shares, double x, size_t row) {
 size_t sweep_shares_end(sweep_shares *shares, double x[SWEEP_POINTS], double rank[SWEEP_POINTS]) {
     size_t n = 0, below = 1;
     if (shares->ends.count <= SWEEP_POINTS) {
-        qsort(shares->whole, shares->kept, sizeof *shares->whole, compare_numbers);
+        qsort(shares->whole, shares->kept, sizeof *shares->whole, sheet_compare_numbers);
         for (; n < shares->kept; n++) {
             x[n] = shares->whole[n];
             rank[n] = (double)(n + 1);

@@ -108,6 +108,18 @@ void gough_rotation_in_order(gough_order order, const double angles[3], double r
     }
 }
 
+gough_status gough_rotation_of_quaternion(const double quaternion[4], double rotation[3][3]) {
+    double most = 0, unit[4];
+    for (int i = 0; i < 4; i++) {
+        if (!isfinite(quaternion[i])) return GOUGH_ERROR_INPUT;
+        most = fmax(most, fabs(quaternion[i]));
+    }
+    if (!(most > 0)) return GOUGH_ERROR_INPUT;
+    for (int i = 0; i < 4; i++) unit[i] = quaternion[i] / most;
+    rotation_of_axes(unit, rotation);
+    return GOUGH_OK;
+}
+
 gough_status gough_angles_in_order(gough_order order, double rotation[3][3], double angles[3]) {
     if (order != GOUGH_ZYX && order != GOUGH_XYZ) return GOUGH_ERROR_INPUT;
     if (!is_rotation((const double(*)[3])rotation)) return GOUGH_ERROR_INPUT;

@@ -15,23 +15,8 @@ static void to_degrees(double angle[3]) {
 /* ---- quaternions and matrices ---- */
 
 bool study_quaternion_angles(const double q[4], gough_order order, double angle[3]) {
-    double most = 0, R[3][3];
-    for (int i = 0; i < 4; i++) {
-        if (!isfinite(q[i])) return false; /* a cell with its scale */
-        most = fmax(most, fabs(q[i]));
-    }
-    if (!(most > 0)) return false;
-    const double w = q[0] / most, x = q[1] / most, y = q[2] / most, z = q[3] / most;
-    const double n = w * w + x * x + y * y + z * z;
-    R[0][0] = (w * w + x * x - y * y - z * z) / n;
-    R[0][1] = 2 * (x * y - w * z) / n;
-    R[0][2] = 2 * (x * z + w * y) / n;
-    R[1][0] = 2 * (x * y + w * z) / n;
-    R[1][1] = (w * w - x * x + y * y - z * z) / n;
-    R[1][2] = 2 * (y * z - w * x) / n;
-    R[2][0] = 2 * (x * z - w * y) / n;
-    R[2][1] = 2 * (y * z + w * x) / n;
-    R[2][2] = (w * w - x * x - y * y + z * z) / n;
+    double R[3][3];
+    if (gough_rotation_of_quaternion(q, R) != GOUGH_OK) return false; /* a cell with its scale */
     gough_angles_in_order(order, R, angle);
     to_degrees(angle);
     return true;

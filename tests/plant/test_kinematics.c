@@ -291,8 +291,43 @@ START_TEST(numbers_that_are_not_finite_are_a_numerical_error) {
 }
 END_TEST
 
+/* Hamilton's product */
+static void product(const double p[4], const double q[4], double to[4]) {
+    to[0] = p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3];
+    to[1] = p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2];
+    to[2] = p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1];
+    to[3] = p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0];
+}
+
+/* columns of R are q e q* of the axes, for a unit q; multiples of q give the same R, also at the ends of the range of numbers */
+START_TEST(a_quaternion_turns_vectors_by_products) {
+    static const double size[] = {1, 16384, 1e-300, 1e300};
+    dice d = {17};
+    for (int n = 0; n < 400; n++) {
+        double q[4], back[4], R[3][3], square = 0;
+        for (int i = 0; i < 4; i++) q[i] = dice_between(&d, -1, 1), square += q[i] * q[i];
+        for (int i = 0; i < 4; i++) q[i] /= sqrt(square), back[i] = i == 0 ? q[i] : -q[i];
+        const double f = size[n % 4], far[4] = {f * q[0], f * q[1], f * q[2], f * q[3]};
+        ck_assert_int_eq(gough_rotation_of_quaternion(far, R), GOUGH_OK);
+        for (int c = 0; c < 3; c++) {
+            const double axis[4] = {0, c == 0, c == 1, c == 2};
+            double half[4], turned[4];
+            product(q, axis, half), product(half, back, turned);
+            for (int r = 0; r < 3; r++) ck_assert_double_eq_tol(R[r][c], turned[1 + r], 1e-14);
+        }
+    }
+    const double none[][4] = {{0, 0, 0, 0}, {1, NAN, 0, 0}, {0, 0, 0, INFINITY}};
+    for (int i = 0; i < 3; i++) {
+        double R[3][3] = {{7}};
+        ck_assert_int_eq(gough_rotation_of_quaternion(none[i], R), GOUGH_ERROR_INPUT);
+        ck_assert(R[0][0] == 7 && R[2][2] == 0);
+    }
+}
+END_TEST
+
 int main(void) {
-    return SUITE_RUN("kinematics", 30, rates_are_differences, the_named_point_follows_the_formulas,
+    return SUITE_RUN("kinematics", 30, a_quaternion_turns_vectors_by_products,
+                     rates_are_differences, the_named_point_follows_the_formulas,
                      jacobian_maps_velocities_to_rates, condition_is_that_of_the_scaled_jacobian,
                      angles_come_back_from_rotations, reactions_at_rest_are_the_forces_moments,
                      a_matrix_that_is_no_rotation_is_refused_and_nothing_is_written,
