@@ -15,6 +15,8 @@ typedef struct builder {
     gough_error *error;
     gough_status status;
     char label[SHEET_TEXT]; /* of builder_label() */
+    struct sweep_file *
+        files; /* of the tables that are read in parts, as the first pass found them; sweep_rows.h */
 } builder;
 
 /* Several tables are compared: a colour then means a table. */

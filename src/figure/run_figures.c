@@ -546,7 +546,8 @@ static int find_kind(builder *b, const char *name) {
 
 gough_status sheet_fill(sheet *s, const gough_figure *figure, const gough_table *const *tables,
                         const char *const *labels, size_t table_count, gough_error *error) {
-    builder b = {s, figure, tables, labels, table_count, error, GOUGH_OK, ""};
+    builder b = {.sheet = s, .figure = figure, .tables = tables, .labels = labels};
+    b.table_count = table_count, b.error = error;
     const char *kind = figure->kind;
     const bool chosen = figure->columns != NULL && !sheet_is_sweep(tables[0]);
     if (kind == NULL) kind = chosen ? "columns" : sheet_default_kind(tables[0]);

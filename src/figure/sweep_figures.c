@@ -552,8 +552,10 @@ void builder_fill_sweep(builder *b) {
             return;
         }
     survey *surveys = calloc(b->table_count, sizeof *surveys);
-    if (surveys == NULL) builder_fail(b, GOUGH_ERROR_FILE, "out of memory for this figure");
-    bool good = surveys != NULL;
+    b->files = calloc(b->table_count, sizeof *b->files);
+    if (surveys == NULL || b->files == NULL)
+        builder_fail(b, GOUGH_ERROR_FILE, "out of memory for this figure");
+    bool good = surveys != NULL && b->files != NULL;
     for (size_t t = 0; t < b->table_count && good; t++) good = make_survey(b, t, &surveys[t]);
     if (good) choose(b, surveys);
     for (size_t t = 0; t < b->table_count && surveys != NULL; t++) {
@@ -561,4 +563,6 @@ void builder_fill_sweep(builder *b) {
         free(surveys[t].varies);
     }
     free(surveys);
+    free(b->files);
+    b->files = NULL;
 }

@@ -1,9 +1,11 @@
 /* The rows of a sweep for its figures: one pass at a time, over numbers in memory or in a file. */
+#define _POSIX_C_SOURCE 200809L
 #include "figure/sweep_rows.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 size_t sweep_column(const gough_table *table, const char *name) {
     size_t c = 0;
@@ -38,6 +40,22 @@ static int take_part(void *context, const gough_table *part) {
     return 0;
 }
 
+/* Whether the file of a table is the one that the first pass read; the first pass always finds it so. */
+static bool is_same_file(builder *b, size_t table) {
+    sweep_file *seen = &b->files[table];
+    struct stat about;
+    if (stat(b->tables[table]->source, &about) != 0) return true; /* the reader tells why */
+    const sweep_file now = {.known = true,
+                            .device = about.st_dev,
+                            .node = about.st_ino,
+                            .size = about.st_size,
+                            .second = about.st_mtim.tv_sec,
+                            .nanosecond = about.st_mtim.tv_nsec};
+    if (!seen->known) *seen = now;
+    return seen->device == now.device && seen->node == now.node && seen->size == now.size &&
+           seen->second == now.second && seen->nanosecond == now.nanosecond;
+}
+
 bool sweep_visit(builder *b, size_t table, const char *const *names, size_t count,
                  sweep_visitor *visit, void *context) {
     const gough_table *t = b->tables[table];
@@ -51,10 +69,11 @@ bool sweep_visit(builder *b, size_t table, const char *const *names, size_t coun
         pass p = {.names = names, .count = count, .value = value};
         p.visit = visit, p.context = context;
         memcpy(wanted, names, count * sizeof *wanted);
-        if (t->source != NULL)
-            b->status = gough_table_scan(t->source, wanted, take_part, &p, b->error);
-        else
+        p.changed = t->source != NULL && !is_same_file(b, table);
+        if (t->source == NULL)
             take_part(&p, t);
+        else if (!p.changed)
+            b->status = gough_table_scan(t->source, wanted, take_part, &p, b->error);
         if (b->status == GOUGH_OK && p.changed)
             b->status = gough_fail(b->error, GOUGH_ERROR_FILE,
                                    "%s: has changed while it was being read", t->source);

@@ -3,6 +3,8 @@
 #ifndef GOUGH_FIGURE_SWEEP_ROWS_H
 #define GOUGH_FIGURE_SWEEP_ROWS_H
 
+#include <sys/types.h>
+
 #include "figure/builder.h"
 
 enum {
@@ -16,6 +18,15 @@ typedef struct sweep_rows {
     size_t first, count;
 } sweep_rows;
 typedef void sweep_visitor(void *context, const sweep_rows *rows);
+
+/* What tells a file that was replaced or written to from the one that the first pass read. */
+typedef struct sweep_file {
+    bool known;
+    dev_t device;
+    ino_t node;
+    off_t size;
+    long long second, nanosecond; /* of the last change */
+} sweep_file;
 
 /* Index of the column of a sweep that has this name; the number of columns if no column has it. */
 size_t sweep_column(const gough_table *table, const char *name);

@@ -168,7 +168,38 @@ START_TEST(a_large_file_gives_the_picture_of_its_numbers) {
 }
 END_TEST
 
-/* A file that goes away or changes between two figures is an error, not a wrong picture. */
+static void count_rows(void *context, const sweep_rows *rows) { *(size_t *)context += rows->count; }
+
+/* As many rows of the same names, but other numbers: a picture of both would be of neither. */
+START_TEST(a_file_that_is_replaced_between_two_passes_is_refused) {
+    char folder[PATH_SIZE], path[PATH_SIZE];
+    make_folder(folder);
+    path_in(folder, "large.h5", path);
+    gough_table *table = large_sweep(0), *left;
+    gough_error error = {.message = ""};
+    const gough_figure figure = gough_figure_default();
+    ck_assert(gough_table_write(table, NULL, path, &error) == GOUGH_OK);
+    ck_assert(gough_figure_read(&figure, path, &left, &error) == GOUGH_OK);
+    const gough_table *const tables[] = {left};
+    const char *const names[] = {"end_cause"};
+    sweep_file files[1] = {{.known = false}};
+    builder b = {.tables = tables, .table_count = 1, .error = &error, .files = files};
+    size_t rows = 0;
+    ck_assert(sweep_visit(&b, 0, names, 1, count_rows, &rows) && rows == table->rows);
+    ck_assert(sweep_visit(&b, 0, names, 1, count_rows, &rows) && rows == 2 * table->rows);
+    table->value[1][0] += 1;
+    ck_assert(gough_table_write(table, NULL, path, &error) == GOUGH_OK);
+    ck_assert(!sweep_visit(&b, 0, names, 1, count_rows, &rows));
+    ck_assert(b.status == GOUGH_ERROR_FILE && rows == 2 * table->rows);
+    ck_assert_msg(strstr(error.message, "has changed while it was being read") != NULL, "%s",
+                  error.message);
+    gough_table_free(left);
+    gough_table_free(table);
+    remove_folder(folder);
+}
+END_TEST
+
+/* A file that goes away, or whose columns change, between two figures is an error, not a wrong picture. */
 START_TEST(a_file_that_changed_is_refused) {
     char folder[PATH_SIZE], path[PATH_SIZE], other[PATH_SIZE];
     make_folder(folder);
@@ -201,6 +232,7 @@ int main(void) {
     tcase_add_loop_test(cases, shares_are_those_of_all_numbers, 0, 8);
     tcase_add_loop_test(cases, a_large_file_gives_the_picture_of_its_numbers, 0, 3);
     tcase_add_test(cases, a_file_that_changed_is_refused);
+    tcase_add_test(cases, a_file_that_is_replaced_between_two_passes_is_refused);
     suite_add_tcase(suite, cases);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
