@@ -27,7 +27,14 @@ typedef struct gough_figure {
     bool logarithmic;    /**< magnitudes on a logarithmic vertical axis */
     double
         max_speed; /**< of kind "duty": limit of the leg rate that is drawn, in the unit of the first table; NaN: the table's */
-    double max_force; /**< the same of the drive force */
+    double max_force;  /**< the same of the drive force */
+    const char *style; /**< NULL or "screen"; "print": lines differ by dashes too and have their
+                          names at their ends, so that they are told apart without colours */
+    double width;      /**< of the picture in mm, 40 to 1000; NaN: 198 mm, or 264 mm with two
+                          panels beside each other */
+    double font;       /**< size of the text in points, 4 to 40; NaN: 8.64, and 8 with a width.
+                          Numbers on axes and keys have 11/12 of it */
+    double dpi;        /**< dots per inch of a PNG, 30 to 2400; NaN: 200 */
 } gough_figure;
 
 /** Fills in the defaults: kind and title from the tables, all columns and times.

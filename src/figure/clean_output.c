@@ -1,5 +1,6 @@
-/* Last touches to what gnuplot drew: the date of a PDF, the fonts of an SVG. */
+/* Last touches to what gnuplot drew: the date of a PDF, the fonts and the size of an SVG. */
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -61,4 +62,24 @@ char *sheet_name_fonts(const char *bytes, size_t *length) {
     }
     *length = used;
     return named;
+}
+
+char *sheet_set_size(const char *bytes, size_t *length, sheet_size size) {
+    char drawn[64], printed[96];
+    const double mm = 0.254 * size.inch;
+    snprintf(drawn, sizeof drawn, " width=\"%d\" height=\"%d\"", size.width, size.height);
+    snprintf(printed, sizeof printed, " width=\"%.2fmm\" height=\"%.2fmm\"", mm * size.width,
+             mm * size.height);
+    char *sized = malloc(*length + sizeof printed);
+    if (sized == NULL) return NULL;
+    /* the first tag of the picture has it */
+    const size_t from = strlen(drawn);
+    size_t at = 0;
+    while (at + from < *length && memcmp(bytes + at, drawn, from) != 0) at++;
+    const size_t to = at + from < *length ? strlen(printed) : 0, left = to > 0 ? at + from : at;
+    memcpy(sized, bytes, at);
+    memcpy(sized + at, printed, to);
+    memcpy(sized + at + to, bytes + left, *length - left);
+    *length = at + to + (*length - left);
+    return sized;
 }

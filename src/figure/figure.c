@@ -22,7 +22,11 @@ gough_status gough_figure_init(gough_figure *figure, size_t size) {
                              .from = NAN,
                              .to = NAN,
                              .max_speed = NAN,
-                             .max_force = NAN};
+                             .max_force = NAN,
+                             .style = NULL,
+                             .width = NAN,
+                             .font = NAN,
+                             .dpi = NAN};
     return GOUGH_OK;
 }
 
@@ -39,20 +43,25 @@ static bool find_format(const char *path, sheet_format *format) {
     return false;
 }
 
-static gough_status finish_picture(char *bytes, size_t length, sheet_format format,
+static gough_status finish_picture(char *bytes, size_t length, sheet_format format, sheet_size size,
                                    const char *path, gough_error *error) {
     if (format == SHEET_PDF) sheet_blank_date(bytes, length);
     if (format != SHEET_SVG) return gough_write_file(path, bytes, length, error);
     char *named = sheet_name_fonts(bytes, &length);
-    if (named == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
-    const gough_status status = gough_write_file(path, named, length, error);
+    char *sized = named != NULL && size.inch > 0.0 ? sheet_set_size(named, &length, size) : named;
+    gough_status status = GOUGH_OK;
+    if (sized == NULL)
+        status = gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
+    else
+        status = gough_write_file(path, sized, length, error);
+    if (sized != named) free(sized);
     free(named);
     return status;
 }
 
 /* Copies the picture that gnuplot left to where it is wanted. */
-static gough_status take_picture(const char *folder, sheet_format format, const char *path,
-                                 gough_error *error) {
+static gough_status take_picture(const char *folder, sheet_format format, sheet_size size,
+                                 const char *path, gough_error *error) {
     char from[256];
     snprintf(from, sizeof from, "%s/figure", folder);
     FILE *file = fopen(from, "rb");
@@ -64,7 +73,7 @@ static gough_status take_picture(const char *folder, sheet_format format, const 
     rewind(file);
     char *bytes = length > 0 ? malloc((size_t)length) : NULL;
     if (bytes != NULL && fread(bytes, 1, (size_t)length, file) == (size_t)length)
-        status = finish_picture(bytes, (size_t)length, format, path, error);
+        status = finish_picture(bytes, (size_t)length, format, size, path, error);
     else
         status = gough_fail(error, status, "%s: gnuplot wrote no figure", path);
     free(bytes);
@@ -81,9 +90,10 @@ gough_status sheet_draw(sheet_writer write, const void *content, const char *pat
     workshop shop;
     gough_status status = workshop_open(&shop, error);
     if (status != GOUGH_OK) return status;
-    status = write(content, format, shop.folder, error);
+    sheet_size size = {0};
+    status = write(content, format, shop.folder, &size, error);
     if (status == GOUGH_OK) status = sheet_run_gnuplot(shop.folder, error);
-    if (status == GOUGH_OK) status = take_picture(shop.folder, format, path, error);
+    if (status == GOUGH_OK) status = take_picture(shop.folder, format, size, path, error);
     workshop_close(&shop);
     return status;
 }
@@ -143,8 +153,41 @@ gough_status gough_figure_read(const gough_figure *figure, const char *path, gou
 }
 
 static gough_status write_sheet(const void *content, sheet_format format, const char *folder,
-                                gough_error *error) {
-    return sheet_write_script(content, format, folder, error);
+                                sheet_size *size, gough_error *error) {
+    return sheet_write_script(content, format, folder, size, error);
+}
+
+static gough_status check_range(const char *name, double value, double least, double greatest,
+                                const char *unit, gough_error *error) {
+    if (isnan(value) || (value >= least && value <= greatest)) return GOUGH_OK;
+    return gough_fail(error, GOUGH_ERROR_INPUT, "the %s of a figure is %g %s to %g %s; got %g %s",
+                      name, least, unit, greatest, unit, value, unit);
+}
+
+/* Size of the picture and style of its lines. */
+static gough_status set_print(sheet *s, const gough_figure *f, gough_error *error) {
+    gough_status status = check_range("width", f->width, 40.0, 1000.0, "mm", error);
+    if (status == GOUGH_OK) status = check_range("text", f->font, 4.0, 40.0, "points", error);
+    if (status == GOUGH_OK)
+        status = check_range("resolution", f->dpi, 30.0, 2400.0, "dots per inch", error);
+    if (status != GOUGH_OK) return status;
+    if (f->style != NULL && strcmp(f->style, "screen") != 0 && strcmp(f->style, "print") != 0)
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "the style of a figure is screen or print; got '%s'", f->style);
+    s->print = f->style != NULL && strcmp(f->style, "print") == 0;
+    s->dpi = isnan(f->dpi) ? 0.0 : f->dpi;
+    if (isnan(f->width) && isnan(f->font)) return GOUGH_OK;
+    /* text of TEXT nominal pixels is 8.64 points high where a pixel is a hundredth of an inch */
+    const double points = isnan(f->font) ? 8.0 : f->font, inch = points / 8.64;
+    const double width = isnan(f->width) ? (s->columns > 1 ? 264.16 : 198.12) : f->width;
+    s->width = (int)floor(width / 0.254 / inch);
+    s->inch = width / 0.254 / s->width;
+    const double least = 260 * 0.254 * inch;
+    if (width < least)
+        return gough_fail(error, GOUGH_ERROR_INPUT,
+                          "a figure with text of %g points is at least %.0f mm wide; got %g mm",
+                          points, ceil(least), width);
+    return GOUGH_OK;
 }
 
 gough_status gough_figure_draw(const gough_figure *figure, const gough_table *const *tables,
@@ -161,6 +204,7 @@ gough_status gough_figure_draw(const gough_figure *figure, const gough_table *co
     sheet *s = calloc(1, sizeof *s);
     if (s == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     gough_status status = sheet_fill(s, figure, tables, labels, table_count, error);
+    if (status == GOUGH_OK) status = set_print(s, figure, error);
     if (status == GOUGH_OK) status = sheet_draw(write_sheet, s, path, error);
     sheet_free_arrays(s);
     free(s);

@@ -45,7 +45,8 @@ FILE *stability_open(const stability_pen *pen, const char *name) {
 void stability_write_frame(const stability_pen *pen, const char *explanation) {
     FILE *file = pen->file;
     char quoted[2 * SHEET_TEXT];
-    sheet_write_terminal(file, pen->format, STABILITY_WIDTH, pen->height);
+    sheet_write_terminal(file, pen->format,
+                         (sheet_size){.width = STABILITY_WIDTH, .height = pen->height});
     fprintf(file, "set encoding utf8\nset minussign\nset output 'figure'\nset multiplot\n");
     fprintf(file, "set tics nomirror out scale 0.5 textcolor rgb '%s' font ',%.4g'\n",
             stability_ink, stability_size(pen, STABILITY_SMALL));
@@ -216,8 +217,9 @@ static bool write_script(stability_pen *pen) {
 }
 
 static gough_status write_picture(const void *content, sheet_format format, const char *folder,
-                                  gough_error *error) {
+                                  sheet_size *size, gough_error *error) {
     const picture *p = content;
+    (void)size;
     const gough_map_options *options = p->field->options;
     stability_pen pen = {
         .folder = folder, .format = format, .figure = p->figure, .field = p->field};

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "figure/axis_ranges.h"
+#include "figure/line_ends.h"
 #include "figure/palette.h"
 #include "figure/sheet.h"
 #include "figure/ticks.h"
@@ -35,6 +36,8 @@ enum {
     COLOUR_WIDTH = 14,
     COLOURS = 12,      /* steps of that scale */
     LOOP_STEPS = 2000, /* of a thinned loop along each axis */
+    NARROW = 420,      /* a panel that has no room for its key beside its heading */
+    LEAST_ROOM = 330,  /* of panels beside each other */
     LABEL_GAP = 14,    /* of numbers from their axis, its ticks between */
     TEXT = 12,         /* sizes of text */
     SMALL_TEXT = 11,
@@ -43,6 +46,9 @@ enum {
 
 typedef struct layout {
     int width, height, left, right, panel_width, panel_height, top, rows, key_columns;
+    int columns; /* of panels */
+    int key_rows; /* of a key between the heading and a panel that is too narrow for both in one line */
+    int heading; /* room above each panel */
 } layout;
 
 static bool has_map(const sheet *s) { return s->count > 0 && s->panel[0].mapped; }
@@ -80,7 +86,7 @@ static int greater(int a, int b) { return a > b ? a : b; }
 /* Margins at the left and the right of each panel: for the numbers of all of them. */
 static void lay_out_margins(const sheet *s, const ranges *r, layout *l) {
     l->left = MARGIN_LEFT;
-    l->right = MARGIN_RIGHT;
+    l->right = greater(MARGIN_RIGHT, s->print ? line_ends_room(s) : 0);
     for (int i = 0; i < s->count; i++) {
         const panel *p = &s->panel[i];
         const axis y = ordinate_axis(p, r->y[i].range, l->panel_height);
@@ -116,29 +122,56 @@ static int lines_below(const sheet *s, const layout *l) {
     return note_below(s) || lines == 0 ? lines : lines - 1;
 }
 
+/* Entries of a panel's key, and the room that each takes. */
+static int key_entries(const panel *p, int *entry_width) {
+    int entries = 0;
+    size_t longest = 1;
+    for (int i = 0; i < p->count; i++) {
+        const size_t length = strlen(p->series[i].label);
+        if (length > longest) longest = length;
+        entries += length > 0;
+    }
+    *entry_width = 60 + 7 * (int)(longest < KEY_TEXT ? longest : KEY_TEXT);
+    return entries;
+}
+
+/* Rows of the keys between headings and narrow panels: as many as the longest key needs. */
+static void lay_out_keys(const sheet *s, layout *l) {
+    l->heading = HEADING;
+    if (s->common_key || s->width == 0 || l->panel_width > NARROW) return;
+    l->key_columns = 99;
+    int most = 0;
+    for (int i = 0; i < s->count; i++) {
+        int width;
+        most = greater(most, key_entries(&s->panel[i], &width));
+        const int fit = l->panel_width > width ? l->panel_width / width : 1;
+        if (fit < l->key_columns) l->key_columns = fit;
+    }
+    l->key_rows = most > 1 ? (most + l->key_columns - 1) / l->key_columns : 0;
+    l->heading += KEY_LINE * l->key_rows;
+}
+
 static layout lay_out(const sheet *s, const ranges *r) {
-    layout l = {0};
-    l.rows = (s->count + s->columns - 1) / s->columns;
-    const int room = s->columns > 1 ? 520 : 780;
+    layout l = {.columns = s->columns};
+    if (s->width > 0 && s->width / l.columns < LEAST_ROOM) l.columns = 1;
+    l.rows = (s->count + l.columns - 1) / l.columns;
+    const int room = s->width > 0 ? s->width / l.columns : l.columns > 1 ? 520 : 780;
     l.panel_height = s->count == 1 || has_map(s) ? 340 : l.rows == 2 ? 210 : 150;
+    /* a narrow panel is no higher than it is wide */
+    if (l.panel_height > 2 * room / 3) l.panel_height = 2 * room / 3;
     lay_out_margins(s, r, &l);
     l.panel_width = room - l.left - l.right;
-    l.width = s->columns * room;
+    l.width = s->width > 0 ? s->width : l.columns * room;
+    lay_out_keys(s, &l);
     l.top = headed(s) ? TITLE_HEIGHT : 8;
     l.top += NOTE_HEIGHT * lines_below(s, &l);
     if (s->common_key) {
-        int entries = 0;
-        size_t longest = 1;
-        for (int i = 0; i < s->panel[0].count; i++) {
-            const size_t length = strlen(s->panel[0].series[i].label);
-            if (length > longest) longest = length;
-            entries += length > 0;
-        }
-        const int entry_width = 60 + 7 * (int)(longest < KEY_TEXT ? longest : KEY_TEXT);
+        int entry_width;
+        const int entries = key_entries(&s->panel[0], &entry_width);
         l.key_columns = l.panel_width > entry_width ? l.panel_width / entry_width : 1;
         l.top += KEY_LINE * ((entries + l.key_columns - 1) / l.key_columns);
     }
-    l.height = l.top + l.rows * (HEADING + TICS + l.panel_height) + ABSCISSA + 10;
+    l.height = l.top + l.rows * (l.heading + TICS + l.panel_height) + ABSCISSA + 10;
     return l;
 }
 
@@ -215,13 +248,16 @@ static double font_size(const drawing *pen, double pixels) {
 static double screen_x(const drawing *pen, double x) { return x / pen->layout.width; }
 static double screen_y(const drawing *pen, double y) { return 1.0 - y / pen->layout.height; }
 
-void sheet_write_terminal(FILE *file, sheet_format format, int width, int height) {
+void sheet_write_terminal(FILE *file, sheet_format format, sheet_size picture) {
     const double size = sheet_font_size(format, TEXT);
+    const int width = picture.width, height = picture.height;
+    const double inch = picture.inch > 0.0 ? picture.inch : 1.0;
+    const double dots = 0.01 * inch * (picture.dpi > 0.0 ? picture.dpi : 200.0);
     if (format == SHEET_PNG)
         fprintf(file,
-                "set terminal pngcairo size %d,%d enhanced font 'DejaVu Sans,%.4g' fontscale 2 "
-                "linewidth 2 pointscale 2 background rgb 'white'\n",
-                2 * width, 2 * height, size);
+                "set terminal pngcairo size %.0f,%.0f enhanced font 'DejaVu Sans,%.4g' fontscale "
+                "%.5g linewidth %.5g pointscale %.5g background rgb 'white'\n",
+                dots * width, dots * height, size, dots, dots, dots);
     else if (format == SHEET_SVG)
         fprintf(file,
                 "set terminal svg size %d,%d enhanced font 'DejaVu Sans,%.4g' background rgb "
@@ -230,8 +266,9 @@ void sheet_write_terminal(FILE *file, sheet_format format, int width, int height
     else
         fprintf(file,
                 "set terminal pdfcairo size %.2fin,%.2fin enhanced font 'DejaVu Sans,%.4g' "
-                "fontscale 0.75 linewidth 1.5 pointscale 0.75 background rgb 'white' butt\n",
-                width / 100.0, height / 100.0, size);
+                "fontscale %.5g linewidth %.5g pointscale %.5g background rgb 'white' butt\n",
+                inch * width / 100.0, inch * height / 100.0, size, 0.75 * inch, 1.5 * inch,
+                0.75 * inch);
 }
 
 /* The note, beside the title if it is short, else in lines below; the last one is cut if they are too many. */
@@ -273,7 +310,7 @@ static void write_frame(const drawing *pen) {
     write_note(pen);
 }
 
-static void write_line_style(FILE *file, const series *line) {
+static void write_line_style(FILE *file, const series *line, int print) {
     if (line->limit) {
         fprintf(file, "with lines lw 1.4 dt (6,4) lc rgb '%s'", alarm);
         return;
@@ -289,15 +326,23 @@ static void write_line_style(FILE *file, const series *line) {
     }
     /* beyond the palette, dashes tell lines apart */
     static const char *const dashes[] = {"1", "(9,5)", "(2,3)", "(9,4,2,4)"};
+    static const char *const printed[] = {"1",         "(9,3)",     "(4,3)",
+                                          "(9,3,3,3)", "(1.5,2.5)", "(9,3,2,3,2,3)"};
     fprintf(file, "with %s lw 1.6 dt %s lc rgb '%s'%s", line->points ? "linespoints" : "lines",
-            dashes[colour_round(line->colour) % 4], colour, line->points ? " pt 7 ps 0.55" : "");
+            print >= 0 ? printed[print % 6] : dashes[colour_round(line->colour) % 4], colour,
+            line->points ? " pt 7 ps 0.55" : "");
 }
 
 /* The key stands beside the heading of each panel, or once under the title. */
 static void write_key(const drawing *pen, int number) {
     const double size = font_size(pen, SMALL_TEXT);
     const int below = NOTE_HEIGHT * lines_below(pen->sheet, &pen->layout);
-    if (!pen->sheet->common_key)
+    if (pen->layout.key_rows > 0)
+        fprintf(pen->file,
+                "set key at graph 0,graph 1 left bottom horizontal Left reverse samplen 1.8 width "
+                "0 height 0.3 maxcols %d font ',%.4g'\n",
+                pen->layout.key_columns, size);
+    else if (!pen->sheet->common_key)
         fprintf(pen->file,
                 "set key at graph 1,graph 1 right bottom horizontal Left reverse samplen 1.3 "
                 "width -0.5 height 0.3 maxrows 1 font ',%.4g'\n",
@@ -318,10 +363,10 @@ static void write_axes(const drawing *pen, int number, int power) {
     const sheet *s = pen->sheet;
     const layout *l = &pen->layout;
     const panel *p = &s->panel[number];
-    const int row = number / s->columns, column = number % s->columns;
-    const int left = column * (l->width / s->columns) + l->left;
+    const int row = number / l->columns, column = number % l->columns;
+    const int left = column * (l->width / l->columns) + l->left;
     const range x = pen->ranges->x;
-    const int top = l->top + HEADING + row * (HEADING + TICS + l->panel_height);
+    const int top = l->top + l->heading + row * (l->heading + TICS + l->panel_height);
     FILE *file = pen->file;
     char heading[SHEET_TEXT + 64], unit[48], quoted[2 * SHEET_TEXT];
 
@@ -348,11 +393,11 @@ static void write_axes(const drawing *pen, int number, int power) {
              p->logarithmic && !p->mapped && has_negative(p) ? ", magnitude" : "", unit);
     sheet_quote(quoted, sizeof quoted, heading, 80);
     fprintf(file,
-            "set label 2 '%s' at graph 0,graph 1 left offset character 0,character 0.75 "
+            "set label 2 '%s' at graph 0,graph %.6g left offset character 0,character 0.75 "
             "noenhanced textcolor rgb 'black'\n",
-            quoted);
+            quoted, 1.0 + (double)(KEY_LINE * l->key_rows) / l->panel_height);
     sheet_quote(quoted, sizeof quoted, s->abscissa, 80);
-    if (number + s->columns >= s->count)
+    if (number + l->columns >= s->count)
         fprintf(file, "set xlabel '%s' noenhanced offset character 0,character 0.5\n", quoted);
     else
         fprintf(file, "unset xlabel\n");
@@ -365,12 +410,14 @@ static void write_plot(const drawing *pen, int number, int first_data) {
     FILE *file = pen->file;
     char quoted[2 * SHEET_TEXT];
     fprintf(file, "plot ");
+    int lines = 0;
     for (int i = 0; i < p->count; i++) {
         const series *line = &p->series[i];
         const int data = first_data + i;
+        const bool dashed = pen->sheet->print && line->colour >= 0 && !line->mark && !line->limit;
         sheet_quote(quoted, sizeof quoted, line->label, pen->sheet->common_key ? KEY_TEXT : 28);
         fprintf(file, "%s'data-%d' using 1:2 ", i > 0 ? ", \\\n     " : "", data);
-        write_line_style(file, line);
+        write_line_style(file, line, dashed ? lines++ : -1);
         if (line->label[0] != '\0')
             fprintf(file, " title '%s' noenhanced", quoted);
         else
@@ -395,7 +442,7 @@ static void write_plot(const drawing *pen, int number, int first_data) {
 static void write_map(const drawing *pen, int number, int data) {
     const panel *p = &pen->sheet->panel[number];
     const layout *l = &pen->layout;
-    const int top = l->top + HEADING + number * (HEADING + TICS + l->panel_height);
+    const int top = l->top + l->heading + number * (l->heading + TICS + l->panel_height);
     FILE *file = pen->file;
     char quoted[2 * SHEET_TEXT];
     fprintf(file,
@@ -441,6 +488,10 @@ static bool write_panels(const drawing *pen, const char *folder) {
         }
         const int power = pen->ranges->y[number].power;
         write_axes(pen, number, power);
+        if (s->print)
+            line_ends_write(pen->file, p, pen->ranges->x, pen->ranges->y[number],
+                            pen->layout.panel_width, pen->layout.panel_height,
+                            font_size(pen, SMALL_TEXT));
         write_plot(pen, number, data);
         for (int i = 0; i < p->count && good; i++, data++) {
             snprintf(path, sizeof path, "%s/data-%d", folder, data);
@@ -450,7 +501,8 @@ static bool write_panels(const drawing *pen, const char *folder) {
     return good;
 }
 
-static bool write_script(const sheet *s, sheet_format format, const char *folder) {
+static bool write_script(const sheet *s, sheet_format format, const char *folder,
+                         sheet_size *size) {
     char path[256];
     snprintf(path, sizeof path, "%s/script", folder);
     ranges r = {.x = sheet_abscissa(s)};
@@ -460,7 +512,8 @@ static bool write_script(const sheet *s, sheet_format format, const char *folder
     }
     const drawing pen = {fopen(path, "w"), s, &r, lay_out(s, &r), format};
     if (pen.file == NULL) return false;
-    sheet_write_terminal(pen.file, format, pen.layout.width, pen.layout.height);
+    *size = (sheet_size){pen.layout.width, pen.layout.height, s->inch, s->dpi};
+    sheet_write_terminal(pen.file, format, *size);
     write_frame(&pen);
     bool good = write_panels(&pen, folder);
     fprintf(pen.file, "unset multiplot\nunset output\n");
@@ -469,12 +522,12 @@ static bool write_script(const sheet *s, sheet_format format, const char *folder
 }
 
 gough_status sheet_write_script(const sheet *s, sheet_format format, const char *folder,
-                                gough_error *error) {
+                                sheet_size *size, gough_error *error) {
     bool good = false;
     const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (plain != (locale_t)0) {
         const locale_t before = uselocale(plain);
-        good = write_script(s, format, folder);
+        good = write_script(s, format, folder, size);
         uselocale(before);
         freelocale(plain);
     }

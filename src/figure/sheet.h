@@ -59,6 +59,10 @@ typedef struct sheet {
     bool logarithmic_abscissa;
     bool common_key; /* one key for all panels, above them */
     int columns;     /* panels beside each other */
+    bool print;      /* lines differ by dashes too and have their names at their ends */
+    int width;       /* in nominal pixels; 0: what suits the panels */
+    double inch;     /* size of a nominal pixel in hundredths of an inch; 0: 1 */
+    double dpi;      /* of a PNG; 0: 200 */
     double from, to; /* range of the abscissa; NaN: of the data */
     int count;
     panel panel[SHEET_PANELS];
@@ -91,9 +95,17 @@ const char *sheet_default_kind(const gough_table *table);
 
 typedef enum sheet_format { SHEET_PNG, SHEET_SVG, SHEET_PDF } sheet_format;
 
-/* Writes the script "script", which leaves the picture "figure", and the data that it names into a folder. */
+/* How large a picture is drawn. */
+typedef struct sheet_size {
+    int width, height; /* in nominal pixels */
+    double
+        inch; /* of a nominal pixel, in hundredths of an inch; 0: 1, and an SVG has no size on paper */
+    double dpi; /* of a PNG; 0: 200 */
+} sheet_size;
+
+/* Writes the script "script", which leaves the picture "figure", and the data that it names into a folder, and tells the size. */
 typedef gough_status (*sheet_writer)(const void *content, sheet_format format, const char *folder,
-                                     gough_error *error);
+                                     sheet_size *size, gough_error *error);
 
 /* Draws what a writer writes, in a folder that is gone afterwards, and takes the picture to its path, complete or not at all
  * (figure.c). */
@@ -102,11 +114,11 @@ gough_status sheet_draw(sheet_writer write, const void *content, const char *pat
 
 /* Writes a sheet's script and data (script.c). */
 gough_status sheet_write_script(const sheet *sheet, sheet_format format, const char *folder,
-                                gough_error *error);
+                                sheet_size *size, gough_error *error);
 
 /* What scripts of other figures share with it: a terminal of so many nominal pixels, and a size of text in nominal pixels as the
  * terminal counts fonts. */
-void sheet_write_terminal(FILE *file, sheet_format format, int width, int height);
+void sheet_write_terminal(FILE *file, sheet_format format, sheet_size size);
 double sheet_font_size(sheet_format format, double pixels);
 
 /* Edges of the n-th cell of a map: halfway to its neighbours, by ratio on a logarithmic axis (map.c). */
@@ -139,6 +151,9 @@ void sheet_unit_label(char *label, size_t size, const char *unit, int power);
 /* Last touches to what gnuplot drew (touch.c): a PDF without its date, so that the same figure is the same bytes; an SVG whose
  * fonts have substitutes where DejaVu is not installed, as a new text for the caller to free. */
 void sheet_blank_date(char *bytes, size_t length);
+
+/* An SVG with its size on paper in the place of that in pixels: a new text for the caller to free; NULL when out of memory. */
+char *sheet_set_size(const char *bytes, size_t *length, sheet_size size);
 char *sheet_name_fonts(const char *bytes, size_t *length);
 
 /* Runs gnuplot on "script" in the folder (gnuplot.c). */

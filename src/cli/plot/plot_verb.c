@@ -44,6 +44,27 @@ static void read_limit(const struct argp_state *state, const option *o, const ch
         usage_error(state, "--%s takes a number above 0; got '%s'", o->name, text);
 }
 
+/* A double, a length on paper: in mm, or with mm, cm or in behind it. */
+static void read_width(const struct argp_state *state, const option *o, const char *text,
+                       void *group) {
+    static const struct {
+        const char *name;
+        double size;
+    } unit[] = {{"mm", 1.0}, {"cm", 10.0}, {"in", 25.4}};
+    double *width = (double *)(void *)((char *)group + o->at), size = 1.0;
+    size_t length = strlen(text);
+    for (size_t i = 0; i < sizeof unit / sizeof *unit; i++) {
+        if (length <= 2 || strcmp(text + length - 2, unit[i].name) != 0) continue;
+        size = unit[i].size;
+        length -= 2;
+        break;
+    }
+    if (!read_decimal(text, text + length, width) || !(*width > 0))
+        usage_error(state, "--%s takes a length above 0, such as 85mm, 8.5cm or 3.3in; got '%s'",
+                    o->name, text);
+    *width *= size;
+}
+
 #define FIGURE(member) offsetof(struct plot_options, figure.member)
 
 static const option plot_option[] = {
@@ -80,6 +101,30 @@ static const option plot_option[] = {
      .read = read_flag,
      .at = FIGURE(logarithmic),
      .text = "draw magnitudes on a logarithmic axis"},
+    {.name = "style",
+     .value = "STYLE",
+     .read = read_word,
+     .at = FIGURE(style),
+     .text = "screen (default), or print: lines differ by dashes too and have their names at their "
+             "ends"},
+    {.name = "width",
+     .value = "MM",
+     .read = read_width,
+     .at = FIGURE(width),
+     .text = "width of the figure, such as 85mm (default: 198mm; 264mm for two panels beside each "
+             "other)"},
+    {.name = "font",
+     .value = "PT",
+     .read = read_limit,
+     .at = FIGURE(font),
+     .text =
+         "size of the text in points (default: 8.64; with --width 8); numbers on axes have 11/12 "
+         "of it"},
+    {.name = "dpi",
+     .value = "N",
+     .read = read_limit,
+     .at = FIGURE(dpi),
+     .text = "dots per inch of a PNG (default: 200)"},
     {.name = "label",
      .value = "TEXT",
      .many = true,
