@@ -35,6 +35,9 @@ typedef struct gough_figure {
     double font;       /**< size of the text in points, 4 to 40; NaN: 8.64, and 8 with a width.
                           Numbers on axes and keys have 11/12 of it */
     double dpi;        /**< dots per inch of a PNG, 30 to 2400; NaN: 200 */
+    bool split;        /**< kinds "forces", "lengths", "rates" and "power": a panel for each leg,
+                          all with one scale */
+    bool difference;   /**< draw what each further table has more than the first, row by row */
 } gough_figure;
 
 /** Fills in the defaults: kind and title from the tables, all columns and times.

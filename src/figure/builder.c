@@ -89,12 +89,12 @@ panel *builder_panel(builder *b, const char *heading, const char *unit, bool log
 
 void builder_abscissa(builder *b, const char *words, const char *column) {
     char unit[48];
-    sheet_unit_label(unit, sizeof unit, builder_unit(b, column), 0);
+    sheet_unit_label(unit, sizeof unit, builder_unit_words(b, column), 0);
     snprintf(b->sheet->abscissa, sizeof b->sheet->abscissa, "%.100s%s", words, unit);
 }
 
 panel *builder_panel_of(builder *b, const char *heading, const char *column, bool logarithmic) {
-    panel *p = builder_panel(b, heading, builder_unit(b, column), logarithmic);
+    panel *p = builder_panel(b, heading, builder_unit_words(b, column), logarithmic);
     if (p != NULL) p->noise = builder_noise(b, column);
     return p;
 }

@@ -12,6 +12,10 @@ typedef struct builder {
     const gough_table *const *tables;
     const char *const *labels; /* may be NULL */
     size_t table_count;
+    const gough_table *const
+        *measured; /* tables that tell the size of the machine and the errors of
+                                           the runs: `tables`, or those whose differences these are */
+    size_t measured_count;
     gough_error *error;
     gough_status status;
     char label[SHEET_TEXT]; /* of builder_label() */
@@ -52,8 +56,18 @@ double *builder_array(builder *b, size_t table);
 /* Title and note of the sheet (titles.c). */
 void builder_title(builder *b);
 
+/* The unit of a column in words; of a table without dimensions "M g", "√(R_b/g)" (dimensionless.c). */
+const char *builder_unit_words(const builder *b, const char *column);
+
+/* Least and greatest finite number of a column, NaN without one. */
+void builder_extremes(const gough_table *table, const double *value, double *least,
+                      double *greatest);
+
+/* Leg lines l1 … l6, dl1 …, f1 … or p1 … in one panel, with limits, or in a panel for each leg (leg_lines.c). */
+void builder_add_legs(builder *b, const char *heading, const char *prefix);
+
 /* Group of each leg of a table for figures: its own number, or that of the first leg with the same numbers within the noise; and
- * how the key names a group (run_figures.c). */
+ * how the key names a group (leg_lines.c). */
 void builder_group_legs(const gough_table *table, const double *const column[GOUGH_LEGS],
                         double noise, int group[GOUGH_LEGS]);
 void builder_name_group(const int group[GOUGH_LEGS], int number, char *label, size_t size);

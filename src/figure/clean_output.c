@@ -64,18 +64,21 @@ char *sheet_name_fonts(const char *bytes, size_t *length) {
     return named;
 }
 
-char *sheet_set_size(const char *bytes, size_t *length, sheet_size size) {
+char *sheet_set_size(const char *bytes, size_t *length, const sheet_facts *size) {
+    /* without a size on paper the picture keeps that in pixels */
+    const bool paper = size->inch > 0.0;
     char drawn[64], printed[96];
-    const double mm = 0.254 * size.inch;
-    snprintf(drawn, sizeof drawn, " width=\"%d\" height=\"%d\"", size.width, size.height);
-    snprintf(printed, sizeof printed, " width=\"%.2fmm\" height=\"%.2fmm\"", mm * size.width,
-             mm * size.height);
+    const double mm = 0.254 * size->inch;
+    snprintf(drawn, sizeof drawn, " width=\"%d\" height=\"%d\"", size->width, size->height);
+    snprintf(printed, sizeof printed, " width=\"%.2fmm\" height=\"%.2fmm\"", mm * size->width,
+             mm * size->height);
     char *sized = malloc(*length + sizeof printed);
     if (sized == NULL) return NULL;
     /* the first tag of the picture has it */
     const size_t from = strlen(drawn);
     size_t at = 0;
-    while (at + from < *length && memcmp(bytes + at, drawn, from) != 0) at++;
+    while (paper && at + from < *length && memcmp(bytes + at, drawn, from) != 0) at++;
+    if (!paper) at = *length;
     const size_t to = at + from < *length ? strlen(printed) : 0, left = to > 0 ? at + from : at;
     memcpy(sized, bytes, at);
     memcpy(sized + at, printed, to);

@@ -9,6 +9,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "figure/difference.h"
 #include "figure/private_folder.h"
 #include "figure/sheet.h"
 #include "gough/sizes.h"
@@ -26,7 +27,9 @@ gough_status gough_figure_init(gough_figure *figure, size_t size) {
                              .style = NULL,
                              .width = NAN,
                              .font = NAN,
-                             .dpi = NAN};
+                             .dpi = NAN,
+                             .split = false,
+                             .difference = false};
     return GOUGH_OK;
 }
 
@@ -43,24 +46,26 @@ static bool find_format(const char *path, sheet_format *format) {
     return false;
 }
 
-static gough_status finish_picture(char *bytes, size_t length, sheet_format format, sheet_size size,
-                                   const char *path, gough_error *error) {
+static gough_status finish_picture(char *bytes, size_t length, sheet_format format,
+                                   const sheet_facts *facts, const char *path, gough_error *error) {
     if (format == SHEET_PDF) sheet_blank_date(bytes, length);
     if (format != SHEET_SVG) return gough_write_file(path, bytes, length, error);
     char *named = sheet_name_fonts(bytes, &length);
-    char *sized = named != NULL && size.inch > 0.0 ? sheet_set_size(named, &length, size) : named;
+    char *sized = named != NULL ? sheet_set_size(named, &length, facts) : NULL;
+    char *told = sized != NULL ? sheet_set_words(sized, &length, facts) : NULL;
     gough_status status = GOUGH_OK;
-    if (sized == NULL)
+    if (told == NULL)
         status = gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
     else
-        status = gough_write_file(path, sized, length, error);
-    if (sized != named) free(sized);
+        status = gough_write_file(path, told, length, error);
+    free(told);
+    free(sized);
     free(named);
     return status;
 }
 
 /* Copies the picture that gnuplot left to where it is wanted. */
-static gough_status take_picture(const char *folder, sheet_format format, sheet_size size,
+static gough_status take_picture(const char *folder, sheet_format format, const sheet_facts *facts,
                                  const char *path, gough_error *error) {
     char from[256];
     snprintf(from, sizeof from, "%s/figure", folder);
@@ -73,7 +78,7 @@ static gough_status take_picture(const char *folder, sheet_format format, sheet_
     rewind(file);
     char *bytes = length > 0 ? malloc((size_t)length) : NULL;
     if (bytes != NULL && fread(bytes, 1, (size_t)length, file) == (size_t)length)
-        status = finish_picture(bytes, (size_t)length, format, size, path, error);
+        status = finish_picture(bytes, (size_t)length, format, facts, path, error);
     else
         status = gough_fail(error, status, "%s: gnuplot wrote no figure", path);
     free(bytes);
@@ -90,10 +95,10 @@ gough_status sheet_draw(sheet_writer write, const void *content, const char *pat
     workshop shop;
     gough_status status = workshop_open(&shop, error);
     if (status != GOUGH_OK) return status;
-    sheet_size size = {0};
-    status = write(content, format, shop.folder, &size, error);
+    sheet_facts facts = {0};
+    status = write(content, format, shop.folder, &facts, error);
     if (status == GOUGH_OK) status = sheet_run_gnuplot(shop.folder, error);
-    if (status == GOUGH_OK) status = take_picture(shop.folder, format, size, path, error);
+    if (status == GOUGH_OK) status = take_picture(shop.folder, format, &facts, path, error);
     workshop_close(&shop);
     return status;
 }
@@ -153,8 +158,8 @@ gough_status gough_figure_read(const gough_figure *figure, const char *path, gou
 }
 
 static gough_status write_sheet(const void *content, sheet_format format, const char *folder,
-                                sheet_size *size, gough_error *error) {
-    return sheet_write_script(content, format, folder, size, error);
+                                sheet_facts *facts, gough_error *error) {
+    return sheet_write_script(content, format, folder, facts, error);
 }
 
 static gough_status check_range(const char *name, double value, double least, double greatest,
@@ -203,9 +208,16 @@ gough_status gough_figure_draw(const gough_figure *figure, const gough_table *co
 
     sheet *s = calloc(1, sizeof *s);
     if (s == NULL) return gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", path);
-    gough_status status = sheet_fill(s, figure, tables, labels, table_count, error);
+    difference d = {0};
+    gough_status status = GOUGH_OK;
+    if (figure->difference)
+        status = difference_make(&d, figure, tables, labels, table_count, error);
+    if (status == GOUGH_OK)
+        status = sheet_fill(s, figure, tables, labels, table_count, figure->difference ? &d : NULL,
+                            error);
     if (status == GOUGH_OK) status = set_print(s, figure, error);
     if (status == GOUGH_OK) status = sheet_draw(write_sheet, s, path, error);
+    difference_free(&d);
     sheet_free_arrays(s);
     free(s);
     return status;

@@ -26,7 +26,8 @@ typedef struct group {
 
 static bool is_named(const series *line) {
     const size_t length = strlen(line->label);
-    return length > 0 && length <= LONGEST && !line->limit && !line->mark && !line->loop;
+    return length > 0 && length <= LONGEST && line->colour >= 0 && !line->limit && !line->mark &&
+           !line->loop;
 }
 
 int line_ends_room(const sheet *s) {

@@ -46,7 +46,7 @@ void stability_write_frame(const stability_pen *pen, const char *explanation) {
     FILE *file = pen->file;
     char quoted[2 * SHEET_TEXT];
     sheet_write_terminal(file, pen->format,
-                         (sheet_size){.width = STABILITY_WIDTH, .height = pen->height});
+                         &(sheet_facts){.width = STABILITY_WIDTH, .height = pen->height});
     fprintf(file, "set encoding utf8\nset minussign\nset output 'figure'\nset multiplot\n");
     fprintf(file, "set tics nomirror out scale 0.5 textcolor rgb '%s' font ',%.4g'\n",
             stability_ink, stability_size(pen, STABILITY_SMALL));
@@ -140,7 +140,7 @@ void stability_write_abscissa(const stability_pen *pen, bool titled) {
         fprintf(pen->file,
                 "set xlabel 'stiffness of the feedback G%s' noenhanced offset character "
                 "0,character 0.4\n",
-                stability_unit(pen, GOUGH_UNIT_STIFFNESS, " (Mg/R_b)").text);
+                stability_unit(pen, GOUGH_UNIT_STIFFNESS, " (M g/R_b)").text);
     else
         fprintf(pen->file, "unset xlabel\n");
 }
@@ -217,9 +217,16 @@ static bool write_script(stability_pen *pen) {
 }
 
 static gough_status write_picture(const void *content, sheet_format format, const char *folder,
-                                  sheet_size *size, gough_error *error) {
+                                  sheet_facts *facts, gough_error *error) {
     const picture *p = content;
-    (void)size;
+    snprintf(facts->title, sizeof facts->title, "%s",
+             p->figure->title[0] != '\0' ? p->figure->title : "Stability map");
+    snprintf(facts->text, sizeof facts->text, "%s",
+             p->field->rows > 1
+                 ? "Colours for the growth of the loop over a plane, with the edges of the "
+                   "intervals in which it grows."
+                 : "Growth of the loop over the stiffness, and the intervals in which each "
+                   "mode grows.");
     const gough_map_options *options = p->field->options;
     stability_pen pen = {
         .folder = folder, .format = format, .figure = p->figure, .field = p->field};

@@ -318,7 +318,7 @@ static void write_ordinate(const stability_pen *pen) {
     if (o->axis == GOUGH_MAP_DELAY) title = "delay of the controller";
     const bool timed = o->axis == GOUGH_MAP_PERIOD || o->axis == GOUGH_MAP_DELAY;
     const stability_words words = timed ? stability_unit(pen, GOUGH_UNIT_TIME, " (√(R_b/g))")
-                                        : stability_unit(pen, GOUGH_UNIT_DAMPING, " (M√(g/R_b))");
+                                        : stability_unit(pen, GOUGH_UNIT_DAMPING, " (M √(g/R_b))");
     const char *unit = timed || o->axis == GOUGH_MAP_DAMPING ? words.text : "";
     axis_write(pen->file, &(axis){.name = "y",
                                   .logarithmic = o->second.logarithmic,

@@ -25,11 +25,11 @@ static double greatest_of_column(const gough_table *table, const char *name) {
 
 static double greatest_of_legs(const builder *b, const char *prefix) {
     double greatest = 0.0;
-    for (size_t t = 0; t < b->table_count; t++)
+    for (size_t t = 0; t < b->measured_count; t++)
         for (int leg = 1; leg <= GOUGH_LEGS; leg++) {
             char name[16];
             snprintf(name, sizeof name, "%s%d", prefix, leg);
-            greatest = fmax(greatest, greatest_of_column(b->tables[t], name));
+            greatest = fmax(greatest, greatest_of_column(b->measured[t], name));
         }
     return greatest;
 }
@@ -37,8 +37,8 @@ static double greatest_of_legs(const builder *b, const char *prefix) {
 /* Of the most accurate run among those that are compared: what it resolves is no noise. */
 static double share_of(const builder *b) {
     double tolerance = INFINITY;
-    for (size_t t = 0; t < b->table_count; t++) {
-        const double own = b->tables[t]->tolerance;
+    for (size_t t = 0; t < b->measured_count; t++) {
+        const double own = b->measured[t]->tolerance;
         tolerance = fmin(tolerance, own > 0.0 ? own : usual_tolerance);
     }
     return fmin(fmax(errors * tolerance, least_share), greatest_share);

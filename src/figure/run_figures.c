@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "figure/axis_ranges.h"
-#include "figure/builder.h"
+#include "figure/difference.h"
 #include "figure/palette.h"
 #include "gough/text.h"
 
@@ -20,25 +20,14 @@ static const char *const component_heading[COMPONENTS] = {"Position x", "Positio
 
 /* ---- what moves ------------------------------------------------------------------------------------------------ */
 
-/* Greatest and least finite number of a column, NaN without one. */
-static void extremes(const gough_table *table, const double *value, double *least,
-                     double *greatest) {
-    *least = *greatest = NAN;
-    for (size_t r = 0; r < table->rows; r++) {
-        if (!isfinite(value[r])) continue;
-        if (!(value[r] >= *least)) *least = value[r];
-        if (!(value[r] <= *greatest)) *greatest = value[r];
-    }
-}
-
 /* The greatest leg length: a lever by which angles compare with displacements. */
 static double lever_of(builder *b) {
     double lever = 0.0;
-    for (size_t t = 0; t < b->table_count; t++) {
-        const double *length = gough_table_column(b->tables[t], "l1");
+    for (size_t t = 0; t < b->measured_count; t++) {
+        const double *length = gough_table_column(b->measured[t], "l1");
         double least, greatest;
         if (length == NULL) continue;
-        extremes(b->tables[t], length, &least, &greatest);
+        builder_extremes(b->measured[t], length, &least, &greatest);
         lever = fmax(lever, greatest);
     }
     return lever > 0.0 ? lever : 1.0;
@@ -54,7 +43,7 @@ static void find_moving(builder *b, const char *const names[COMPONENTS], bool mo
             const double *value = builder_column(b, t, names[c]);
             double least, greatest;
             if (value == NULL) return;
-            extremes(b->tables[t], value, &least, &greatest);
+            builder_extremes(b->tables[t], value, &least, &greatest);
             span[c] = fmax(span[c], (greatest - least) * (c < 3 ? 1.0 : degree));
             most = fmax(most, span[c]);
         }
@@ -88,6 +77,7 @@ static size_t longest_table(const builder *b) {
 /* The program of a component, actual − deviation, pale under the lines; none in a table of forces. */
 static void add_program(builder *b, panel *p, int component, double offset, const char *label) {
     const size_t t = longest_table(b);
+    if (b->figure->difference) return; /* programs have no place in a difference of motions */
     const gough_table *table = b->tables[t];
     const double *actual = gough_table_column(table, component_name[component]);
     const double *deviation = gough_table_column(table, deviation_name[component]);
@@ -162,85 +152,10 @@ static void add_motion(builder *b) {
 
 /* ---- legs ------------------------------------------------------------------------------------------------------ */
 
-static bool same_column(const double *a, const double *b, size_t rows, double tolerance) {
-    for (size_t r = 0; r < rows; r++) {
-        const bool both_absent = isnan(a[r]) && isnan(b[r]);
-        if (!both_absent && !(fabs(a[r] - b[r]) <= tolerance)) return false;
-    }
-    return true;
-}
-
-/* Group of each leg: its own number, or that of the first leg with the same numbers (within noise, or 1e-9 of the greatest). */
-void builder_group_legs(const gough_table *table, const double *const column[GOUGH_LEGS],
-                        double noise, int group[GOUGH_LEGS]) {
-    double most = 0.0;
-    for (int leg = 0; leg < GOUGH_LEGS; leg++) {
-        double least, greatest;
-        extremes(table, column[leg], &least, &greatest);
-        most = fmax(most, fmax(fabs(least), fabs(greatest)));
-    }
-    for (int leg = 0; leg < GOUGH_LEGS; leg++) {
-        group[leg] = leg;
-        for (int other = 0; other < leg && group[leg] == leg; other++) {
-            if (group[other] == other &&
-                same_column(column[leg], column[other], table->rows, fmax(1e-9 * most, noise)))
-                group[leg] = other;
-        }
-    }
-}
-
-/* "2", "1, 6", "legs 1–6 (equal)": the panel's heading says that these are legs. */
-void builder_name_group(const int group[GOUGH_LEGS], int number, char *label, size_t size) {
-    int members = 0;
-    for (int leg = 0; leg < GOUGH_LEGS; leg++) members += group[leg] == number;
-    if (members == GOUGH_LEGS) {
-        snprintf(label, size, "legs 1–6 (equal)");
-        return;
-    }
-    label[0] = '\0';
-    const char *separator = "";
-    for (int leg = 0; leg < GOUGH_LEGS; leg++) {
-        if (group[leg] != number) continue;
-        const size_t used = strlen(label);
-        snprintf(label + used, size - used, "%s%d", separator, leg + 1);
-        separator = ", ";
-    }
-}
-
-static void add_legs_of_table(builder *b, panel *p, size_t t, const char *prefix) {
-    const double *column[GOUGH_LEGS];
-    int group[GOUGH_LEGS];
-    char name[16], label[SHEET_TEXT];
-    for (int leg = 0; leg < GOUGH_LEGS; leg++) {
-        snprintf(name, sizeof name, "%s%d", prefix, leg + 1);
-        column[leg] = builder_column(b, t, name);
-    }
-    if (b->status != GOUGH_OK) return;
-
-    builder_group_legs(b->tables[t], column, builder_noise(b, name), group);
-    int drawn = 0;
-    for (int leg = 0; leg < GOUGH_LEGS; leg++) {
-        if (group[leg] != leg) continue;
-        builder_name_group(group, leg, label, sizeof label);
-        if (builder_compares(b))
-            snprintf(label, sizeof label, "%s", drawn == 0 ? builder_label(b, t) : "");
-        builder_line(b, p, t, "t", column[leg], label,
-                     builder_compares(b) ? colour_of_table(t) : colour_of_leg(leg));
-        drawn++;
-    }
-}
-
-static void add_legs(builder *b, const char *heading, const char *prefix) {
-    char name[8];
-    snprintf(name, sizeof name, "%s1", prefix);
-    panel *p = builder_panel_of(b, heading, name, b->figure->logarithmic);
-    for (size_t t = 0; t < b->table_count; t++) add_legs_of_table(b, p, t, prefix);
-}
-
-static void fill_forces(builder *b) { add_legs(b, "Leg force", "f"); }
-static void fill_lengths(builder *b) { add_legs(b, "Leg length", "l"); }
-static void fill_rates(builder *b) { add_legs(b, "Leg rate", "dl"); }
-static void fill_power(builder *b) { add_legs(b, "Leg power", "p"); }
+static void fill_forces(builder *b) { builder_add_legs(b, "Leg force", "f"); }
+static void fill_lengths(builder *b) { builder_add_legs(b, "Leg length", "l"); }
+static void fill_rates(builder *b) { builder_add_legs(b, "Leg rate", "dl"); }
+static void fill_power(builder *b) { builder_add_legs(b, "Leg power", "p"); }
 
 /* ---- deviation, drift, condition ------------------------------------------------------------------------------- */
 
@@ -308,8 +223,8 @@ static void fill_condition(builder *b) {
         const double *value = builder_column(b, t, "condition");
         double least, greatest;
         if (value == NULL) return;
-        extremes(b->tables[t], value, &least, &greatest);
-        wide = wide || greatest > 100.0 * least;
+        builder_extremes(b->tables[t], value, &least, &greatest);
+        wide = wide || (least > 0.0 && greatest > 100.0 * least);
     }
     add_plain(b, "Condition number of the leg Jacobian", "condition", wide);
 }
@@ -322,16 +237,16 @@ static void fill_overview(builder *b) {
         simulated = simulated && gough_table_column(b->tables[t], "ex") != NULL;
     b->sheet->columns = 2;
     add_motion(b);
-    add_legs(b, "Leg length", "l");
-    add_legs(b, "Leg force", "f");
+    builder_add_legs(b, "Leg length", "l");
+    builder_add_legs(b, "Leg force", "f");
     if (simulated) {
         bool moving[COMPONENTS] = {false};
         find_moving(b, deviation_name, moving);
         add_deviation_size(b, "Deviation of position", 0, true);
         if (count_true(moving + 3, 3) > 0) add_deviation_size(b, "Deviation of angles", 3, true);
     } else {
-        add_legs(b, "Leg rate", "dl");
-        add_legs(b, "Leg power", "p");
+        builder_add_legs(b, "Leg rate", "dl");
+        builder_add_legs(b, "Leg power", "p");
     }
     if (b->sheet->count % 2 == 1) fill_condition(b);
 }
@@ -544,24 +459,66 @@ static int find_kind(builder *b, const char *name) {
     return -1;
 }
 
+/* Which kinds have a panel for each leg, and which a difference. */
+static gough_status check_options(builder *b, const char *kind) {
+    static const char *const split[] = {"forces", "lengths", "rates", "power", NULL},
+                             *const whole[] = {"duty", "drift", "gain", "tuning", "sweep", NULL};
+    const size_t length = strcspn(kind, " ");
+    bool splits = false, differs = true;
+    for (int i = 0; split[i] != NULL; i++)
+        splits = splits || (strlen(split[i]) == length && strncmp(kind, split[i], length) == 0);
+    for (int i = 0; whole[i] != NULL; i++)
+        differs = differs && !(strlen(whole[i]) == length && strncmp(kind, whole[i], length) == 0);
+    if (b->figure->split && !splits)
+        b->status = gough_fail(b->error, GOUGH_ERROR_INPUT,
+                               "the figure %.*s has no panel for each leg; forces, lengths, rates "
+                               "and power have one",
+                               (int)length, kind);
+    else if (b->figure->difference && !differs)
+        b->status = gough_fail(b->error, GOUGH_ERROR_INPUT,
+                               "the figure %.*s does not draw a difference; overview, motion, "
+                               "forces, lengths, rates, power, deviation, condition and columns do",
+                               (int)length, kind);
+    return b->status;
+}
+
+/* "Leg force" becomes "Difference of leg force"; names of columns keep their letters. */
+static void name_differences(sheet *s) {
+    for (int p = 0; p < s->count; p++) {
+        char heading[SHEET_TEXT];
+        snprintf(heading, sizeof heading, "%s", s->panel[p].heading);
+        if (heading[0] >= 'A' && heading[0] <= 'Z') heading[0] = (char)(heading[0] - 'A' + 'a');
+        snprintf(s->panel[p].heading, sizeof s->panel[p].heading, "Difference of %.140s", heading);
+    }
+}
+
 gough_status sheet_fill(sheet *s, const gough_figure *figure, const gough_table *const *tables,
-                        const char *const *labels, size_t table_count, gough_error *error) {
+                        const char *const *labels, size_t table_count, const difference *d,
+                        gough_error *error) {
     builder b = {.sheet = s, .figure = figure, .tables = tables, .labels = labels};
     b.table_count = table_count, b.error = error;
+    b.measured = tables, b.measured_count = table_count;
+    if (d != NULL) {
+        b.tables = tables = (const gough_table *const *)d->table;
+        b.labels = d->label, b.table_count = d->count;
+    }
     const char *kind = figure->kind;
     const bool chosen = figure->columns != NULL && !sheet_is_sweep(tables[0]);
     if (kind == NULL) kind = chosen ? "columns" : sheet_default_kind(tables[0]);
     const int k = find_kind(&b, kind);
-    if (k < 0) return b.status;
+    if (k < 0 || check_options(&b, kind_names[k]) != GOUGH_OK) return b.status;
 
     s->columns = 1;
     s->from = figure->from;
     s->to = figure->to;
     s->common_key = builder_compares(&b);
     builder_title(&b);
+    if (d != NULL && figure->title == NULL) snprintf(s->title, sizeof s->title, "%.158s", d->title);
     name_abscissa(&b, "t");
     fillers[k](&b);
+    if (d != NULL) name_differences(s);
     for (int p = 0; p < s->count; p++) panel_settle_scale(&s->panel[p]);
+    if (b.status == GOUGH_OK) sheet_note_covered(s);
     if (b.status == GOUGH_OK && s->count == 0)
         builder_fail(&b, GOUGH_ERROR_INPUT, "nothing to draw");
     return b.status;

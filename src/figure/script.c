@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "figure/axis_ranges.h"
+#include "figure/bands.h"
 #include "figure/line_ends.h"
 #include "figure/palette.h"
 #include "figure/sheet.h"
@@ -47,7 +48,6 @@ enum {
 typedef struct layout {
     int width, height, left, right, panel_width, panel_height, top, rows, key_columns;
     int columns; /* of panels */
-    int key_rows; /* of a key between the heading and a panel that is too narrow for both in one line */
     int heading; /* room above each panel */
 } layout;
 
@@ -135,20 +135,28 @@ static int key_entries(const panel *p, int *entry_width) {
     return entries;
 }
 
-/* Rows of the keys between headings and narrow panels: as many as the longest key needs. */
+/* Whether keys stand between headings and panels, which are too narrow for both in one line. */
+static bool has_key_rows(const sheet *s, const layout *l) {
+    return !s->common_key && s->width > 0 && l->panel_width <= NARROW;
+}
+
+/* Columns and rows of the key of a panel; a line alone needs none. */
+static int key_columns(const layout *l, const panel *p) {
+    int width;
+    (void)key_entries(p, &width);
+    return l->panel_width > width ? l->panel_width / width : 1;
+}
+
+static int key_rows(const sheet *s, const layout *l, const panel *p) {
+    int width;
+    const int entries = key_entries(p, &width), columns = key_columns(l, p);
+    return entries > 0 && has_key_rows(s, l) ? (entries + columns - 1) / columns : 0;
+}
+
 static void lay_out_keys(const sheet *s, layout *l) {
-    l->heading = HEADING;
-    if (s->common_key || s->width == 0 || l->panel_width > NARROW) return;
-    l->key_columns = 99;
     int most = 0;
-    for (int i = 0; i < s->count; i++) {
-        int width;
-        most = greater(most, key_entries(&s->panel[i], &width));
-        const int fit = l->panel_width > width ? l->panel_width / width : 1;
-        if (fit < l->key_columns) l->key_columns = fit;
-    }
-    l->key_rows = most > 1 ? (most + l->key_columns - 1) / l->key_columns : 0;
-    l->heading += KEY_LINE * l->key_rows;
+    for (int i = 0; i < s->count; i++) most = greater(most, key_rows(s, l, &s->panel[i]));
+    l->heading = HEADING + KEY_LINE * most;
 }
 
 static layout lay_out(const sheet *s, const ranges *r) {
@@ -184,6 +192,15 @@ static bool has_negative(const panel *p) {
     return false;
 }
 
+/* What a part of the script needs to know. */
+typedef struct drawing {
+    FILE *file;
+    const sheet *sheet;
+    const ranges *ranges;
+    layout layout;
+    sheet_format format;
+} drawing;
+
 /* ---- data ------------------------------------------------------------------------------------------------------ */
 
 static bool drawable(const sheet *s, const panel *p, double x, double y) {
@@ -192,17 +209,26 @@ static bool drawable(const sheet *s, const panel *p, double x, double y) {
 }
 
 /* One line's points, thinned; a blank line where it is interrupted. Points that ended early have a 1 behind them. */
-static bool write_data(const sheet *s, const panel *p, const series *line, double scale,
+static bool write_data(const drawing *pen, const panel *p, const series *line, double scale,
                        const char *path) {
+    const sheet *s = pen->sheet;
+    const range x = pen->ranges->x;
+    const int pixels = pen->layout.panel_width;
+    const bool band = band_needed(p, line, x, pixels);
     const size_t room = line->loop ? line->count + 1 : 2 * BUCKETS + 2;
     size_t *index = malloc(room * sizeof *index);
     FILE *file = fopen(path, "w");
     bool good = index != NULL && file != NULL;
     size_t points = 0, kept = 0;
-    if (good && line->loop)
+    if (good && band)
+        points = band_write(file, p, line, x, pixels, scale);
+    else if (good && line->loop)
         kept = sheet_thin_loop(line->x, line->y, line->count, 1.0 / LOOP_STEPS, index);
     else if (good)
         kept = sheet_thin(line->x, line->y, line->count, BUCKETS, index);
+    /* a staircase rises from zero at its first point */
+    if (kept > 0 && line->steps && !p->logarithmic && drawable(s, p, line->x[0], 0.0))
+        fprintf(file, "%.15g 0 0\n", line->x[0]);
     for (size_t k = 0; k < kept; k++) {
         const size_t i = index[k];
         if (drawable(s, p, line->x[i], line->y[i])) {
@@ -225,15 +251,6 @@ static bool write_data(const sheet *s, const panel *p, const series *line, doubl
 
 /* ---- script ---------------------------------------------------------------------------------------------------- */
 
-/* What a part of the script needs to know. */
-typedef struct drawing {
-    FILE *file;
-    const sheet *sheet;
-    const ranges *ranges;
-    layout layout;
-    sheet_format format;
-} drawing;
-
 /* PNG in points of 96 to the inch, SVG in pixels, PDF in points of a page with 100 nominal pixels to the inch. */
 double sheet_font_size(sheet_format format, double pixels) {
     static const double factor[] = {[SHEET_PNG] = 0.75, [SHEET_SVG] = 1.0, [SHEET_PDF] = 0.72};
@@ -248,11 +265,11 @@ static double font_size(const drawing *pen, double pixels) {
 static double screen_x(const drawing *pen, double x) { return x / pen->layout.width; }
 static double screen_y(const drawing *pen, double y) { return 1.0 - y / pen->layout.height; }
 
-void sheet_write_terminal(FILE *file, sheet_format format, sheet_size picture) {
+void sheet_write_terminal(FILE *file, sheet_format format, const sheet_facts *picture) {
     const double size = sheet_font_size(format, TEXT);
-    const int width = picture.width, height = picture.height;
-    const double inch = picture.inch > 0.0 ? picture.inch : 1.0;
-    const double dots = 0.01 * inch * (picture.dpi > 0.0 ? picture.dpi : 200.0);
+    const int width = picture->width, height = picture->height;
+    const double inch = picture->inch > 0.0 ? picture->inch : 1.0;
+    const double dots = 0.01 * inch * (picture->dpi > 0.0 ? picture->dpi : 200.0);
     if (format == SHEET_PNG)
         fprintf(file,
                 "set terminal pngcairo size %.0f,%.0f enhanced font 'DejaVu Sans,%.4g' fontscale "
@@ -288,7 +305,7 @@ static void write_note(const drawing *pen) {
                 3 + i, quoted,
                 screen_x(pen, below ? pen->layout.left : pen->layout.width - MARGIN_RIGHT),
                 screen_y(pen, 22 + NOTE_HEIGHT * (i + below)), below ? "left" : "right",
-                font_size(pen, SMALL_TEXT), alarm);
+                font_size(pen, SMALL_TEXT), pen->sheet->alarming ? alarm : ink);
         rest += taken;
     }
 }
@@ -326,9 +343,12 @@ static void write_line_style(FILE *file, const series *line, int print) {
     }
     /* beyond the palette, dashes tell lines apart */
     static const char *const dashes[] = {"1", "(9,5)", "(2,3)", "(9,4,2,4)"};
-    static const char *const printed[] = {"1",         "(9,3)",     "(4,3)",
-                                          "(9,3,3,3)", "(1.5,2.5)", "(9,3,2,3,2,3)"};
-    fprintf(file, "with %s lw 1.6 dt %s lc rgb '%s'%s", line->points ? "linespoints" : "lines",
+    static const char *const printed[] = {"1",          "(12,4)",    "(5,3.5)",
+                                          "(10,3,2,3)", "(1.5,2.5)", "(10,3,1.5,2,1.5,2,1.5,3)"};
+    fprintf(file, "with %s lw 1.6 dt %s lc rgb '%s'%s",
+            line->points  ? "linespoints"
+            : line->steps ? "steps"
+                          : "lines",
             print >= 0 ? printed[print % 6] : dashes[colour_round(line->colour) % 4], colour,
             line->points ? " pt 7 ps 0.55" : "");
 }
@@ -337,11 +357,11 @@ static void write_line_style(FILE *file, const series *line, int print) {
 static void write_key(const drawing *pen, int number) {
     const double size = font_size(pen, SMALL_TEXT);
     const int below = NOTE_HEIGHT * lines_below(pen->sheet, &pen->layout);
-    if (pen->layout.key_rows > 0)
+    if (has_key_rows(pen->sheet, &pen->layout))
         fprintf(pen->file,
                 "set key at graph 0,graph 1 left bottom horizontal Left reverse samplen 1.8 width "
                 "0 height 0.3 maxcols %d font ',%.4g'\n",
-                pen->layout.key_columns, size);
+                key_columns(&pen->layout, &pen->sheet->panel[number]), size);
     else if (!pen->sheet->common_key)
         fprintf(pen->file,
                 "set key at graph 1,graph 1 right bottom horizontal Left reverse samplen 1.3 "
@@ -389,13 +409,14 @@ static void write_axes(const drawing *pen, int number, int power) {
                 "xy"[zero], ink);
     }
     sheet_unit_label(unit, sizeof unit, p->unit, power);
-    snprintf(heading, sizeof heading, "%s%s%s", p->heading,
-             p->logarithmic && !p->mapped && has_negative(p) ? ", magnitude" : "", unit);
+    snprintf(heading, sizeof heading, "%s%s%s%s", p->heading,
+             p->logarithmic && !p->mapped && has_negative(p) ? ", magnitude" : "", unit,
+             band_in_panel(p, x, l->panel_width) ? ", bands: least to greatest" : "");
     sheet_quote(quoted, sizeof quoted, heading, 80);
     fprintf(file,
             "set label 2 '%s' at graph 0,graph %.6g left offset character 0,character 0.75 "
             "noenhanced textcolor rgb 'black'\n",
-            quoted, 1.0 + (double)(KEY_LINE * l->key_rows) / l->panel_height);
+            quoted, 1.0 + (double)(KEY_LINE * key_rows(s, l, p)) / l->panel_height);
     sheet_quote(quoted, sizeof quoted, s->abscissa, 80);
     if (number + l->columns >= s->count)
         fprintf(file, "set xlabel '%s' noenhanced offset character 0,character 0.5\n", quoted);
@@ -415,9 +436,15 @@ static void write_plot(const drawing *pen, int number, int first_data) {
         const series *line = &p->series[i];
         const int data = first_data + i;
         const bool dashed = pen->sheet->print && line->colour >= 0 && !line->mark && !line->limit;
+        const bool band = band_needed(p, line, pen->ranges->x, pen->layout.panel_width);
         sheet_quote(quoted, sizeof quoted, line->label, pen->sheet->common_key ? KEY_TEXT : 28);
-        fprintf(file, "%s'data-%d' using 1:2 ", i > 0 ? ", \\\n     " : "", data);
-        write_line_style(file, line, dashed ? lines++ : -1);
+        fprintf(file, "%s'data-%d' using 1:2%s ", i > 0 ? ", \\\n     " : "", data,
+                band ? ":3" : "");
+        if (band)
+            fprintf(file, "with filledcurves fs transparent solid 0.5 noborder fc rgb '%s'",
+                    colour_text(line->colour));
+        else
+            write_line_style(file, line, dashed ? lines++ : -1);
         if (line->label[0] != '\0')
             fprintf(file, " title '%s' noenhanced", quoted);
         else
@@ -495,14 +522,28 @@ static bool write_panels(const drawing *pen, const char *folder) {
         write_plot(pen, number, data);
         for (int i = 0; i < p->count && good; i++, data++) {
             snprintf(path, sizeof path, "%s/data-%d", folder, data);
-            good = write_data(s, p, &p->series[i], pow(1000.0, power), path);
+            good = write_data(pen, p, &p->series[i], pow(1000.0, power), path);
         }
     }
     return good;
 }
 
+/* One range and one power for all panels. */
+static void join_scales(const sheet *s, ranges *r) {
+    int power = r->y[0].power;
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < s->count; i++)
+        if (r->y[i].power > power) power = r->y[i].power;
+    for (int i = 0; i < s->count; i++) {
+        const double unit = pow(1000.0, r->y[i].power - power);
+        low = fmin(low, r->y[i].range.low * unit);
+        high = fmax(high, r->y[i].range.high * unit);
+    }
+    for (int i = 0; i < s->count; i++) r->y[i] = (scaled_range){{low, high}, power};
+}
+
 static bool write_script(const sheet *s, sheet_format format, const char *folder,
-                         sheet_size *size) {
+                         sheet_facts *facts) {
     char path[256];
     snprintf(path, sizeof path, "%s/script", folder);
     ranges r = {.x = sheet_abscissa(s)};
@@ -510,10 +551,13 @@ static bool write_script(const sheet *s, sheet_format format, const char *folder
         r.y[i] = panel_ordinate(&s->panel[i]);
         if (s->panel[i].mapped) r.z[i] = panel_colours(&s->panel[i]);
     }
+    if (s->common_scale) join_scales(s, &r);
     const drawing pen = {fopen(path, "w"), s, &r, lay_out(s, &r), format};
     if (pen.file == NULL) return false;
-    *size = (sheet_size){pen.layout.width, pen.layout.height, s->inch, s->dpi};
-    sheet_write_terminal(pen.file, format, *size);
+    facts->width = pen.layout.width, facts->height = pen.layout.height;
+    facts->inch = s->inch, facts->dpi = s->dpi;
+    sheet_describe(s, facts);
+    sheet_write_terminal(pen.file, format, facts);
     write_frame(&pen);
     bool good = write_panels(&pen, folder);
     fprintf(pen.file, "unset multiplot\nunset output\n");
@@ -522,12 +566,12 @@ static bool write_script(const sheet *s, sheet_format format, const char *folder
 }
 
 gough_status sheet_write_script(const sheet *s, sheet_format format, const char *folder,
-                                sheet_size *size, gough_error *error) {
+                                sheet_facts *facts, gough_error *error) {
     bool good = false;
     const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (plain != (locale_t)0) {
         const locale_t before = uselocale(plain);
-        good = write_script(s, format, folder, size);
+        good = write_script(s, format, folder, facts);
         uselocale(before);
         freelocale(plain);
     }

@@ -9,6 +9,7 @@ enum {
     SHEET_SERIES = 64, /* in one panel */
     SHEET_TEXT = 160,
     SHEET_NOTE = 420, /* an end's whole sentence */
+    SHEET_DESCRIPTION = 1600,
     SHEET_ARRAYS = 512
 };
 
@@ -25,6 +26,7 @@ typedef struct series {
     bool mark;               /* no line, but large points */
     bool loop;               /* a curve in the plane, whose abscissa goes back and forth */
     bool limit;              /* a dashed line that nothing should cross */
+    bool steps;              /* a staircase: the ordinate rises where a point is */
     bool thinned;            /* of a line with more points, of which these two tell: */
     double least_above_zero; /* of the abscissas; +infinity without any */
     double logarithmic_low;  /* where a logarithmic ordinate begins; NaN without any */
@@ -55,24 +57,29 @@ typedef struct panel {
 typedef struct sheet {
     char title[SHEET_TEXT];
     char note[SHEET_NOTE];     /* small, beside or below the title: how the run ended */
+    bool alarming;             /* the note begins with a run that ended early or a limit exceeded */
     char abscissa[SHEET_TEXT]; /* name and unit of the abscissa */
     bool logarithmic_abscissa;
-    bool common_key; /* one key for all panels, above them */
-    int columns;     /* panels beside each other */
-    bool print;      /* lines differ by dashes too and have their names at their ends */
-    int width;       /* in nominal pixels; 0: what suits the panels */
-    double inch;     /* size of a nominal pixel in hundredths of an inch; 0: 1 */
-    double dpi;      /* of a PNG; 0: 200 */
-    double from, to; /* range of the abscissa; NaN: of the data */
+    bool common_key;   /* one key for all panels, above them */
+    bool common_scale; /* one range of ordinates for all panels */
+    int columns;       /* panels beside each other */
+    bool print;        /* lines differ by dashes too and have their names at their ends */
+    int width;         /* in nominal pixels; 0: what suits the panels */
+    double inch;       /* size of a nominal pixel in hundredths of an inch; 0: 1 */
+    double dpi;        /* of a PNG; 0: 200 */
+    double from, to;   /* range of the abscissa; NaN: of the data */
     int count;
     panel panel[SHEET_PANELS];
     int arrays;
     double *array[SHEET_ARRAYS]; /* numbers that no table has, freed with the sheet */
 } sheet;
 
-/* Fills a sheet for a kind of figure (kinds.c). */
+/* Fills a sheet for a kind of figure (run_figures.c). @param difference  differences of the tables, which are drawn in their place;
+ * NULL: the tables are drawn */
+struct difference;
 gough_status sheet_fill(sheet *sheet, const gough_figure *figure, const gough_table *const *tables,
-                        const char *const *labels, size_t table_count, gough_error *error);
+                        const char *const *labels, size_t table_count,
+                        const struct difference *difference, gough_error *error);
 
 /* A sheet's own array of @p count numbers; NULL when out of memory or there are too many. */
 double *sheet_array(sheet *sheet, size_t count);
@@ -95,17 +102,18 @@ const char *sheet_default_kind(const gough_table *table);
 
 typedef enum sheet_format { SHEET_PNG, SHEET_SVG, SHEET_PDF } sheet_format;
 
-/* How large a picture is drawn. */
-typedef struct sheet_size {
+/* How large a picture is drawn, and what it shows in words. */
+typedef struct sheet_facts {
     int width, height; /* in nominal pixels */
     double
         inch; /* of a nominal pixel, in hundredths of an inch; 0: 1, and an SVG has no size on paper */
-    double dpi; /* of a PNG; 0: 200 */
-} sheet_size;
+    double dpi;                                      /* of a PNG; 0: 200 */
+    char title[SHEET_TEXT], text[SHEET_DESCRIPTION]; /* "": not known */
+} sheet_facts;
 
 /* Writes the script "script", which leaves the picture "figure", and the data that it names into a folder, and tells the size. */
 typedef gough_status (*sheet_writer)(const void *content, sheet_format format, const char *folder,
-                                     sheet_size *size, gough_error *error);
+                                     sheet_facts *size, gough_error *error);
 
 /* Draws what a writer writes, in a folder that is gone afterwards, and takes the picture to its path, complete or not at all
  * (figure.c). */
@@ -114,11 +122,11 @@ gough_status sheet_draw(sheet_writer write, const void *content, const char *pat
 
 /* Writes a sheet's script and data (script.c). */
 gough_status sheet_write_script(const sheet *sheet, sheet_format format, const char *folder,
-                                sheet_size *size, gough_error *error);
+                                sheet_facts *size, gough_error *error);
 
 /* What scripts of other figures share with it: a terminal of so many nominal pixels, and a size of text in nominal pixels as the
  * terminal counts fonts. */
-void sheet_write_terminal(FILE *file, sheet_format format, sheet_size size);
+void sheet_write_terminal(FILE *file, sheet_format format, const sheet_facts *facts);
 double sheet_font_size(sheet_format format, double pixels);
 
 /* Edges of the n-th cell of a map: halfway to its neighbours, by ratio on a logarithmic axis (map.c). */
@@ -152,8 +160,16 @@ void sheet_unit_label(char *label, size_t size, const char *unit, int power);
  * fonts have substitutes where DejaVu is not installed, as a new text for the caller to free. */
 void sheet_blank_date(char *bytes, size_t length);
 
+/* Adds to the note which lines others cover (covered.c). */
+void sheet_note_covered(sheet *sheet);
+
+/* What a sheet shows in words; and an SVG with these words as its title and description: a new text for the caller to free, NULL
+ * when out of memory (alternative_text.c). */
+void sheet_describe(const sheet *sheet, sheet_facts *facts);
+char *sheet_set_words(const char *bytes, size_t *length, const sheet_facts *facts);
+
 /* An SVG with its size on paper in the place of that in pixels: a new text for the caller to free; NULL when out of memory. */
-char *sheet_set_size(const char *bytes, size_t *length, sheet_size size);
+char *sheet_set_size(const char *bytes, size_t *length, const sheet_facts *facts);
 char *sheet_name_fonts(const char *bytes, size_t *length);
 
 /* Runs gnuplot on "script" in the folder (gnuplot.c). */

@@ -120,7 +120,7 @@ static const char *heading_of(const char *name, char text[HEADING]) {
 
 static void name_axis(builder *b, char *label, size_t size, const char *name, const char *said) {
     char unit[48];
-    sheet_unit_label(unit, sizeof unit, builder_unit(b, name), 0);
+    sheet_unit_label(unit, sizeof unit, builder_unit_words(b, name), 0);
     snprintf(label, size, "%.100s%s", said, unit);
 }
 
@@ -261,7 +261,8 @@ static void fill_lines(builder *b, size_t key, const survey *surveys) {
         wide[i] = b->figure->logarithmic;
         for (size_t t = 0; t < b->table_count; t++)
             wide[i] = wide[i] || sweep_spans_decades(&all[t].facts[i]);
-        p[i] = builder_panel(b, heading_of(name[i], heading), builder_unit(b, name[i]), wide[i]);
+        p[i] =
+            builder_panel(b, heading_of(name[i], heading), builder_unit_words(b, name[i]), wide[i]);
         good = p[i] != NULL;
         if (good) p[i]->noise = builder_noise(b, name[i]);
     }
@@ -405,7 +406,7 @@ static void put_map(builder *b, cells *c, size_t i, const char *name) {
                                                                  : c->cell[i][k];
     const bool wide = b->figure->logarithmic || (!level && sweep_spans_decades(&c->facts[i]));
     char heading[HEADING];
-    panel *p = builder_panel(b, heading_of(name, heading), builder_unit(b, name), wide);
+    panel *p = builder_panel(b, heading_of(name, heading), builder_unit_words(b, name), wide);
     if (p == NULL) return;
     p->noise = builder_noise(b, name);
     p->mapped = true;
@@ -484,6 +485,7 @@ static void add_shares(builder *b, panel *p, size_t table, const char *name, run
                          .y = y,
                          .colour = colour_of_table(table),
                          .thinned = true,
+                         .steps = true,
                          .least_above_zero = s->ends.least_above_zero,
                          .logarithmic_low = NAN};
         if (builder_compares(b))

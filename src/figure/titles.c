@@ -43,6 +43,7 @@ static void note_end(builder *b) {
     if (builder_compares(b) || table->end_cause[0] == '\0' || !isfinite(table->end_time) ||
         strcmp(table->end_cause, "done") == 0)
         return;
+    b->sheet->alarming = true;
     if (table->end_message != NULL && table->end_message[0] != '\0') {
         snprintf(b->sheet->note, sizeof b->sheet->note, "%s", table->end_message);
         return;
@@ -62,7 +63,9 @@ static void note_end(builder *b) {
 void builder_title(builder *b) {
     choose_title(b);
     note_end(b);
-    if (builder_mixes_units(b))
+    if (builder_mixes_units(b)) {
+        b->sheet->alarming = true;
         snprintf(b->sheet->note, sizeof b->sheet->note,
                  "each in its own units: compare shapes only");
+    }
 }

@@ -101,7 +101,7 @@ static void limit_axis(builder *b, panel *p) {
             if (p->series[i].y[k] > 0) least = fmin(least, p->series[i].y[k]);
     if (!(least < floor_of_axis)) return;
     p->least = floor_of_axis;
-    const char *unit = builder_unit(b, "position_deviation");
+    const char *unit = builder_unit_words(b, "position_deviation");
     const bool bare = unit[0] == '\0' || strcmp(unit, "1") == 0;
     if (b->sheet->note[0] == '\0')
         snprintf(b->sheet->note, sizeof b->sheet->note,
@@ -121,7 +121,7 @@ static void add_curve(builder *b, panel *deviation, panel *force, const curve *c
     set_points(add_series(b, force, "", colour), c->count, c->G, c->force);
     if (c->named == 0) return;
     char chosen[SHEET_TEXT];
-    const char *unit = builder_unit(b, "G");
+    const char *unit = builder_unit_words(b, "G");
     const bool bare = unit[0] == '\0' || strcmp(unit, "1") == 0;
     snprintf(chosen, sizeof chosen, "chosen G = %.6g%s%.20s", c->named_G[0], bare ? "" : " ",
              bare ? "" : unit);

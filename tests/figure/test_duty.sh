@@ -21,7 +21,7 @@ texts() { grep -o '<text>[^<]*</text>' "$1" | sed 's/<[^>]*>//g' | grep -v '^ *$
 says() { grep -qxF "$2" <(texts "$1") || fail "$1 does not say '$2'"; }
 says legs.svg 'Flight simulator with the mass and friction of its legs'
 for figure in legs later; do says $figure.svg 'Drive force of each leg (N)'; says $figure.svg 'leg rate (m/s)'; done
-says bare.svg 'Drive force of each leg'; says bare.svg 'leg rate'
+says bare.svg 'Drive force of each leg (M g)'; says bare.svg 'leg rate (√(R_b g))'
 for figure in legs asked speed bare later; do says $figure.svg limits; says $figure.svg 'RMS of a leg'; done
 grep -q limits <(texts csv.svg) && fail 'CSV knows limits'
 for leg in 1 2 3 4 5 6; do says legs.svg $leg; done

@@ -100,7 +100,7 @@ static gough_table *large_sweep(int kind) {
     const size_t rows = 300000;
     gough_table *table = gough_table_new("A large sweep", "sweep", COLUMNS, rows);
     double *value[COLUMNS];
-    for (size_t c = 0; c < COLUMNS; c++) value[c] = gough_table_name(table, c, name[c], "");
+    for (size_t c = 0; c < COLUMNS; c++) value[c] = gough_table_name(table, c, name[c], "1");
     dice d = {7};
     for (size_t r = 0; r < rows; r++) {
         value[0][r] = (double)(r + 1);

@@ -17,6 +17,13 @@ set=(--set control.feedforward=none --set simulation.duration=6 --set simulation
 "$GOUGH" sweep study.yaml -q "${set[@]}" --set 'sweep.keys={control.stiffness: {from: 3000, to: 9000, steps: 3}}' --dimensionless \
     -o sweep-bare.h5
 
+# bare UNIT: the unit of a table without dimensions in words
+bare() {
+    case $1 in
+    m) echo R_b ;; N) echo 'M g' ;; W) echo 'M g √(R_b g)' ;; s) echo '√(R_b/g)' ;; m/s) echo '√(R_b g)' ;; J) echo 'M g R_b' ;; N/m) echo 'M g/R_b' ;;
+    esac
+}
+
 # headings FIGURE: texts of the picture that name a panel or an axis, one a line
 headings() { grep -o '<text>[^<]*</text>' "$1" | sed 's/<[^>]*>//g' | grep -v '^ *$'; }
 
@@ -56,7 +63,7 @@ units() { # units LABEL m N W s ° m/s TABLE...
 "$GOUGH" forces study.yaml -q "${set[@]}" -o forces-si.h5
 "$GOUGH" forces study.yaml -q "${set[@]}" --dimensionless -o forces-bare.h5
 for way in si bare; do
-    unit() { [[ $way == si ]] && echo "$1" || echo -; }
+    unit() { if [[ $way == si ]]; then echo "$1"; else bare "$1"; fi; }
     for kind in forces lengths rates power; do "$GOUGH" plot forces-$way.h5 -q --figure $kind -o forces-$way-$kind.svg; done
     expect forces-$way-forces.svg 'Leg force' "$(unit N)"
     expect forces-$way-lengths.svg 'Leg length' "$(unit m)"
@@ -65,7 +72,7 @@ for way in si bare; do
     expect forces-$way-power.svg time "$(unit s)"
 done
 units si m N W s m/s si.h5
-units bare - - - - - bare.h5
+units bare R_b 'M g' 'M g √(R_b g)' '√(R_b/g)' '√(R_b g)' bare.h5
 units mixed - - - - - si.h5 bare.h5
 headings mixed-forces.svg | grep -q 'own units' || fail "a figure in mixed units does not say so"
 headings si-forces.svg | grep -q 'own units' && fail "a figure in one unit says that there are more"
@@ -84,7 +91,7 @@ sweep() { # sweep LABEL m N m/s W J N/m TABLE...
     expect "$label-sweep.svg" control.stiffness "$G"
 }
 sweep si m N m/s W J N/m sweep-si.h5
-sweep bare - - - - - N/m sweep-bare.h5 # keys are in the units of the study
+sweep bare R_b 'M g' '√(R_b g)' 'M g √(R_b g)' 'M g R_b' N/m sweep-bare.h5 # keys are in the units of the study
 sweep mixed - - - - - N/m sweep-si.h5 sweep-bare.h5
 
 # ---- sweeps over two keys and more --------------------------------------------------------------------------------------
@@ -93,7 +100,7 @@ two='sweep.keys={control.stiffness: {from: 3000, to: 9000, steps: 3}, load.mass:
 more='sweep={runs: 6, keys: {control.stiffness: {uniform: [3000, 9000]}, load.mass: {uniform: [5, 7]}, control.damping: {uniform: [5, 50]}}}'
 for way in si bare; do
     option=() && [[ $way == si ]] || option=(--dimensionless)
-    unit() { [[ $way == si ]] && echo "$1" || echo -; }
+    unit() { if [[ $way == si ]]; then echo "$1"; else bare "$1"; fi; }
     "$GOUGH" sweep study.yaml -q "${set[@]}" "${option[@]}" --set "$two" -o two-$way.h5
     "$GOUGH" plot two-$way.h5 -q --columns $columns -o two-$way.svg
     expect two-$way.svg 'Largest leg force' "$(unit N)"
@@ -109,7 +116,7 @@ done
 
 for way in si bare; do
     option=() && [[ $way == si ]] || option=(--dimensionless)
-    unit() { [[ $way == si ]] && echo "$1" || echo -; }
+    unit() { if [[ $way == si ]]; then echo "$1"; else bare "$1"; fi; }
     "$GOUGH" tune study.yaml -q "${set[@]}" "${option[@]}" --deviation 1e-3 -o tune-$way.h5
     "$GOUGH" plot tune-$way.h5 -q -o tune-$way.svg
     expect tune-$way.svg 'Largest deviation of position' "$(unit m)"
@@ -119,12 +126,12 @@ for way in si bare; do
     "$GOUGH" stability study.yaml -q "${option[@]}" "${map[@]}" -o line-$way.svg -o line-$way.csv
     "$GOUGH" stability study.yaml -q "${option[@]}" "${map[@]}" --sweep-damping 0:100:3 -o plane-$way.svg
     for kind in line plane; do
-        headings $kind-$way.svg | grep -qF "stiffness of the feedback G $([[ $way == si ]] && echo '(N/m)' || echo '(Mg/R_b)')" ||
+        headings $kind-$way.svg | grep -qF "stiffness of the feedback G $([[ $way == si ]] && echo '(N/m)' || echo '(M g/R_b)')" ||
             fail "the stiffness of a $kind is in another unit ($way)"
         headings $kind-$way.svg | grep -qF "growth rate $([[ $way == si ]] && echo '(1/s)' || echo '(√(g/R_b))')" ||
             fail "the growth of a $kind is in another unit ($way)"
     done
-    headings plane-$way.svg | grep -qF "damping of the feedback D $([[ $way == si ]] && echo '(N s/m)' || echo '(M√(g/R_b))')" ||
+    headings plane-$way.svg | grep -qF "damping of the feedback D $([[ $way == si ]] && echo '(N s/m)' || echo '(M √(g/R_b))')" ||
         fail "the damping of a map is in another unit ($way)"
 done
 "$GOUGH" plot tune-si.h5 tune-bare.h5 -q -o tune-mixed.svg
@@ -150,6 +157,7 @@ R, M, g = 0.25, 6.0, 9.80665
 T = math.sqrt(R / g)
 unit = {"m": R, "N": M * g, "W": M * g * R / T, "m/s": R / T, "J": M * g * R, "°": 1, "N/m": M * g / R}
 legs = lambda name: [f"{name}{leg}" for leg in range(1, 7)]
+words_of = {"m": "R_b", "N": "M g", "W": "M g √(R_b g)", "m/s": "√(R_b g)", "J": "M g R_b", "N/m": "M g/R_b", "°": "°"}
 heading = {"Leg force": (legs("f"), "N"), "Leg length": (legs("l"), "m"), "Leg rate": (legs("dl"), "m/s"), "Leg power": (legs("p"), "W"),
            "Largest deviation of position from the program": (["position_deviation"], "m"),
            "Largest deviation of angle from the program": (["angle_deviation"], "°"), "Largest leg force": (["force"], "N"),
@@ -191,7 +199,7 @@ for line in open("pictures"):
     assert len(panels) == len(heads), (picture, len(panels), [h[1] for h in heads])
     for panel, (at, words, brackets) in zip(panels, heads):
         columns, name = heading[words]
-        scale = scale_of(brackets, "" if bare and name != "°" else name)
+        scale = scale_of(brackets, words_of[name] if bare else name)
         (y0, v0), (y1, v1) = panel[0], panel[-1]
         low, high = y1 - 300, y0 + 300
         decades = v0 > 0 and len(panel) > 2 and abs(panel[1][1] ** 2 / (panel[0][1] * panel[2][1]) - 1) < 1e-6

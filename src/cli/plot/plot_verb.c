@@ -108,7 +108,7 @@ static const option plot_option[] = {
      .text = "screen (default), or print: lines differ by dashes too and have their names at their "
              "ends"},
     {.name = "width",
-     .value = "MM",
+     .value = "LENGTH",
      .read = read_width,
      .at = FIGURE(width),
      .text = "width of the figure, such as 85mm (default: 198mm; 264mm for two panels beside each "
@@ -125,6 +125,15 @@ static const option plot_option[] = {
      .read = read_limit,
      .at = FIGURE(dpi),
      .text = "dots per inch of a PNG (default: 200)"},
+    {.name = "split",
+     .read = read_flag,
+     .at = FIGURE(split),
+     .text =
+         "draw a panel for each leg, all with one scale (figures forces, lengths, rates, power)"},
+    {.name = "difference",
+     .read = read_flag,
+     .at = FIGURE(difference),
+     .text = "draw how the second and each further result differ from the first, row by row"},
     {.name = "label",
      .value = "TEXT",
      .many = true,
