@@ -90,6 +90,7 @@ static range range_of_lines(const panel *p) {
         const series *line = &p->series[i];
         const double low = p->logarithmic ? logarithmic_low(line) : -INFINITY;
         widen(&r, low);
+        if (line->steps) widen(&r, 0.0); /* a staircase begins there */
         for (size_t k = 0; k < line->count; k++) {
             if (panel_drawn(p, line->y[k]) >= low) widen(&r, panel_drawn(p, line->y[k]));
         }

@@ -7,7 +7,7 @@
 
 /* Lines are one to the eye where they are nowhere further apart than this share of a panel's height: about a pixel. */
 static const double one_line = 0.006;
-enum { PAIRS = 3 }; /* that the note names */
+enum { PAIRS = 3, MOST_PAIRS = 8 }; /* that the note names; that are searched for */
 
 static bool is_line(const series *line) {
     return line->count > 1 && line->colour >= 0 && !line->limit && !line->mark && !line->loop;
@@ -48,9 +48,28 @@ static void add_words(sheet *s, const char *words) {
     snprintf(s->note + used, sizeof s->note - used, "%s%s", used > 0 ? "; " : "", words);
 }
 
-/* The first pair of a panel names it where there are several. */
-static void note_panel(sheet *s, const panel *p, int *pairs) {
-    bool named = s->count == 1;
+/* A pair of lines, and the panels in which one covers the other. */
+typedef struct pair {
+    char upper[64], lower[64], heading[64];
+    int panels;
+} pair;
+
+static void count_pair(pair *pairs, int *count, const char *upper, const char *lower,
+                       const char *heading) {
+    pair found = {.panels = 1};
+    snprintf(found.upper, sizeof found.upper, "%.60s", upper);
+    snprintf(found.lower, sizeof found.lower, "%.60s", lower);
+    snprintf(found.heading, sizeof found.heading, "%.60s", heading);
+    for (int i = 0; i < *count; i++) {
+        if (strcmp(pairs[i].upper, found.upper) != 0 || strcmp(pairs[i].lower, found.lower) != 0)
+            continue;
+        pairs[i].panels++;
+        return;
+    }
+    if (*count < MOST_PAIRS) pairs[(*count)++] = found;
+}
+
+static void search_panel(const panel *p, pair *pairs, int *count) {
     const scaled_range y = panel_ordinate(p);
     for (int upper = 1; upper < p->count; upper++) {
         const series *line = &p->series[upper];
@@ -58,24 +77,30 @@ static void note_panel(sheet *s, const panel *p, int *pairs) {
             const series *other = &p->series[lower];
             const char *a = name_of(p, line), *b = name_of(p, other);
             if (!is_line(other) || strcmp(a, b) == 0 || !covers(p, line, other, y)) continue;
-            char words[SHEET_NOTE];
-            snprintf(words, sizeof words, "%s%.60s%sline “%.60s” covers line “%.60s”",
-                     named ? "" : "in “", named ? "" : p->heading, named ? "" : "”, ", a, b);
-            if (++*pairs <= PAIRS) add_words(s, words);
-            named = true;
+            count_pair(pairs, count, a, b, p->heading);
             break;
         }
     }
 }
 
+static void note_pair(sheet *s, const pair *one) {
+    char words[SHEET_NOTE], where[100] = "";
+    if (s->count > 1 && one->panels == 1)
+        snprintf(where, sizeof where, " in “%.60s”", one->heading);
+    else if (s->count > 1 && one->panels == s->count)
+        snprintf(where, sizeof where, " in all panels");
+    else if (s->count > 1)
+        snprintf(where, sizeof where, " in %d of %d panels", one->panels, s->count);
+    snprintf(words, sizeof words, "line “%.60s” covers line “%.60s”%.90s", one->upper, one->lower,
+             where);
+    add_words(s, words);
+}
+
 void sheet_note_covered(sheet *s) {
-    int pairs = 0;
+    pair pairs[MOST_PAIRS];
+    int count = 0;
     for (int i = 0; i < s->count; i++)
-        if (!s->panel[i].mapped) note_panel(s, &s->panel[i], &pairs);
-    char words[80];
-    snprintf(words, sizeof words, "%d more lines are covered", pairs - PAIRS);
-    if (pairs == PAIRS + 1)
-        add_words(s, "one more line is covered");
-    else if (pairs > PAIRS)
-        add_words(s, words);
+        if (!s->panel[i].mapped) search_panel(&s->panel[i], pairs, &count);
+    for (int i = 0; i < count && i < PAIRS; i++) note_pair(s, &pairs[i]);
+    if (count > PAIRS) add_words(s, "more lines are covered");
 }

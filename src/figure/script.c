@@ -27,6 +27,8 @@ enum {
     NOTE_LINES = 3,
     TITLE_HEIGHT = 34,
     KEY_LINE = 18,
+    KEY_ROW = 14,    /* of a key between a heading and a narrow panel */
+    KEY_SAMPLE = 34, /* the sample of a line in it, and the gap to the next */
     KEY_TEXT = 60,   /* characters of a table's name */
     HEADING = 30,    /* above each panel */
     TICS = 22,       /* numbers below an abscissa */
@@ -144,6 +146,7 @@ static bool has_key_rows(const sheet *s, const layout *l) {
 static int key_columns(const layout *l, const panel *p) {
     int width;
     (void)key_entries(p, &width);
+    width -= 60 - KEY_SAMPLE;
     return l->panel_width > width ? l->panel_width / width : 1;
 }
 
@@ -156,7 +159,7 @@ static int key_rows(const sheet *s, const layout *l, const panel *p) {
 static void lay_out_keys(const sheet *s, layout *l) {
     int most = 0;
     for (int i = 0; i < s->count; i++) most = greater(most, key_rows(s, l, &s->panel[i]));
-    l->heading = HEADING + KEY_LINE * most;
+    l->heading = HEADING + KEY_ROW * most;
 }
 
 static layout lay_out(const sheet *s, const ranges *r) {
@@ -298,7 +301,8 @@ static void write_note(const drawing *pen) {
         char line[SHEET_NOTE], quoted[2 * SHEET_NOTE];
         const size_t taken = i + 1 < lines ? sheet_line(rest, room) : strlen(rest);
         snprintf(line, sizeof line, "%.*s", (int)taken, rest);
-        sheet_quote(quoted, sizeof quoted, line, room);
+        /* the blank at the end of a line is no character of it */
+        sheet_quote(quoted, sizeof quoted, line, room + (i + 1 < lines));
         fprintf(pen->file,
                 "set label %d '%s' at screen %.6f,screen %.6f %s noenhanced font ',%.4g' textcolor "
                 "rgb '%s'\n",
@@ -416,7 +420,7 @@ static void write_axes(const drawing *pen, int number, int power) {
     fprintf(file,
             "set label 2 '%s' at graph 0,graph %.6g left offset character 0,character 0.75 "
             "noenhanced textcolor rgb 'black'\n",
-            quoted, 1.0 + (double)(KEY_LINE * key_rows(s, l, p)) / l->panel_height);
+            quoted, 1.0 + (double)(KEY_ROW * key_rows(s, l, p)) / l->panel_height);
     sheet_quote(quoted, sizeof quoted, s->abscissa, 80);
     if (number + l->columns >= s->count)
         fprintf(file, "set xlabel '%s' noenhanced offset character 0,character 0.5\n", quoted);
@@ -425,13 +429,23 @@ static void write_axes(const drawing *pen, int number, int power) {
     write_key(pen, number);
 }
 
+/* Dashes go with colours, so that all lines of a table have the same: the number of other colours before. */
+static int dashes_of(const panel *p, int number) {
+    int colours = 0;
+    for (int i = 0; i < number && p->series[i].colour != p->series[number].colour; i++) {
+        bool known = p->series[i].colour < 0 || p->series[i].mark || p->series[i].limit;
+        for (int k = 0; k < i; k++) known = known || p->series[k].colour == p->series[i].colour;
+        colours += !known;
+    }
+    return colours;
+}
+
 /* Points that ended early are rings. */
 static void write_plot(const drawing *pen, int number, int first_data) {
     const panel *p = &pen->sheet->panel[number];
     FILE *file = pen->file;
     char quoted[2 * SHEET_TEXT];
     fprintf(file, "plot ");
-    int lines = 0;
     for (int i = 0; i < p->count; i++) {
         const series *line = &p->series[i];
         const int data = first_data + i;
@@ -444,7 +458,7 @@ static void write_plot(const drawing *pen, int number, int first_data) {
             fprintf(file, "with filledcurves fs transparent solid 0.5 noborder fc rgb '%s'",
                     colour_text(line->colour));
         else
-            write_line_style(file, line, dashed ? lines++ : -1);
+            write_line_style(file, line, dashed ? dashes_of(p, i) : -1);
         if (line->label[0] != '\0')
             fprintf(file, " title '%s' noenhanced", quoted);
         else

@@ -67,10 +67,11 @@ if digit < 7: sys.exit(f"digits at the axis belong to text of {digit:.2f} points
 left, right = upright + 30, int(0.8 * width)
 share = [sum(ink(x, y) for x in range(left, right)) / (right - left) for y in range(height)]
 patterns, y = [], 0
-while y < height:
+top = next(y for y in range(height // 3, height) if not ink(upright, y))  # of the panel; its key stands above
+while y < top:
     if share[y] < 0.3: y += 1; continue
     begin = y
-    while y < height and share[y] >= 0.3: y += 1
+    while y < top and share[y] >= 0.3: y += 1
     middle = (begin + y) // 2
     row = "".join("#" if ink(x, middle) else " " for x in range(left, right)).split()
     patterns.append((share[middle], len(row) / (right - left) * 300 / 25.4, max(map(len, row)) / 300 * 25.4))
@@ -104,6 +105,22 @@ awk 'BEGIN { print "t,f1,f2,f3,f4,f5,f6"; for (i = 0; i <= 100; i++) { s = sin(i
 says near.svg 'line “2” covers line “1”'
 "$GOUGH" plot levels.csv -q --figure forces -o apart.svg
 grep -q covers <(texts apart.svg) && fail 'lines apart are called covered'
+
+# of compared results, the pair is named once for all panels
+"$GOUGH" example all-six >all-six.yaml
+"$GOUGH" forces all-six.yaml -q --set simulation.duration=5 -o same.h5
+"$GOUGH" plot same.h5 same.h5 -q --figure motion --width 85mm --label one --label two -o same.svg
+says same.svg 'line “two” covers line “one” in all panels'
+
+# lines of a result have the dashes of the result, not of the leg
+"$GOUGH" plot same.h5 same.h5 -q --figure forces --style print --label one --label two -o same.svg
+python3 - <<'CHECK'
+import re, sys
+found = {}
+for colour, dashes in re.findall(r"<path stroke='(rgb\([^)]*\))' ?(?:stroke-dasharray='([^']*)')? ", open("same.svg").read()):
+    if colour in ("rgb(  0, 114, 178)", "rgb(213,  94,   0)"): found.setdefault(colour, set()).add(dashes)
+if sorted(map(len, found.values())) != [1, 1] or len({*map(tuple, found.values())}) != 2: sys.exit(f"dashes of two results: {found}")
+CHECK
 
 # more than two periods in a pixel: a band between the extremes
 awk 'BEGIN { print "t,f1,f2,f3,f4,f5,f6"; for (i = 0; i <= 20000; i++) { s = i % 2 ? 1 : -1; printf "%.4f,%.4f,2,2,2,2,2\n", i / 1000, s * (1 + i / 20000) } }' >fast.csv

@@ -266,6 +266,41 @@ test("runs faster than real time, and keys pause it and start it again", async (
   await page.close();
 });
 
+test("strips do not draw errors of the run as a signal, and have numbers at their axes", async () => {
+  const page = await live(example("own-machine"));
+  const strips = () =>
+    page.evaluate(() => {
+      const { strips, samples } = window.goughPage.live.strips;
+      return strips.map(({ plot, said }, number) => ({
+        scale: [plot.scales.y.min, plot.scales.y.max],
+        numbers: plot.axes[1]._values.filter((text) => text !== ""),
+        said: said.hidden ? "" : said.textContent,
+        most: number ? null : Math.max(...samples.off),
+      }));
+    });
+  await reach(page, 0.2); // at rest until t = 0.5
+  const [resting, forces] = await strips();
+  assert.ok(resting.most < 1e-9, `${resting.most} m off at rest`);
+  // errors are 1e-8 of the longest leg, 0.32 m, at this study's tolerance; an axis has a hundred of them
+  assert.ok(resting.scale[0] === 0 && resting.scale[1] > 1e-9, `${resting.scale}`);
+  assert.match(resting.said, /no finer than the accuracy/);
+  for (const strip of [resting, forces]) assert.ok(strip.numbers.length >= 2, `${strip.numbers}`);
+  await picture(page, "live-resting", { fullPage: true });
+  // a kick is a signal: the scale follows it, and the sentence goes
+  await page.evaluate(() => {
+    const { live } = window.goughPage;
+    const begin = live.strips.samples.t.at(-1);
+    for (let i = 1; i <= 5; i++)
+      live.strips.take([begin + i * 1e-3, i * 1e-3, ...Array(12).fill(i)]);
+    live.strips.drawn = 0;
+    live.strips.draw();
+  });
+  const [kicked] = await strips();
+  assert.equal(kicked.said, "");
+  assert.ok(kicked.scale[1] >= 5e-3 && kicked.scale[1] < 0.02, `${kicked.scale}`);
+  await page.close();
+});
+
 test("leaving the live run gives the recorded one back", async () => {
   const page = await live(example("own-machine"));
   await reach(page, 0.3);

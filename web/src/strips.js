@@ -4,14 +4,33 @@ import { LEGS, plain, studyColor } from "./color.js";
 import { element, themed } from "./dom.js";
 import { labelRoom, ticks, unit } from "./format.js";
 
+/** An axis is at least so many times as wide as the error of the run: errors lie on a straight line. */
+const LEAST_WIDTH = 100;
+
 /** Points that a strip holds at most. */
 const POINTS = 1600;
 /** Height of a strip in pixels, and the least time between two drawings in milliseconds. */
 const STRIP = 175;
 const PAUSE = 40;
+/** What a strip says where all its numbers lie within the errors of the run. */
+const NARROW = "the scale is no finer than the accuracy of the run";
+
+/** The range of an ordinate, and whether it is as narrow as the accuracy of the run allows. */
+function rangeOf(least, greatest, noise) {
+  const floor = LEAST_WIDTH * noise;
+  if (least === null) return { range: [0, floor || 1], narrow: false };
+  if (greatest - least > floor)
+    return { range: uPlot.rangeNum(least, greatest, 0.1, true), narrow: false };
+  const half = Math.max(floor, 1e-9 * Math.max(Math.abs(least), Math.abs(greatest)), 1e-300) / 2;
+  const middle = (least + greatest) / 2;
+  return {
+    range: least >= 0 && middle < half ? [0, 2 * half] : [middle - half, middle + half],
+    narrow: true,
+  };
+}
 
 /** How a strip is drawn: the last `window` of time, in a given width. */
-function optionsOf(series, window, width) {
+function optionsOf(series, window, width, noise) {
   const axis = {
     stroke: themed("--muted"),
     grid: { stroke: themed("--rule"), width: 1 },
@@ -31,6 +50,7 @@ function optionsOf(series, window, width) {
         range: (_, least, greatest) =>
           least === null ? [0, 1] : [Math.max(0, greatest - window), Math.max(greatest, window)],
       },
+      y: { range: (_, least, greatest) => rangeOf(least, greatest, noise).range },
     },
     axes: [
       { ...axis, size: 26, values: (_, values) => ticks(values) },
@@ -76,7 +96,10 @@ export class Strips {
   build() {
     const { host, study } = this;
     this.strips?.forEach(({ plot }) => plot.destroy());
-    const strip = (title, unitText, series, id, ...tools) => {
+    const strip = (title, column, series, id, ...tools) => {
+      const unitText = study.unit(column);
+      const noise = study.noise(column);
+      const said = element("span", { class: "unit", hidden: true }, NARROW);
       const box = element("div", { class: "plot" });
       host.append(
         element(
@@ -87,26 +110,27 @@ export class Strips {
             {},
             element("h3", {}, title),
             unit(unitText) && element("span", { class: "unit" }, unit(unitText)),
+            said,
             ...tools,
           ),
           box,
         ),
       );
-      const options = optionsOf(series, this.window, box.clientWidth || 400);
+      const options = optionsOf(series, this.window, box.clientWidth || 400, noise);
       const plot = new uPlot(options, [[], ...series.map(() => [])], box);
-      return { plot, box, series };
+      return { plot, box, series, noise, said };
     };
     host.replaceChildren();
     this.strips = [
       strip(
         "Off the program",
-        study.unit("ex"),
+        "ex",
         [{ color: studyColor(0), of: () => this.samples.off }],
         "strip-deviation",
       ),
       strip(
         this.names[this.shown ?? "drives"],
-        study.unit("f1"),
+        "f1",
         LEGS.map((color, leg) => ({ color, of: () => this.samples[this.shown ?? "drives"][leg] })),
         "strip-forces",
         study.machine.legs_take_force && this.switch(),
@@ -165,10 +189,14 @@ export class Strips {
     const now = performance.now();
     if (now - (this.drawn ?? 0) < PAUSE) return;
     this.drawn = now;
-    for (const { plot, box, series } of this.strips) {
+    for (const { plot, box, series, noise, said } of this.strips) {
       if (box.clientWidth && plot.width !== box.clientWidth)
         plot.setSize({ width: box.clientWidth, height: STRIP });
-      plot.setData([this.samples.t, ...series.map(({ of }) => of())]);
+      const lines = series.map(({ of }) => of());
+      plot.setData([this.samples.t, ...lines]);
+      const values = lines.flat();
+      const least = values.length ? Math.min(...values) : null;
+      said.hidden = !rangeOf(least, Math.max(...values), noise).narrow;
     }
   }
 }
