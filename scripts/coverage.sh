@@ -24,7 +24,7 @@ tests="^($rooms)/"
 targets='quick_tests gough_pages'
 if [[ " $* " == *" --readers "* ]]; then
     tests='^((study|table|sweep|fuzz)/|base/(csv|decimal|text)|program/formula|cli/(usage|places|record|inputs|exit|units|words))'
-    targets=$(ninja -C "$build" -t targets all | sed -nE 's/^(test_(study|table|sweep)_.*|test_base_(csv|decimal|text)|test_program_formula|replay_.*|seeds_hdf5|gough_command): phony$/\1/p')
+    targets="gough_pages $(ninja -C "$build" -t targets all | sed -nE 's/^(test_(study|table|sweep)_.*|test_base_(csv|decimal|text)|test_program_formula|replay_.*|seeds_hdf5|gough_command): phony$/\1/p')"
 fi
 # shellcheck disable=SC2086 # several targets
 cmake --build "$build" --target $targets

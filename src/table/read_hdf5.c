@@ -83,10 +83,13 @@ static double read_number(hid_t object, const char *name) {
     return value;
 }
 
-/* Rows of a dataset that is a column: one-dimensional, of numbers, kept in this very file; -1 for any other. */
+enum { NO_COLUMN = -1, UNREADABLE = -2 };
+
+/* Rows of a dataset that is a column: one-dimensional, of numbers, kept in this very file; else one of the above. */
 static long long column_rows(hid_t dataset) {
     const hid_t type = H5Dget_type(dataset), space = H5Dget_space(dataset);
     const hid_t creation = H5Dget_create_plist(dataset);
+    const bool known = type >= 0 && space >= 0 && creation >= 0;
     const H5T_class_t kind = H5Tget_class(type);
     const bool flat = H5Sget_simple_extent_ndims(space) == 1;
     hsize_t rows = 0;
@@ -97,7 +100,8 @@ static long long column_rows(hid_t dataset) {
     H5Pclose(creation);
     H5Sclose(space);
     H5Tclose(type);
-    return good && rows < (hsize_t)1 << 40 ? (long long)rows : -1;
+    if (!known) return UNREADABLE;
+    return good && rows < (hsize_t)1 << 40 ? (long long)rows : NO_COLUMN;
 }
 
 static bool grow(reader *r) {
@@ -125,6 +129,7 @@ static gough_status fail_column(const reader *r, const char *name) {
 static gough_status read_column(reader *r, hid_t dataset, const char *name) {
     gough_table *table = r->table;
     const long long found = column_rows(dataset);
+    if (found == UNREADABLE) return fail_column(r, name);
     if (found < 0) return GOUGH_OK;
     const size_t rows = (size_t)found;
     if (table->columns == COLUMN_CAP)
