@@ -49,6 +49,30 @@ on 3 sweep study.yaml --set 'sweep={keys: {load.mass: [1, -1, 2, 0]}}' -o invali
 expect_code 1 "invalid runs"
 grep -q '2 of 4 runs are invalid' err || fail "invalid: $(cat err)"
 
+# a writer that cannot start the thread of its own share leaves all runs to the others
+cat >no_threads.c <<'END'
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+int pthread_create(pthread_t *thread, const pthread_attr_t *how, void *(*routine)(void *), void *given) {
+    const char *rank = getenv("OMPI_COMM_WORLD_RANK");
+    Dl_info from;
+    int (*real)(pthread_t *, const pthread_attr_t *, void *(*)(void *), void *);
+    const int own = dladdr((void *)routine, &from) && strstr(from.dli_fname, "gough-mpi");
+    if (own && rank && strcmp(rank, "0") == 0) return EAGAIN;
+    *(void **)&real = dlsym(RTLD_NEXT, "pthread_create");
+    return real(thread, how, routine, given);
+}
+END
+"${CC:-cc}" -shared -fPIC -o no_threads.so no_threads.c -ldl || fail "no_threads.c"
+LD_PRELOAD=$PWD/no_threads.so timeout $((60 * ${GOUGH_TEST_SLOWNESS:-1})) mpirun --oversubscribe -n 3 "$mpi" sweep study.yaml -o many.csv >out 2>err </dev/null
+code=$?
+expect_code 0 "a writer without a thread"
+same one.csv many.csv "a writer without a thread: other bytes"
+
 # processes killed, the writer among them, and mpirun: the next command resumes
 # so many steps that each look at the growing file comes long before the end, on a fast machine too
 long=(--set sweep.runs=10000 --set simulation.duration=4 --set simulation.step=0.002)

@@ -81,6 +81,7 @@ static size_t block_size(const writer *w, const hand *h) {
 
 static void hand_out(writer *w, int rank) {
     hand *h = &w->hand[rank];
+    if (rank == WRITER && !w->own.started) return; /* the others run everything */
     if (!h->here || h->busy || w->status != GOUGH_OK || w->next > w->last) return;
     if (w->newest - w->oldest == SLOTS) return;
     if (w->newest > w->oldest && w->next - slot_at(w, w->oldest)->block.first > AHEAD) return;

@@ -10,6 +10,7 @@
 typedef struct collected {
     gough_outcome *outcome;
     size_t count;
+    bool stopped; /* by the writer */
 } collected;
 
 static int collect(void *context, const gough_sweep_row *row) {
@@ -19,27 +20,30 @@ static int collect(void *context, const gough_sweep_row *row) {
 }
 
 static int look(void *context, size_t done) {
-    (void)context, (void)done;
-    return mpi_waits(WRITER, TAG_STOP);
+    collected *c = context;
+    (void)done;
+    c->stopped = mpi_waits(WRITER, TAG_STOP);
+    return c->stopped;
 }
 
 static void run_block(const gough_sweep *sweep, const gough_sweep_options *options,
                       mpi_answer *answer) {
     mpi_block block;
     mpi_receive(WRITER, TAG_BLOCK, &block, sizeof block);
-    collected c = {calloc(block.count, sizeof *c.outcome), 0};
+    collected c = {calloc(block.count, sizeof *c.outcome), 0, false};
     gough_sweep_options own = *options;
     own.first = block.first;
     own.last = block.first + block.count - 1;
     own.progress = look;
+    own.context = &c;
     answer->error.message[0] = '\0';
     answer->status = c.outcome ? gough_sweep_run(sweep, &own, collect, &c, &answer->error)
                                : gough_fail(&answer->error, GOUGH_ERROR_FILE, "out of memory");
-    const bool stopped = answer->status == GOUGH_ERROR_NUMERICAL;
-    if (answer->status != GOUGH_OK && !stopped)
+    if (answer->status != GOUGH_OK && !c.stopped)
         mpi_send(WRITER, TAG_FAILED, answer, sizeof *answer);
     else
-        mpi_send(WRITER, TAG_OUTCOMES, c.outcome, stopped ? 0 : c.count * sizeof *c.outcome);
+        mpi_send(WRITER, TAG_OUTCOMES, c.outcome,
+                 answer->status == GOUGH_OK ? c.count * sizeof *c.outcome : 0);
     free(c.outcome);
 }
 
