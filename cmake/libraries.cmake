@@ -10,7 +10,7 @@ gough_edition(GOUGH_EDITION ${GOUGH_HEADERS} ${GOUGH_HEADER_TABLES})
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${GOUGH_HEADERS} ${GOUGH_HEADER_TABLES})
 configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/gough/version.h @ONLY)
 file(GLOB GOUGH_CORE_SOURCES CONFIGURE_DEPENDS
-    src/base/*.c src/kernel/*.c src/drive/*.c src/program/*.c src/plant/*.c src/control/*.c src/model/*.c src/pose/*.c src/workspace/*.c src/integrate/*.c src/run/*.c src/batch/*.c)
+    src/base/*.c src/kernel/*.c src/drive/*.c src/program/*.c src/plant/*.c src/control/*.c src/model/*.c src/pose/*.c src/workspace/*.c src/cueing/*.c src/integrate/*.c src/run/*.c src/batch/*.c)
 file(GLOB GOUGH_ANALYSE_SOURCES CONFIGURE_DEPENDS src/linear/*.c src/floquet/*.c src/map/*.c src/tune/*.c src/design/*.c)
 # The core does not show its inner functions: what the others need of them is compiled into them again.
 list(APPEND GOUGH_ANALYSE_SOURCES ${PROJECT_SOURCE_DIR}/src/program/appointments.c ${PROJECT_SOURCE_DIR}/src/base/crew.c

@@ -22,7 +22,7 @@ GROUPS = [
     ("formulas and numbers", 1, ["src/program/formula*", "src/base/decimal*"]),
     ("options", 1, ["src/cli/common/option*"]),
 ]
-CORE = "base kernel drive program plant control model pose workspace design integrate system run batch linear floquet map tune".split()
+CORE = "base kernel drive program plant control model pose workspace cueing design integrate system run batch linear floquet map tune".split()
 GROUPS += [(room, 0, [f"src/{room}/*"]) for room in CORE]
 CORE_SHARE = 0.95
 ASSERTION = re.compile(r"\bassert(_true)?\(")

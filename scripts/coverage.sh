@@ -19,7 +19,7 @@ flags="-O2 -fno-inline -fno-early-inlining -fno-ssa-phiopt -DNDEBUG -Dalways_inl
 cmake -S . -B "$build" -G Ninja -DCMAKE_C_COMPILER="$cc" -DCMAKE_BUILD_TYPE=Coverage "-DCMAKE_C_FLAGS_COVERAGE=$flags" \
     "-DCMAKE_EXE_LINKER_FLAGS_COVERAGE=-Wl,--wrap=_exit $(realpath "$build")/counted_exit.o" \
     -DGOUGH_PAGE=OFF -DGOUGH_PYTHON=OFF "-DGOUGH_TEST_SLOWNESS=$((4 * $(scripts/slowness.sh)))" >/dev/null
-rooms='base|kernel|program|plant|drive|control|system|model|pose|workspace|design|integrate|run|batch|linear|floquet|map|tune|independent|study|table|sweep|fuzz|cli'
+rooms='base|kernel|program|plant|drive|control|system|model|pose|workspace|cueing|design|integrate|run|batch|linear|floquet|map|tune|independent|study|table|sweep|fuzz|cli'
 tests="^($rooms)/"
 targets='quick_tests gough_pages'
 if [[ " $* " == *" --readers "* ]]; then

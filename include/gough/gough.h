@@ -5,6 +5,7 @@
 #define GOUGH_GOUGH_H
 
 #include "gough/batch.h"
+#include "gough/cueing.h"
 #include "gough/demands.h"
 #include "gough/design.h"
 #include "gough/dynamics.h"

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "gough/batch.h"
+#include "gough/cueing.h"
 #include "gough/design.h"
 #include "gough/pose.h"
 #include "gough/report.h"
@@ -32,6 +33,8 @@ static const struct {
     SIZE_OF(gough_control),
     SIZE_OF(gough_control_memory),
     SIZE_OF(gough_crossing),
+    SIZE_OF(gough_cue),
+    SIZE_OF(gough_cueing),
     SIZE_OF(gough_design_key),
     SIZE_OF(gough_design_request),
     SIZE_OF(gough_design_result),
@@ -43,6 +46,7 @@ static const struct {
     SIZE_OF(gough_error),
     SIZE_OF(gough_external),
     SIZE_OF(gough_extreme),
+    SIZE_OF(gough_felt_gain),
     SIZE_OF(gough_field),
     SIZE_OF(gough_figure),
     SIZE_OF(gough_floquet),
@@ -56,6 +60,9 @@ static const struct {
     SIZE_OF(gough_friction),
     SIZE_OF(gough_limits),
     SIZE_OF(gough_largest_box),
+    SIZE_OF(gough_leg_bounds),
+    SIZE_OF(gough_limiter),
+    SIZE_OF(gough_linear_filter),
     SIZE_OF(gough_load),
     SIZE_OF(gough_machine),
     SIZE_OF(gough_map),
@@ -124,6 +131,7 @@ static const struct {
     SIZE_OF(gough_units),
     SIZE_OF(gough_unwrapping),
     SIZE_OF(gough_volume),
+    SIZE_OF(gough_washout),
     SIZE_OF(gough_workspace),
     SIZE_OF(gough_wrench),
 };

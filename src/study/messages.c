@@ -101,7 +101,8 @@ void study_place_find(study_place place, size_t *line, size_t *column) {
     *line = 1 + place.source->lines;
     for (size_t i = 1; i <= begin; i++)
         if (line_ends_before(place.source, i)) ++*line;
-    if (begin == 0 && mark_length(place.source) <= place.offset) begin = mark_length(place.source);
+    const size_t mark = mark_length(place.source);
+    if (begin == 0 && mark <= place.offset) begin = mark;
     *column = 1 + count_characters(place.source->text + begin, place.offset - begin);
 }
 

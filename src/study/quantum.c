@@ -100,7 +100,7 @@ static bool jitters(const double *value, size_t stride, size_t count, double ste
 
 study_quantum study_quantum_find(const study_digits *column, const double *value, size_t stride,
                                  size_t count, double *scratch) {
-    const bool exact = !column->any || column->digits >= EXACT_DIGITS;
+    const bool exact = column->digits >= EXACT_DIGITS;
     study_quantum found = {0, 0};
     double largest = 0;
     for (size_t i = 0; i < count; i++) {

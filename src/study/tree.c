@@ -73,7 +73,7 @@ study_node *study_node_follow(const study_node *root, const char *path, const ch
     for (*rest = path; **rest;) {
         char name[40];
         const size_t length = strcspn(*rest, ".");
-        if (length >= sizeof name) break; /* unreachable: no key is as long */
+        if (length >= sizeof name) break;
         memcpy(name, *rest, length);
         name[length] = '\0';
         study_node *child = study_node_child(node ? node : root, name);

@@ -273,7 +273,7 @@ static gough_status scan_whole(result_scan *scan, gough_table *table, gough_erro
     gough_status status = open_root(&r);
     hid_t *dataset = calloc(table->columns + 1, sizeof *dataset);
     if (status == GOUGH_OK &&
-        (dataset == NULL || !result_complete_texts(table) || !result_scan_begin(scan, table)))
+        (dataset == NULL || !result_scan_begin(scan, table))) /* HDF5 brings all texts */
         status = gough_fail(error, GOUGH_ERROR_FILE, "%s: out of memory", r.path);
     size_t open = 0;
     for (; status == GOUGH_OK && open < scan->part.columns; open++)

@@ -258,6 +258,8 @@ START_TEST(refuses_what_it_cannot_move) {
     ck_assert(strstr(error.message, "simulation.step"));
     f->options.step = NAN;
     ck_assert(gough_fleet_begin(fleet, machine, 2, &f->options, NULL) == GOUGH_ERROR_INPUT);
+    f->options.step = INFINITY;
+    ck_assert(gough_fleet_begin(fleet, machine, 2, &f->options, NULL) == GOUGH_ERROR_INPUT);
     f->options.step = 0.01;
     f->options.method = GOUGH_RATTLE4;
     ck_assert(gough_fleet_begin(fleet, machine, 2, &f->options, &error) == GOUGH_ERROR_INPUT);
@@ -286,9 +288,24 @@ START_TEST(refuses_what_it_cannot_move) {
 }
 END_TEST
 
+START_TEST(a_fleet_may_have_no_plants) {
+    fixture *f = begin();
+    gough_error error = {.message = ""};
+    gough_state state = gough_state_home(&f->machine);
+    void *fleet = aligned_alloc(64, gough_fleet_size(0));
+    ck_assert_msg(gough_fleet_begin(fleet, NULL, 0, &f->options, &error) == GOUGH_OK, "%s",
+                  error.message);
+    ck_assert(gough_fleet_move(fleet, 3, NULL, NULL, 2, NULL, NULL, NULL, NULL, &error) ==
+              GOUGH_OK);
+    ck_assert(gough_fleet_put(fleet, 0, NULL, &state, &error) == GOUGH_ERROR_INPUT);
+    free(fleet);
+    free(f);
+}
+END_TEST
+
 int main(void) {
     return SUITE_RUN("fleet", 60, moves_as_plants_alone, moves_as_plants_alone_under_wrenches,
                      moves_as_plants_alone_with_heavy_legs, does_not_depend_on_company,
                      falls_freely_with_a_load_of_its_own, ends_and_begins_again, drives_lag,
-                     refuses_what_it_cannot_move);
+                     refuses_what_it_cannot_move, a_fleet_may_have_no_plants);
 }

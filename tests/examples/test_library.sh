@@ -72,6 +72,12 @@ digits() { awk '{ for (i = 1; i <= NF; i++) printf("%.4g ", $i > -1e-9 && $i < 1
 [[ $(sed 's/^d\(.*\)\/dt .*/\1/' "$scratch/matrix.txt" | paste -sd,) == "$(head -1 "$scratch/matrix.csv")" ]] ||
     fail "the rows of the matrix have other names than the columns of the study's: $(head -1 "$scratch/matrix.csv")"
 
+# motion cueing prints what the guide says
+block c "$guide" 5 >"$scratch/cues.c"
+"${CC:-cc}" "${flags[@]}" "$scratch/cues.c" -o "$scratch/cues" -L"$BUILD" -lgough -lm || fail "the program of cues does not compile"
+[[ $(LD_LIBRARY_PATH=$BUILD "$scratch/cues") == "$(grep '^after .* s: surge' "$guide")" ]] ||
+    fail "the program of cues prints $(LD_LIBRARY_PATH=$BUILD "$scratch/cues")"
+
 soname=$(readelf -d "$BUILD/libgough.so" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')
 [[ $(grep -o 'libgough\.so\.[0-9.]*[0-9]' "$guide" | sort -u) == "$soname" ]] || fail "the guide names another library than $soname"
 for header in include/gough/*.h; do

@@ -450,6 +450,16 @@ START_TEST(says_what_is_wrong) {
 
     refuses(model, &resting, 0, GOUGH_ERROR_INPUT, "at rest from t = 3");
     refuses(model, &endless, 0, GOUGH_ERROR_INPUT, "positive and finite");
+    for (int i = 0; i < 3; i++) {
+        const gough_period wrong = {false, i == 2 ? NAN : 0, i == 0 ? 0 : i == 1 ? NAN : 6};
+        gough_sampled_floquet sampled;
+        gough_error error = {0};
+        refuses(model, &wrong, 0, GOUGH_ERROR_INPUT, "positive and finite");
+        model->control.sampling.period = 0.01;
+        ck_assert_int_eq(gough_floquet_sampled(model, &wrong, &sampled, &error), GOUGH_ERROR_INPUT);
+        ck_assert_ptr_nonnull(strstr(error.message, "positive and finite"));
+        model->control.sampling.period = 0;
+    }
     refuses(model, NULL, 0.5, GOUGH_ERROR_INPUT, "between 1e-15 and 0.001");
     refuses(model, NULL, NAN, GOUGH_ERROR_INPUT, "tolerance");
     set_formula(&model->motion.formula[GOUGH_HEAVE], "0.1*ramp(t, 5)");

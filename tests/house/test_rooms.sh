@@ -4,7 +4,7 @@
 # CONTRIBUTING.md draws the house as it is. No two files of the sources share a name, but for a source and its own header.
 set -euo pipefail
 cd "${SOURCE:-$(dirname "$0")/../..}"
-rooms=(base kernel drive program plant control model pose workspace integrate system run batch linear floquet map tune design study table sweep figure page cli)
+rooms=(base kernel drive program plant control model pose workspace cueing integrate system run batch linear floquet map tune design study table sweep figure page cli)
 declare -A rank
 for i in "${!rooms[@]}"; do rank[${rooms[i]}]=$i; done
 public_only=" study table sweep figure page cli "

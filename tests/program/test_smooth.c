@@ -207,6 +207,25 @@ START_TEST(infinite_cutoff_and_few_rows_change_nothing) {
 }
 END_TEST
 
+START_TEST(what_cannot_be_smoothed_is_refused_by_its_row) {
+    double cutoff;
+    gough_error error = {.message = ""};
+    for (int i = 0; i < 5; i++) {
+        fill(100, 0.01, sine, 20);
+        if (i == 0) time_of[7] = NAN;
+        if (i == 1) value[7 * GOUGH_COMPONENTS + GOUGH_ROLL] = INFINITY;
+        const double deviation = i == 2 ? NAN : i == 4 ? 0 : 1e-3, greatest = i == 3 ? -1 : 1;
+        const gough_status status = gough_samples_smooth(100, time_of, value, GOUGH_ROLL, deviation,
+                                                         greatest, &cutoff, scratch, &error);
+        ck_assert_int_eq(status, i == 4 ? GOUGH_OK : GOUGH_ERROR_INPUT);
+        ck_assert(isinf(cutoff));
+        if (i < 2) ck_assert_str_eq(error.message, "row 8: roll or its time is not finite");
+        if (i == 2 || i == 3)
+            ck_assert_ptr_nonnull(strstr(error.message, "the allowed change must be 0 or greater"));
+    }
+}
+END_TEST
+
 /* The second derivative of rounded samples, as it is, is that of (motion-9); smoothed, it is the motion's. */
 static double worst_acceleration(size_t rows) {
     const gough_samples spline = {
@@ -414,8 +433,9 @@ int main(void) {
         "model/smooth", 60, agrees_with_dense_normal_equations,
         gain_of_sines_is_that_of_the_filter_and_phase_is_none,
         parabolas_are_left_alone_at_any_cutoff, no_more_scratch_is_used_than_is_asked_for,
-        infinite_cutoff_and_few_rows_change_nothing, rounding_is_taken_out_of_heave,
-        noise_left_is_that_of_the_theory, a_short_move_in_a_long_rest_keeps_its_acceleration,
-        bad_input_is_refused_and_left_alone, motion_over_the_pole_and_past_north_is_recovered,
-        no_rotation_changes, heading_past_north_is_continuous_in_exact_degrees);
+        infinite_cutoff_and_few_rows_change_nothing, what_cannot_be_smoothed_is_refused_by_its_row,
+        rounding_is_taken_out_of_heave, noise_left_is_that_of_the_theory,
+        a_short_move_in_a_long_rest_keeps_its_acceleration, bad_input_is_refused_and_left_alone,
+        motion_over_the_pole_and_past_north_is_recovered, no_rotation_changes,
+        heading_past_north_is_continuous_in_exact_degrees);
 }

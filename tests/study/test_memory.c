@@ -15,6 +15,7 @@
 
 #include "study/arena.h"
 #include "study/helpers.h"
+#include "study/source.h"
 #include "support/faults.h"
 #include "support/suite.h"
 
@@ -382,6 +383,29 @@ START_TEST(a_file_that_grows_is_read_to_its_room) {
 }
 END_TEST
 
+/* studies may have 64 KiB, and a mark of the byte order before them; longer files are not read to their end */
+START_TEST(long_files_are_refused_by_their_length) {
+    static char text[2 * STUDY_MOST_BYTES];
+    gough_study *study = NULL;
+    char *messages = NULL;
+    memset(text, '#', sizeof text);
+    for (int i = 0; i < 3; i++) {
+        char *path =
+            write_file("long.yaml", text, i == 2 ? sizeof text : (size_t)STUDY_MOST_BYTES + 1);
+        if (i == 1) fault_arm("realloc", 1, ENOMEM);
+        const gough_status status = gough_study_read(path, NULL, 0, &study, &messages);
+        if (i == 1) ck_assert(fault_disarm());
+        ck_assert_int_eq(status, i == 1 ? GOUGH_ERROR_FILE : GOUGH_ERROR_INPUT);
+        ck_assert_msg(strstr(messages, i == 0   ? "the text has 65537 bytes; the limit is 65536"
+                                       : i == 1 ? "Cannot allocate memory"
+                                                : "is larger than the 64 KiB"),
+                      "%d: %s", i, messages);
+        gough_study_free_messages(messages);
+        forget_file(path);
+    }
+}
+END_TEST
+
 /* without a locale to print in, a number is printed in the one of the program */
 START_TEST(a_number_is_printed_without_a_locale) {
     char text[GOUGH_SWEEP_TEXT];
@@ -393,9 +417,9 @@ START_TEST(a_number_is_printed_without_a_locale) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("study/memory", 60, memory_may_end_in_any_study_of_the_corpus,
-                     memory_may_end_in_settings, memory_may_end_in_designs,
-                     memory_may_end_in_recorded_motion, memory_may_end_in_any_record,
-                     files_that_cannot_be_read_are_named_with_the_cause,
-                     a_file_that_grows_is_read_to_its_room, a_number_is_printed_without_a_locale);
+    return SUITE_RUN(
+        "study/memory", 60, memory_may_end_in_any_study_of_the_corpus, memory_may_end_in_settings,
+        memory_may_end_in_designs, memory_may_end_in_recorded_motion, memory_may_end_in_any_record,
+        files_that_cannot_be_read_are_named_with_the_cause, a_file_that_grows_is_read_to_its_room,
+        long_files_are_refused_by_their_length, a_number_is_printed_without_a_locale);
 }

@@ -131,6 +131,15 @@ START_TEST(texts_and_line_ends_are_those_of_whole_tables) {
 }
 END_TEST
 
+/* a table whose columns have names only */
+START_TEST(names_alone_have_no_numbers) {
+    char *name = strdup("a");
+    const gough_table table = {.columns = 1, .name = &name};
+    ck_assert_ptr_null(gough_table_column(&table, "a"));
+    free(name);
+}
+END_TEST
+
 static void expect_refused(const char *path, const char *sentence) {
     whole w = {.calls = 0};
     gough_error error = {.message = ""};
@@ -208,6 +217,7 @@ int main(void) {
     tcase_add_test(cases, errors_have_their_place_in_every_part);
     tcase_add_test(cases, damaged_files_are_refused);
     tcase_add_test(cases, a_pipe_is_read_whole);
+    tcase_add_test(cases, names_alone_have_no_numbers);
     suite_add_tcase(suite, cases);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -251,6 +251,15 @@ START_TEST(a_child_is_not_believed_everything) {
     ck_assert_int_eq(ask_child(says_nothing, &c, &error), GOUGH_ERROR_INPUT);
     ck_assert_str_eq(error.message, "it is the wrong weather");
     ck_assert_uint_eq(c.columns, 0);
+    bool came = true;
+    for (long n = 1; came; n++) {
+        fault_arm("write", n, EIO);
+        ck_assert_int_eq(ask_child(says_nothing, &c, &error), GOUGH_ERROR_INPUT);
+        came = fault_disarm();
+        ck_assert_str_eq(error.message,
+                         came ? "no such file: the HDF5 library cannot read it; the file is damaged"
+                              : "it is the wrong weather");
+    }
 }
 END_TEST
 
