@@ -54,7 +54,7 @@ static void try_columns(const char *text) {
     gough_figure figure = gough_figure_default();
     const gough_table *const tables[] = {table};
     figure.columns = figure.title = text;
-    const gough_status status = sheet_fill(drawn, &figure, tables, NULL, 1, &error);
+    const gough_status status = sheet_fill(drawn, &figure, tables, NULL, 1, NULL, &error);
     require(status == GOUGH_OK || (status == GOUGH_ERROR_INPUT && error.message[0]));
     sheet_free_arrays(drawn);
     free(drawn);
