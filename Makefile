@@ -63,7 +63,7 @@ test-thorough:
 	@PAGE=$(PAGE) PYTHON=$(PYTHON) scripts/test.sh "$(BUILD)" thorough
 
 test-more:
-	@scripts/install-packages.sh $(test_groups) package mpi engines
+	@scripts/install-packages.sh $(test_groups) package mpi engines musl
 	@PAGE=$(PAGE) PYTHON=$(PYTHON) scripts/test.sh "$(BUILD)" campaign
 
 coverage:

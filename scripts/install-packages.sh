@@ -29,6 +29,7 @@ peers       | benchmarks: timings beside MuJoCo and GSL
 mpi         | building gough-mpi, and running it
 engines     | the test of the recipes for GNU parallel and Dask
 sundials    | benchmarks: timings beside SUNDIALS
+musl        | building the core with the C library musl
 END
 }
 
@@ -87,6 +88,7 @@ mpi       | openmpi-bin      | command -v mpirun
 engines   | parallel         | command -v parallel
 engines   | python3-distributed | /usr/bin/python3 -c 'import distributed'
 sundials  | libsundials-dev  | test -e /usr/include/cvode/cvode.h
+musl      | musl-tools       | command -v musl-gcc
 END
 }
 

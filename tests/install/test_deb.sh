@@ -19,7 +19,13 @@ holds() {
     for file in "$@"; do
         grep -qE "^\./usr/$file\$" <<<"$list" || { echo "$name has no $file: $list"; exit 1; }
     done
-    echo "ok: $name, $(stat -c %s "$scratch/${name}"_*.deb) bytes"
+    # the table of the README has its size, in MB
+    local bytes told
+    bytes=$(stat -c %s "$scratch/${name}"_*.deb)
+    told=$(sed -n "s/^| \`$name\` |.*| \([0-9.]*\) |\$/\1/p" "$SOURCE/README.md")
+    awk -v bytes="$bytes" -v told="$told" 'BEGIN { exit !(bytes >= told * 0.9e6 && bytes <= told * 1.1e6) }' ||
+        { echo "$name has $bytes bytes; the README says ${told:-nothing} MB"; exit 1; }
+    echo "ok: $name, $bytes bytes"
 }
 # needs NAME PACKAGE…
 needs() {

@@ -16,7 +16,11 @@ second=$(umask 077; "$SOURCE/scripts/dist.sh" "$BUILD")
 [[ $first == "$second" ]] || { echo "the second tarball is called $second, the first $first"; exit 1; }
 cmp "$scratch/first.tar.gz" "$second"
 name=$(basename "$first" .tar.gz)
-echo "$name.tar.gz: $(stat -c %s "$first") bytes, $(tar -tzf "$first" | wc -l) files and folders, twice the same"
+bytes=$(stat -c %s "$first")
+told=$(sed -n 's/^The source tarball has \([0-9.]*\) MB.*/\1/p' "$SOURCE/README.md")
+awk -v bytes="$bytes" -v told="$told" 'BEGIN { exit !(bytes >= told * 0.9e6 && bytes <= told * 1.1e6) }' ||
+    { echo "the tarball has $bytes bytes; the README says ${told:-nothing} MB"; exit 1; }
+echo "$name.tar.gz: $bytes bytes, $(tar -tzf "$first" | wc -l) files and folders, twice the same"
 
 # without what the tarball makes unnecessary
 mkdir "$scratch/bin"
