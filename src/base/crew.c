@@ -20,13 +20,20 @@ int crew_threads(int wanted) {
 
 int crew_start(crew *c, void *members, size_t size, int count, void *(*work)(void *member)) {
     char *member = members;
+    pthread_attr_t attributes;
+    size_t stack;
 
     assert_true(count >= 0 && count <= CREW_MOST);
     c->count = 0;
-    while (c->count < count && pthread_create(&c->thread[c->count], NULL, work,
+    if (pthread_attr_init(&attributes) != 0) return 0;
+    /* a caller who has chosen a larger stack for all threads keeps it */
+    pthread_attr_getstacksize(&attributes, &stack);
+    if (stack < CREW_STACK) pthread_attr_setstacksize(&attributes, CREW_STACK);
+    while (c->count < count && pthread_create(&c->thread[c->count], &attributes, work,
                                               member + (size_t)c->count * size) == 0) {
         c->count++;
     }
+    pthread_attr_destroy(&attributes);
     return c->count;
 }
 

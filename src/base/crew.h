@@ -5,7 +5,9 @@
 #include <pthread.h>
 #include <stddef.h>
 
-enum { CREW_MOST = 256 };
+/* CREW_STACK: the least bytes of a member's stack, glibc's usual size, with which everything is tested. musl's usual stack has
+ * 128 KiB, less than a batch needs. A page of a stack takes memory only once it is used. */
+enum { CREW_MOST = 256, CREW_STACK = 8 << 20 };
 
 /* Threads for a wish: 0 or less means one for each processor that the process may use; at most CREW_MOST */
 int crew_threads(int wanted);

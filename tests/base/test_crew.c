@@ -2,6 +2,7 @@
 #define _GNU_SOURCE
 #include <pthread.h>
 #include <stdatomic.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "base/crew.h"
@@ -33,23 +34,56 @@ START_TEST(each_member_works_once) {
 }
 END_TEST
 
-/* stacks of 2^46 bytes, which no machine has */
+/* Stacks of 2^46 bytes, which no machine has. A C library that refuses to take such a size for all threads, as musl does, finds
+ * no room in its address space for stacks of any size. */
 START_TEST(without_threads_the_caller_works_alone) {
     member members[4] = {{NULL, 0}};
     pthread_attr_t attributes;
     atomic_int sum;
-    size_t usual;
+    size_t usual, taken;
+    struct rlimit space;
     atomic_init(&sum, 0);
     for (int i = 0; i < 4; i++) members[i].sum = &sum;
     ck_assert_int_eq(pthread_getattr_default_np(&attributes), 0);
     pthread_attr_getstacksize(&attributes, &usual);
     pthread_attr_setstacksize(&attributes, (size_t)1 << 46);
     ck_assert_int_eq(pthread_setattr_default_np(&attributes), 0);
+    ck_assert_int_eq(pthread_getattr_default_np(&attributes), 0);
+    pthread_attr_getstacksize(&attributes, &taken);
+    ck_assert_int_eq(getrlimit(RLIMIT_AS, &space), 0);
+    const struct rlimit narrow = {4096, space.rlim_max};
+    if (taken != (size_t)1 << 46) ck_assert_int_eq(setrlimit(RLIMIT_AS, &narrow), 0);
     crew_work(members, sizeof members[0], 4, work);
+    ck_assert_int_eq(setrlimit(RLIMIT_AS, &space), 0);
     pthread_attr_setstacksize(&attributes, usual);
     ck_assert_int_eq(pthread_setattr_default_np(&attributes), 0);
     pthread_attr_destroy(&attributes);
     for (int i = 0; i < 4; i++) ck_assert_int_eq(members[i].worked, i == 0);
+}
+END_TEST
+
+/* more than the 128 KiB of the usual stack of musl, with which batches crashed */
+static void *fill_a_megabyte(void *context) {
+    volatile char stack[1 << 20];
+    member *m = context;
+    for (size_t i = 0; i < sizeof stack; i += 1024) stack[i] = 1;
+    m->worked += stack[0];
+    return NULL;
+}
+
+START_TEST(members_have_a_large_stack_whatever_is_usual) {
+    member members[4] = {{NULL, 0}};
+    pthread_attr_t attributes;
+    size_t usual;
+    ck_assert_int_eq(pthread_getattr_default_np(&attributes), 0);
+    pthread_attr_getstacksize(&attributes, &usual);
+    pthread_attr_setstacksize(&attributes, (size_t)1 << 17);
+    ck_assert_int_eq(pthread_setattr_default_np(&attributes), 0);
+    crew_work(members, sizeof members[0], 4, fill_a_megabyte);
+    pthread_attr_setstacksize(&attributes, usual);
+    ck_assert_int_eq(pthread_setattr_default_np(&attributes), 0);
+    pthread_attr_destroy(&attributes);
+    for (int i = 0; i < 4; i++) ck_assert_int_eq(members[i].worked, 1);
 }
 END_TEST
 
@@ -67,5 +101,6 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("base/crew", 60, each_member_works_once,
-                     without_threads_the_caller_works_alone, a_wish_has_bounds);
+                     without_threads_the_caller_works_alone,
+                     members_have_a_large_stack_whatever_is_usual, a_wish_has_bounds);
 }
