@@ -1,4 +1,4 @@
-# GOUGH_CORE_ONLY: the core of the library (rooms base to batch) and its tests, for a C library that the others are not packaged for,
+# GOUGH_CORE_ONLY: the core of the library (rooms base to batch, and cueing) and its tests, for a C library that the others are not packaged for,
 # such as musl. The tests use names of the library Check, which tests/support/without_check has for this build.
 message(STATUS "Building the core alone: kinematics, dynamics, poses, workspaces, runs, batches")
 message(STATUS "Left out, for they need other libraries, which Debian has for glibc only: stability and tuning (LAPACK), design (LAPACK, "
@@ -19,7 +19,7 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set_source_files_properties(${tests}/kernel/lanes_8.c ${tests}/pose/walk_lanes_8.c
         PROPERTIES COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl")
 endif()
-foreach(room base kernel program plant control model pose workspace integrate run batch)
+foreach(room base kernel program plant control model pose workspace integrate run batch cueing)
     file(GLOB helpers CONFIGURE_DEPENDS ${tests}/${room}/*.c)
     list(FILTER helpers EXCLUDE REGEX "/test_[^/]*$")
     file(GLOB sources CONFIGURE_DEPENDS ${tests}/${room}/test_*.c)
