@@ -99,6 +99,8 @@ static inline void srunner_free(SRunner *runner) { free(runner); }
 #define ck_assert_uint_gt(a, b) CK_NUMBERS_(uintmax_t, PRIuMAX, a, >, b)
 #define ck_assert_uint_ge(a, b) CK_NUMBERS_(uintmax_t, PRIuMAX, a, >=, b)
 #define ck_assert_double_lt(a, b) CK_NUMBERS_(double, ".17g", a, <, b)
+#define ck_assert_double_le(a, b) CK_NUMBERS_(double, ".17g", a, <=, b)
+#define ck_assert_double_ge(a, b) CK_NUMBERS_(double, ".17g", a, >=, b)
 #define ck_assert_double_gt(a, b) CK_NUMBERS_(double, ".17g", a, >, b)
 #define ck_assert_double_eq_tol(a, b, tolerance)                                                   \
     ck_assert_msg(fabs((double)(a) - (double)(b)) < (tolerance), "%s is %.17g, not %.17g", #a,     \
