@@ -303,6 +303,47 @@ GOUGH_API void gough_control_sample(const gough_control *control, const gough_ac
 GOUGH_API void gough_program(const gough_machine *machine, const gough_motion *motion, double t,
                              gough_state *state, gough_acceleration *acceleration);
 
+/** What keeps a move from being faster. */
+typedef enum gough_move_limit {
+    GOUGH_MOVE_SPEED,                 /**< gough_move.speed, as with the next three */
+    GOUGH_MOVE_ACCELERATION,          /**< of the point */
+    GOUGH_MOVE_ANGULAR_SPEED,         /**< of an angle */
+    GOUGH_MOVE_ANGULAR_ACCELERATION,  /**< of an angle */
+    GOUGH_MOVE_LEG_SPEED,             /**< limits of the machine: the rate of a leg's length */
+    GOUGH_MOVE_LEG_ACCELERATION,      /**< the second rate of a leg's length */
+    GOUGH_MOVE_LEG_FORCE,             /**< the drive force of a leg */
+    GOUGH_MOVE_PLATFORM_SPEED,        /**< a component of the velocity or angular velocity */
+    GOUGH_MOVE_PLATFORM_ACCELERATION, /**< a component of the acceleration or angular acceleration */
+    GOUGH_MOVE_LIMITS
+} gough_move_limit;
+
+/** The duration of a move, and what binds. */
+typedef struct gough_move_fit {
+    double duration; /**< of gough_move; the motion takes duration/frequency if it is scaled */
+    gough_move_limit limit; /**< what binds */
+    int which;              /**< leg, from 0, or component; −1 where the limit is of the point */
+    double time;            /**< at which the limit is reached */
+} gough_move_fit;
+
+/** Finds the duration of a move from its limits, (motion-13): the least for which the program keeps speed, acceleration,
+ *  angular_speed and angular_acceleration of the move, and with `least` also the limits of speed, acceleration and force of the
+ *  legs and of speed and acceleration of the platform. Limits of lengths and poses are not looked at: no duration changes them.
+ *  @param machine  from gough_machine_init(), with its external loads
+ *  @param motion   of kind GOUGH_MOTION_MOVES; the durations of the moves before must be known, that of this one is not read
+ *  @param index    the move, from 0
+ *  @param[out] fit the duration and what binds
+ *  @param size     sizeof(gough_move_fit)
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT with a sentence if nothing bounds the move, if it keeps its limits with no
+ *          duration, or if the leg forces along it cannot be computed
+ *
+ *  Speeds and accelerations of the move itself are exact to roundings. Limits of the machine are compared at 257 times of the move
+ *  and at the vertices of parabolas through three of them; the duration is at most 3e-6 of itself above the least that keeps them
+ *  there. If a longer move needs larger forces, as external loads that vary with time can make it, another, shorter duration may
+ *  keep the limits too. */
+GOUGH_API gough_status gough_move_find(const gough_machine *machine, const gough_motion *motion,
+                                       size_t index, gough_move_fit *fit, size_t size,
+                                       gough_error *error);
+
 #ifdef __cplusplus
 }
 #endif

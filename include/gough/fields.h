@@ -21,36 +21,37 @@ extern "C" {
 
 /** How the value of a key is written in a study file. */
 typedef enum gough_shape {
-    GOUGH_SHAPE_MAPPING,        /**< keys and values */
-    GOUGH_SHAPE_MOVES,          /**< a list of mappings */
-    GOUGH_SHAPE_LOADS,          /**< likewise */
-    GOUGH_SHAPE_TEXT,           /**< text */
-    GOUGH_SHAPE_FILE,           /**< path of a file */
-    GOUGH_SHAPE_CHOICE,         /**< one of the words in the range */
-    GOUGH_SHAPE_NUMBER,         /**< a number */
-    GOUGH_SHAPE_WHOLE,          /**< a number without decimals */
-    GOUGH_SHAPE_PAIR,           /**< two numbers */
-    GOUGH_SHAPE_VECTOR,         /**< three numbers */
-    GOUGH_SHAPE_GRAVITY,        /**< a number within the bound, or any three numbers */
-    GOUGH_SHAPE_NUMBER_OR_SIX,  /**< a number for all legs, or one for each */
-    GOUGH_SHAPE_PAIR_OR_SIX,    /**< two numbers for all legs, or two for each */
-    GOUGH_SHAPE_RANGE,          /**< two numbers, or one that stands for −x and x */
-    GOUGH_SHAPE_POINTS,         /**< six points of three numbers */
-    GOUGH_SHAPE_INERTIA,        /**< three numbers, or a matrix of three rows */
-    GOUGH_SHAPE_FORMULA,        /**< a formula in t */
-    GOUGH_SHAPE_FORMULA_OR_SIX, /**< a formula for all legs, or one for each */
-    GOUGH_SHAPE_FORMULA_VECTOR, /**< three formulas */
-    GOUGH_SHAPE_CONSTRAINTS,    /**< one of the words in the range, or a mapping */
-    GOUGH_SHAPE_SMOOTH,         /**< likewise */
-    GOUGH_SHAPE_UNITS,          /**< likewise */
-    GOUGH_SHAPE_SWEPT,          /**< a mapping of paths to the values they take */
-    GOUGH_SHAPE_VARIED,         /**< a mapping of paths to two numbers, the least first */
-    GOUGH_SHAPE_AIMS,           /**< one of the words in the range, or a mapping */
-    GOUGH_SHAPE_DRIVES,         /**< a mapping for all legs, or one for each */
-    GOUGH_SHAPE_RANGE_OR_SIX,   /**< as GOUGH_SHAPE_RANGE for all legs, or one for each */
-    GOUGH_SHAPE_SAMPLES,        /**< path of a file, or a mapping */
-    GOUGH_SHAPE_COLUMN,         /**< name or number of a column, or a mapping */
-    GOUGH_SHAPE_COLUMNS,        /**< a mapping of names to columns */
+    GOUGH_SHAPE_MAPPING,         /**< keys and values */
+    GOUGH_SHAPE_MOVES,           /**< a list of mappings */
+    GOUGH_SHAPE_LOADS,           /**< likewise */
+    GOUGH_SHAPE_TEXT,            /**< text */
+    GOUGH_SHAPE_FILE,            /**< path of a file */
+    GOUGH_SHAPE_CHOICE,          /**< one of the words in the range */
+    GOUGH_SHAPE_NUMBER,          /**< a number */
+    GOUGH_SHAPE_NUMBER_OR_LEAST, /**< a number, or the word least */
+    GOUGH_SHAPE_WHOLE,           /**< a number without decimals */
+    GOUGH_SHAPE_PAIR,            /**< two numbers */
+    GOUGH_SHAPE_VECTOR,          /**< three numbers */
+    GOUGH_SHAPE_GRAVITY,         /**< a number within the bound, or any three numbers */
+    GOUGH_SHAPE_NUMBER_OR_SIX,   /**< a number for all legs, or one for each */
+    GOUGH_SHAPE_PAIR_OR_SIX,     /**< two numbers for all legs, or two for each */
+    GOUGH_SHAPE_RANGE,           /**< two numbers, or one that stands for −x and x */
+    GOUGH_SHAPE_POINTS,          /**< six points of three numbers */
+    GOUGH_SHAPE_INERTIA,         /**< three numbers, or a matrix of three rows */
+    GOUGH_SHAPE_FORMULA,         /**< a formula in t */
+    GOUGH_SHAPE_FORMULA_OR_SIX,  /**< a formula for all legs, or one for each */
+    GOUGH_SHAPE_FORMULA_VECTOR,  /**< three formulas */
+    GOUGH_SHAPE_CONSTRAINTS,     /**< one of the words in the range, or a mapping */
+    GOUGH_SHAPE_SMOOTH,          /**< likewise */
+    GOUGH_SHAPE_UNITS,           /**< likewise */
+    GOUGH_SHAPE_SWEPT,           /**< a mapping of paths to the values they take */
+    GOUGH_SHAPE_VARIED,          /**< a mapping of paths to two numbers, the least first */
+    GOUGH_SHAPE_AIMS,            /**< one of the words in the range, or a mapping */
+    GOUGH_SHAPE_DRIVES,          /**< a mapping for all legs, or one for each */
+    GOUGH_SHAPE_RANGE_OR_SIX,    /**< as GOUGH_SHAPE_RANGE for all legs, or one for each */
+    GOUGH_SHAPE_SAMPLES,         /**< path of a file, or a mapping */
+    GOUGH_SHAPE_COLUMN,          /**< name or number of a column, or a mapping */
+    GOUGH_SHAPE_COLUMNS,         /**< a mapping of names to columns */
     GOUGH_SHAPE_GAINS /**< as GOUGH_SHAPE_NUMBER_OR_SIX, or a matrix of six rows of any six
                                      numbers: [leg that pushes][leg whose error it is] */
 } gough_shape;

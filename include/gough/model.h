@@ -316,6 +316,14 @@ typedef struct gough_move {
     double duration;                 /**< > 0 */
     double target[GOUGH_COMPONENTS]; /**< lengths and radians, measured from home */
     bool given[GOUGH_COMPONENTS];    /**< which components move; the others keep their values */
+    /** Read by gough_move_find() only, which finds the duration: whether it shall be the least that the limits of the machine
+     *  allow. */
+    bool least;
+    double
+        speed; /**< likewise: greatest speed of the point, > 0; 0: no limit, as for those below */
+    double acceleration;  /**< likewise: its greatest acceleration */
+    double angular_speed; /**< likewise: greatest rate of roll, pitch and yaw, each by itself */
+    double angular_acceleration; /**< likewise: greatest second derivative of these angles */
 } gough_move;
 
 /** Recorded motion, in the caller's memory, which must outlive the motion. Rows in order of time.

@@ -77,6 +77,7 @@ static const struct {
     SIZE_OF(gough_motion_column),
     SIZE_OF(gough_motion_file),
     SIZE_OF(gough_move),
+    SIZE_OF(gough_move_fit),
     SIZE_OF(gough_multiplier),
     SIZE_OF(gough_noise),
     SIZE_OF(gough_outcome),

@@ -215,6 +215,16 @@ static inline jet moves_jet(const gough_motion *m, int c, real t) {
     return jet_constant(from + (t - t)); /* NaN if the time is NaN or infinite */
 }
 
+/* Least duration of a move by a distance, (motion-13): the smooth step σ of (motion-3) has at most the slope 15/8, in the middle,
+ * and the second derivative 10/√3, at τ = 1/2 ∓ 1/√12. A limit of 0 is none. */
+static inline real move_duration_by_speed(real distance, real speed) {
+    return speed > 0 ? (real)15 / 8 * distance / speed : 0;
+}
+
+static inline real move_duration_by_acceleration(real distance, real acceleration) {
+    return acceleration > 0 ? real_root(10 / real_root((real)3) * distance / acceleration) : 0;
+}
+
 /* ---- samples ---- */
 
 /* All six components of the spline at t, (motion-4). In the interval of length h between rows i

@@ -339,6 +339,7 @@ void study_model_rebuild(study_build *build, unsigned parts) {
     if (parts & GOUGH_PART_EXTERNAL)
         read_external(build, study_node_child(build->root, "external"));
     if (parts & (GOUGH_PART_EXTERNAL | GOUGH_PART_MACHINE)) set_external(build);
+    if (parts & GOUGH_PART_MOTION) study_moves_place(build, machine && motion);
     const unsigned simple[] = {GOUGH_PART_DISTURBANCE, GOUGH_PART_INITIAL, GOUGH_PART_WORKSPACE};
     for (size_t i = 0; i < sizeof simple / sizeof simple[0]; i++) {
         if (!(parts & simple[i])) continue;

@@ -112,6 +112,7 @@ static void read_value(const gough_field *field, const study_node *node, const g
 static void read_field(const gough_field *field, const study_node *node, const gough_units *units,
                        void *owner) {
     char *const start = owner;
+    if (field->shape == GOUGH_SHAPE_NUMBER_OR_LEAST && study_is_least(node)) return;
     read_value(field, node, units, start + field->place.offset);
     if (field->place.given) *(bool *)(start + field->place.given) = true;
 }

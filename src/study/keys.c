@@ -24,6 +24,7 @@ const char *study_shape_phrase(gough_shape shape) {
         [GOUGH_SHAPE_FILE] = "the name of a file",
         [GOUGH_SHAPE_CHOICE] = "a word",
         [GOUGH_SHAPE_NUMBER] = "a number",
+        [GOUGH_SHAPE_NUMBER_OR_LEAST] = "a number or the word least",
         [GOUGH_SHAPE_PAIR] = "a list of two numbers",
         [GOUGH_SHAPE_VECTOR] = "a list of three numbers",
         [GOUGH_SHAPE_GRAVITY] = "a number or a list of three numbers",

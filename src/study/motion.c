@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gough/dynamics.h"
 #include "study/fill.h"
 #include "study/samples.h"
 #include "study/value.h"
@@ -35,22 +36,93 @@ static bool find_kind(study_build *build, study_node *node, gough_motion_kind *k
     return true;
 }
 
-/* One move; it must begin when the one before has ended, up to rounding. */
-static void read_move(study_build *build, study_node *node, gough_move *move, double before) {
+/* limits of a move, in the order of gough_move_limit */
+static const char *const move_limits[] = {"speed", "acceleration", "angular_speed",
+                                          "angular_acceleration"};
+
+static bool has_limits(const gough_move *move) {
+    return move->speed > 0 || move->acceleration > 0 || move->angular_speed > 0 ||
+           move->angular_acceleration > 0;
+}
+
+/* A duration is a number, or is found from limits. */
+static void check_duration(study_build *build, study_node *node, gough_move *move) {
+    const study_node *duration = study_node_child(node, "duration");
+    move->least = study_is_least(duration);
+    if (!duration && !has_limits(move))
+        study_node_say(build->messages, node, study_node_place(node, false),
+                       "`%s.duration` is missing: the duration of the move, or the word least; or "
+                       "give speed or acceleration",
+                       study_node_path(build->messages->arena, node));
+}
+
+/* A move begins when the one before has ended, up to rounding. */
+static void check_start(study_build *build, study_node *node, gough_move *move, double before) {
     study_node *start = study_node_child(node, "start");
+    if (!start)
+        move->start = before;
+    else if (move->start < before - 1e-12 * fabs(before))
+        study_node_say(build->messages, start, study_node_place(start, false),
+                       "`%s.start` is before the end of the previous move; moves must not overlap",
+                       study_node_path(build->messages->arena, node));
+    else if (move->start < before)
+        move->start = before;
+}
+
+static void read_move(study_build *build, study_node *node, gough_move *move) {
     bool any = false;
     study_element_read(move, GOUGH_OWNER_MOVE, &build->study->units, node);
     for (int c = 0; c < GOUGH_COMPONENTS; c++) any = any || move->given[c];
-    const char *path = study_node_path(build->messages->arena, node);
     if (!any)
         study_node_say(build->messages, node, study_node_place(node, false),
-                       "`%s` has no target; give one such as heave: 0.1", path);
-    if (!(move->start >= before - 1e-12 * fabs(before)))
-        study_node_say(build->messages, start, study_node_place(start, false),
-                       "`%s.start` is before the end of the previous move; moves must not overlap",
-                       path);
-    else if (move->start < before)
-        move->start = before;
+                       "`%s` has no target; give one such as heave: 0.1",
+                       study_node_path(build->messages->arena, node));
+    check_duration(build, node, move);
+}
+
+/* The duration that follows from limits; one that is given is compared with those of the move. */
+static void find_duration(study_build *build, study_node *node, gough_move *move, size_t index) {
+    const gough_model *model = build->study->model;
+    const bool given = move->duration > 0;
+    gough_error error = {.message = ""};
+    gough_move_fit fit;
+    const bool found = gough_move_find(&model->machine, &model->motion, index, &fit, sizeof fit,
+                                       &error) == GOUGH_OK;
+    if (!given && found) {
+        move->duration = fit.duration;
+    } else if (!given) {
+        gough_error_say(&error, &build->study->units);
+        study_node_say(build->messages, node, study_node_place(node, false), "%s", error.message);
+    } else if (found && fit.duration > move->duration * (1 + 1e-9)) {
+        study_node *duration = study_node_child(node, "duration");
+        const char *path = study_node_path(build->messages->arena, node);
+        study_node_say(build->messages, duration, study_node_place(duration, false),
+                       "`%s.duration` is too short for `%s.%s`; leave one of them out", path, path,
+                       move_limits[fit.limit]);
+    }
+}
+
+/* Times of the moves one after the other. Durations need the machine, and are found where all that was read is right. */
+void study_moves_place(study_build *build, bool machine) {
+    const study_node *list = study_node_at(build->root, "motion.moves");
+    double before = 0; /* NaN: not known */
+    size_t i = 0;
+    if (!list || !build->moves) return;
+    for (study_node *item = list->first; item; item = item->next, i++) {
+        gough_move *move = &build->moves[i];
+        check_start(build, item, move, before);
+        if (machine && build->messages->count == 0 && (!(move->duration > 0) || has_limits(move)))
+            find_duration(build, item, move, i);
+        before = move->duration > 0 ? move->start + move->duration : NAN;
+    }
+}
+
+bool study_moves_depend(const study_node *root) {
+    const study_node *list = study_node_at(root, "motion.moves");
+    const study_node *item = list && list->kind == STUDY_LIST ? list->first : NULL;
+    for (; item; item = item->next)
+        if (study_is_least(study_node_child(item, "duration"))) return true;
+    return false;
 }
 
 static void build_moves(study_build *build, study_node *list) {
@@ -60,12 +132,9 @@ static void build_moves(study_build *build, study_node *list) {
         return;
     }
     build->moves = move;
-    double before = 0;
     size_t count = 0;
-    for (study_node *item = list->first; item; item = item->next, count++) {
-        read_move(build, item, &move[count], before);
-        before = move[count].start + move[count].duration;
-    }
+    for (study_node *item = list->first; item; item = item->next, count++)
+        read_move(build, item, &move[count]);
     build->study->model->motion.move = move;
     build->study->model->motion.moves = count;
 }

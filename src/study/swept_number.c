@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "study/chosen_units.h"
+#include "study/motion.h"
 #include "study/record_keys.h"
 #include "study/sweep_plan.h"
 #include "study/swept_number.h"
@@ -19,6 +20,7 @@ typedef struct makeup {
 static makeup makeup_of(gough_shape shape) {
     switch (shape) {
     case GOUGH_SHAPE_NUMBER:
+    case GOUGH_SHAPE_NUMBER_OR_LEAST:
         return (makeup){.number = true, .alone = true};
     case GOUGH_SHAPE_PAIR:
         return (makeup){.number = true, .list = {2}};
@@ -248,6 +250,8 @@ bool study_target_find(study_messages *messages, study_node *root, study_axis *a
     axis->bound = made.formula ? NULL : free ? &any : bound_of(messages->arena, axis->node, key);
     axis->key.unit = key->unit;
     axis->touches = key->place.part | key->place.also;
+    if (axis->touches & (GOUGH_PART_MACHINE | GOUGH_PART_EXTERNAL) && study_moves_depend(root))
+        axis->touches |= GOUGH_PART_MOTION;
     return check_place(messages, root, axis->node, path, depth);
 }
 

@@ -29,6 +29,10 @@ study_decimal study_decimal_read(const char *text, size_t length, double *value,
     return isfinite(*value) ? STUDY_DECIMAL : STUDY_NOT_FINITE;
 }
 
+bool study_is_least(const study_node *node) {
+    return node && node->kind == STUDY_SCALAR && strcmp(node->text, "least") == 0;
+}
+
 double study_number(const study_node *node) {
     double value = NAN;
     size_t rest;

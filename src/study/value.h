@@ -20,6 +20,9 @@ study_decimal study_decimal_read(const char *text, size_t length, double *value,
 /* The number of a scalar that was checked before; NaN if it is not a number. */
 double study_number(const study_node *node);
 
+/* Whether a node is there and is the word that stands for the least number that is possible. */
+bool study_is_least(const study_node *node);
+
 /* "platform.height", "motion.moves.2.start": the path of a node in the study, as --set takes it. */
 const char *study_node_path(study_arena *arena, const study_node *node);
 

@@ -53,6 +53,7 @@ printf 't,yaw\n0,0\n1,0\n2,359\n3,0\n' >jump.csv
 json check-4.json check own-machine.yaml --set 'motion={samples: jump.csv}' --set simulation.duration=3
 json check-5.json check own-machine.yaml --pose yaw=5 --set 'external=[{force: [0, 0, 30]}]'
 json check-6.json check own-machine.yaml --set 'control.sampling={period: 0.001}' --set control.damping=1000
+json check-8.json check own-machine.yaml --set 'motion={moves: [{heave: 0.02, yaw: 3, speed: 0.1}]}'
 json check-7.json check jump.csv
 hold '## check' check-6.json check-7.json check-1.json check-2.json check-3.json check-4.json check-5.json
 

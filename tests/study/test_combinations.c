@@ -186,6 +186,16 @@ START_TEST(moves_follow_one_another) {
                     "11:13", "`motion.moves.2.start` is before the end of the previous move");
     expect_one_more("motion:\n  moves:\n  - {start: 1, duration: 1}\n", "10:5",
                     "`motion.moves.1` has no target");
+    expect_one_more("motion:\n  moves:\n  - {heave: 1}\n", "10:5",
+                    "`motion.moves.1.duration` is missing");
+    expect_one_more("motion:\n  moves:\n  - {heave: 1, duration: fast}\n", "10:26",
+                    "`motion.moves.1.duration` must be a number or the word least");
+    expect_one_more("motion:\n  moves:\n  - {heave: 1, duration: 1, speed: 1}\n", "10:26",
+                    "`motion.moves.1.duration` is too short for `motion.moves.1.speed`");
+    expect_one_more("motion:\n  moves:\n  - {heave: 0.1, duration: least}\n", "10:5",
+                    "`motion.moves.1.duration` cannot be found: no limit bounds this move");
+    expect_one_more("motion:\n  moves:\n  - {yaw: 1, speed: 1}\n", "10:5",
+                    "`motion.moves.1.duration` cannot be found: no limit bounds this move");
 }
 END_TEST
 

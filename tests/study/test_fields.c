@@ -24,7 +24,7 @@ static const char *const machine =
     "disturbance: {noise: {interval: 1}}\n"
     "simulation: {output_step: 0.1, step: 0.05}\n";
 
-static const char *const moves = "motion: {moves: [{start: 1, duration: 2, heave: 0.1}]}\n";
+static const char *const moves = "motion: {moves: [{start: 1, duration: 20, heave: 0.1}]}\n";
 static const char *const formulas = "motion: {sway: 0}\n";
 
 /* A value of the key that is right and not its default, with each number of it; NULL for `which` beyond the last. */

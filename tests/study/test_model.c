@@ -238,6 +238,32 @@ START_TEST(moves_are_those_of_the_file) {
 }
 END_TEST
 
+/* to a few roundings */
+#define ABOUT(a, b)                                                                                \
+    ck_assert_msg(fabs((a) / (b)-1) <= 1e-14, "%s is %.17g, not %.17g", #a, (double)(a),           \
+                  (double)(b))
+
+/* (motion-13): 15/8 of the way at the speed, and the root of 10/√3 of it at the acceleration */
+START_TEST(durations_follow_from_limits) {
+    reading made =
+        expect_good("motion: {moves: [{heave: 0.1, speed: 0.2}, {surge: 0.03, heave: "
+                    "0.14, acceleration: 0.5}, {yaw: 10, angular_speed: 5, start: 9}]}\n",
+                    NULL);
+    const gough_move *move = made.study->model->motion.move;
+    EXACTLY(move[0].start, 0);
+    ABOUT(move[0].duration, 15.0 / 8 * 0.1 / 0.2);
+    EXACTLY(move[1].start, move[0].duration);
+    ABOUT(move[1].duration, sqrt(10 / sqrt(3) * 0.05 / 0.5)); /* 3, 4, 5 */
+    EXACTLY(move[2].start, 9);
+    ABOUT(move[2].duration, 15.0 / 8 * 2);
+    reading_free(&made);
+    made = expect_good("motion: {frequency: 2, amplitude: 3, moves: [{heave: 0.1, speed: 0.2}]}\n",
+                       NULL);
+    ABOUT(made.study->model->motion.move[0].duration, 15.0 / 8 * 0.3 / 0.2 * 2);
+    reading_free(&made);
+}
+END_TEST
+
 START_TEST(motion_is_scaled_where_a_factor_is_given) {
     reading made = expect_good("motion: {heave: 0.5*t, yaw: 90*t}\n", NULL);
     double c[GOUGH_COMPONENTS][3];
@@ -310,7 +336,8 @@ int main(void) {
     return SUITE_RUN("study/model", 30, machine_has_the_numbers_of_the_file,
                      motion_and_forces_are_those_of_the_file, start_and_run_are_those_of_the_file,
                      what_is_left_out_has_the_defaults, gravity_depends_on_the_units,
-                     moves_are_those_of_the_file, motion_is_scaled_where_a_factor_is_given,
+                     moves_are_those_of_the_file, durations_follow_from_limits,
+                     motion_is_scaled_where_a_factor_is_given,
                      motion_does_not_run_backwards_or_stand_by_its_frequency,
                      numbers_are_correctly_rounded);
 }

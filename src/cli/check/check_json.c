@@ -5,6 +5,7 @@
 
 #include "cli/check/check_limits.h"
 #include "cli/check/check_loop.h"
+#include "cli/check/check_moves.h"
 #include "cli/check/check_record.h"
 #include "cli/common/json.h"
 #include "cli/common/scale.h"
@@ -60,6 +61,8 @@ static json_t *program_object(const check *c) {
         if (c->study->record)
             json_object_set_new(program, "record", record_object(c->study->record));
     }
+    json_t *moves = moves_array(c->study);
+    if (moves) json_object_set_new(program, "moves", moves);
     for (int k = 0; k < GOUGH_COMPONENTS; k++)
         json_object_set_new(program, gough_component_name(k),
                             json_numbers((double[]){c->least[k], c->greatest[k]}, 2));

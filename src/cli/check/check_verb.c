@@ -5,6 +5,7 @@
 #include "cli/check/check_json.h"
 #include "cli/check/check_limits.h"
 #include "cli/check/check_loop.h"
+#include "cli/check/check_moves.h"
 #include "cli/check/check_pose.h"
 #include "cli/check/check_record.h"
 #include "cli/check/check_sampling.h"
@@ -270,6 +271,7 @@ static void print_program(const check *c) {
         moving++;
     }
     if (!moving) printf("  rest at home\n");
+    moves_print(stdout, c->study, c->unit);
     if (c->study->record) record_print(stdout, c->study->record, c->unit);
     const double *about = motion->about;
     if (fabs(about[0]) + fabs(about[1]) + fabs(about[2]) > 0) {

@@ -104,6 +104,8 @@ class Check:
         each = lambda values, d, scale: [Q(x, d, eps * scale) for x in values]
         gains = lambda values: [None if math.isnan(x) else Q(x, None, eps * max(values)) for x in values]
         program = {"kind": "moves" if meaning.moves is not None else "formulas", "order": "zyx"}
+        if meaning.moves is not None:
+            program["moves"] = Skip("compared as the motion that they make")
         for c, name in enumerate(COMPONENTS):
             program[name] = each(self.ranges[c], "length" if c < 3 else "angle", s["length"] if c < 3 else 1.0)
         fixed = meaning.step is not None
