@@ -245,6 +245,33 @@ START_TEST(study_of_a_run_is_the_one_read_with_its_settings) {
 }
 END_TEST
 
+START_TEST(least_durations_follow_swept_limits) {
+    char text[4000];
+    double before = INFINITY;
+    snprintf(text, sizeof text, "%s%s", good_study, limited);
+    gough_sweep *sweep = sweep_of(limited);
+    gough_sweep_maker *maker = gough_sweep_maker_new(sweep);
+    ck_assert_ptr_nonnull(maker);
+    ck_assert(gough_sweep_touches(sweep, 0) & GOUGH_PART_MOTION);
+    for (size_t run = 1; run <= 3; run++) {
+        const gough_study *made;
+        ck_assert_int_eq(gough_sweep_make(maker, run, &made, NULL), GOUGH_OK);
+        reading whole = read_run(text, sweep, run);
+        ck_assert_int_eq(whole.status, GOUGH_OK);
+        const gough_move *a = made->model->motion.move, *b = whole.study->model->motion.move;
+        for (int i = 0; i < 2; i++) {
+            ck_assert(same(a[i].start, b[i].start));
+            ck_assert(same(a[i].duration, b[i].duration));
+        }
+        ck_assert(a[0].duration < before);
+        before = a[0].duration;
+        reading_free(&whole);
+    }
+    gough_sweep_maker_free(maker);
+    gough_sweep_free(sweep);
+}
+END_TEST
+
 START_TEST(says_what_is_wrong_with_a_sweep) {
     refuse("sweep: {keys: {control.stifness: [1]}}\n",
            "study.yaml:8:16: error: `control.stifness` is not a key of a study; did you mean "
@@ -416,15 +443,15 @@ END_TEST
 
 int main(void) {
     make_comma_locale();
-    const int status =
-        SUITE_RUN("study/sweep", 60, grids_have_their_ends_exactly,
-                  logarithmic_grids_have_equal_ratios_and_clean_decades, wide_grids_do_not_overflow,
-                  products_change_the_last_key_fastest, zipped_keys_go_side_by_side,
-                  draws_are_of_seed_run_and_key, values_are_printed_so_that_they_read_back,
-                  study_of_a_run_is_the_one_read_with_its_settings, says_what_is_wrong_with_a_sweep,
-                  a_key_that_goes_not_with_the_file_is_an_error, settings_change_a_sweep,
-                  a_sweep_says_what_it_is_made_of, noise_is_of_the_run_unless_the_study_names_one,
-                  rows_come_in_order_and_can_be_stopped);
+    const int status = SUITE_RUN(
+        "study/sweep", 60, grids_have_their_ends_exactly,
+        logarithmic_grids_have_equal_ratios_and_clean_decades, wide_grids_do_not_overflow,
+        products_change_the_last_key_fastest, zipped_keys_go_side_by_side,
+        draws_are_of_seed_run_and_key, values_are_printed_so_that_they_read_back,
+        study_of_a_run_is_the_one_read_with_its_settings, least_durations_follow_swept_limits,
+        says_what_is_wrong_with_a_sweep, a_key_that_goes_not_with_the_file_is_an_error,
+        settings_change_a_sweep, a_sweep_says_what_it_is_made_of,
+        noise_is_of_the_run_unless_the_study_names_one, rows_come_in_order_and_can_be_stopped);
     forget_comma_locale();
     return status;
 }
