@@ -12,7 +12,7 @@
 #define TYPE_CHOICE "choice"
 #define TYPE_NUMBER "number"
 #define TYPE_PAIR "two numbers"
-#define TYPE_NUMBER_OR_LEAST "number or choice"
+#define TYPE_NUMBER_OR_LEAST "number or least"
 #define TYPE_VECTOR "three numbers"
 #define TYPE_GRAVITY "number or three numbers"
 #define TYPE_NUMBER_OR_SIX "number or six numbers"
@@ -43,8 +43,6 @@
 
 #define BOUND_ANY WORDS("")
 #define BOUND_ABOVE_ZERO BOUND("> 0", "greater than 0", 0, INFINITY, true)
-#define BOUND_ABOVE_ZERO_OR_LEAST                                                                  \
-    BOUND("> 0, or least", "greater than 0, or the word least", 0, INFINITY, true)
 #define BOUND_NOT_NEGATIVE BOUND(">= 0", "0 or greater", 0, INFINITY, false)
 #define BOUND_NOT_NEGATIVE_AS_NUMBERS                                                              \
     BOUND(">= 0 outside a matrix", "0 or greater", 0, INFINITY, false)

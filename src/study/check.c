@@ -258,8 +258,6 @@ static void check_numeric(study_messages *messages, study_node *node, const goug
         check_whole(messages, node, &key->bound);
     } else if (shape == GOUGH_SHAPE_NUMBER_OR_LEAST && study_is_least(node)) {
         return;
-    } else if (shape == GOUGH_SHAPE_NUMBER_OR_LEAST && isnan(study_number(node))) {
-        study_say_shape(messages, node, phrase);
     } else if (shape == GOUGH_SHAPE_NUMBER || shape == GOUGH_SHAPE_NUMBER_OR_LEAST ||
                (single && (shape == GOUGH_SHAPE_GRAVITY || shape == GOUGH_SHAPE_NUMBER_OR_SIX ||
                            shape == GOUGH_SHAPE_GAINS))) {

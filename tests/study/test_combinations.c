@@ -189,7 +189,7 @@ START_TEST(moves_follow_one_another) {
     expect_one_more("motion:\n  moves:\n  - {heave: 1}\n", "10:5",
                     "`motion.moves.1.duration` is missing");
     expect_one_more("motion:\n  moves:\n  - {heave: 1, duration: fast}\n", "10:26",
-                    "`motion.moves.1.duration` must be a number or the word least");
+                    "`motion.moves.1.duration` must be a number such as 1.5, found `fast`");
     expect_one_more("motion:\n  moves:\n  - {heave: 1, duration: 1, speed: 1}\n", "10:26",
                     "`motion.moves.1.duration` is too short for `motion.moves.1.speed`");
     expect_one_more("motion:\n  moves:\n  - {heave: 0.1, duration: least}\n", "10:5",

@@ -52,6 +52,7 @@ static const char *value_for(const gough_key *key, int which) {
         {"simulation.method", "rk4"},
         /* others by their type */
         {"number", "0.07"},
+        {"number or least", "0.07"},
         {"whole number", "7"},
         {"two numbers", "[0.03, 0.09]"},
         {"three numbers", "[0.01, 0.02, 0.03]"},

@@ -58,6 +58,7 @@ static const char *shape_with(const gough_key *key, const char *v, char *value, 
         const char *type, *before, *after, *element;
     } shapes[] = {
         {"number", "", "", ""},
+        {"number or least", "", "", ""},
         {"whole number", "", "", ""},
         {"two numbers", "[", ", 1]", ".1"},
         {"two numbers or six pairs", "[", ", 1]", ".1"},

@@ -163,9 +163,9 @@ START_TEST(values_are_printed_so_that_they_read_back) {
 END_TEST
 
 /* a duration that follows from a limit of the machine is found anew in each run, as when the study is read with this limit */
-static const char *const limited =
-    "motion: {moves: [{heave: 0.1, duration: least}, {yaw: 3, duration: least}]}\n"
-    "sweep: {keys: {platform.legs.max_speed: [0.1, 0.2, 0.3]}}\n";
+static const char *const limited = "motion: {moves: [{heave: 0.1, speed: 9, duration: least}, "
+                                   "{yaw: 3, angular_speed: 900, duration: least}]}\n"
+                                   "sweep: {keys: {platform.legs.max_speed: [0.1, 0.2, 0.3]}}\n";
 
 /* All kinds of numbers, in files that give and do not give them. */
 static const char *const everything =
