@@ -317,10 +317,10 @@ typedef enum gough_move_limit {
     GOUGH_MOVE_LIMITS
 } gough_move_limit;
 
-/** The duration of a move, and what binds. */
+/** The duration of a move, and the limit from which it follows. */
 typedef struct gough_move_fit {
     double duration; /**< of gough_move; the motion takes duration/frequency if it is scaled */
-    gough_move_limit limit; /**< what binds */
+    gough_move_limit limit; /**< the limit from which the duration follows */
     int which;              /**< leg, from 0, or component; −1 where the limit is of the point */
     double time;            /**< at which the limit is reached */
 } gough_move_fit;
@@ -331,7 +331,7 @@ typedef struct gough_move_fit {
  *  @param machine  from gough_machine_init(), with its external loads
  *  @param motion   of kind GOUGH_MOTION_MOVES; the durations of the moves before must be known, that of this one is not read
  *  @param index    the move, from 0
- *  @param[out] fit the duration and what binds
+ *  @param[out] fit the duration and its limit
  *  @param size     sizeof(gough_move_fit)
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT with a sentence if nothing bounds the move, if it keeps its limits with no
  *          duration, or if the leg forces along it cannot be computed
