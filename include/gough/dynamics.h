@@ -333,8 +333,8 @@ typedef struct gough_move_fit {
  *  @param index    the move, from 0
  *  @param[out] fit the duration and its limit
  *  @param size     sizeof(gough_move_fit)
- *  @return GOUGH_OK; GOUGH_ERROR_INPUT with a sentence if nothing bounds the move, if it keeps its limits with no
- *          duration, or if the leg forces along it cannot be computed
+ *  @return GOUGH_OK; GOUGH_ERROR_INPUT with a sentence if the motion is wrong or has no such move, if nothing bounds the move,
+ *          if it keeps its limits with no duration, or if the leg forces along it cannot be computed
  *
  *  Speeds and accelerations of the move itself are exact to roundings. Limits of the machine are compared at 257 times of the move
  *  and at the vertices of parabolas through three of them; the duration is at most 3e-6 of itself above the least that keeps them

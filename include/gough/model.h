@@ -316,8 +316,7 @@ typedef struct gough_move {
     double duration;                 /**< > 0 */
     double target[GOUGH_COMPONENTS]; /**< lengths and radians, measured from home */
     bool given[GOUGH_COMPONENTS];    /**< which components move; the others keep their values */
-    /** Read by gough_move_find() only, which finds the duration: whether it shall be the least that the limits of the machine
-     *  allow. */
+    /** Read by gough_move_find() only: whether the duration shall be the least that the limits of the machine allow */
     bool least;
     double
         speed; /**< likewise: greatest speed of the point, > 0; 0: no limit, as for those below */

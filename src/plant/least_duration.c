@@ -8,6 +8,7 @@
 #include "base/limits.h"
 #include "gough/sizes.h"
 #include "plant/program_motion.h"
+#include "program/program_valid.h"
 
 /* Limits of the machine, in this order: rate, second rate and drive force of each leg, velocity and acceleration of the
  * platform. */
@@ -255,7 +256,11 @@ gough_status gough_move_find(const gough_machine *machine, const gough_motion *m
     trial r;
     gough_status status = gough_size_check(size, sizeof *fit, "gough_move_fit", error);
 
+    if (status == GOUGH_OK) status = motion_check(motion, error);
     if (status != GOUGH_OK) return status;
+    if (motion->kind != GOUGH_MOTION_MOVES || index >= motion->moves)
+        return gough_fail_key(error, GOUGH_ERROR_INPUT, "motion.moves",
+                              "motion: there is no move %zu", index + 1);
     begin(&r, machine, motion, index, change);
     fit_itself(&r.move[1], change, &found);
     found.time = r.move[1].start / rate + found.time * found.duration;

@@ -48,6 +48,11 @@ static void *room(size_t bytes) {
     return memory;
 }
 
+static gough_status call_move(void) {
+    gough_move_fit fit;
+    return gough_move_find(&model.machine, &model.motion, 0, &fit, sizeof fit, &error);
+}
+
 static gough_status call_check(void) { return gough_simulation_check(&model, &simulation, &error); }
 
 static gough_status call_simulate(void) {
@@ -334,13 +339,13 @@ static const struct {
      set_motion,
      {call_check, call_simulate, call_forces, call_batch, call_range, call_period, call_linearise,
       call_rest, call_stiffness, call_floquet, call_tune, call_damping, call_poles, call_lqr,
-      call_flat}},
+      call_move, call_flat}},
     {"order",
      "motion.order",
      set_order,
      {call_check, call_simulate, call_forces, call_batch, call_range, call_period, call_linearise,
       call_rest, call_stiffness, call_floquet, call_tune, call_damping, call_poles, call_lqr,
-      call_flat}},
+      call_move, call_flat}},
     {"order of a workspace",
      "motion.order",
      set_order,

@@ -12,7 +12,7 @@ while read -r symbol; do
         malloc | calloc | realloc | free | aligned_alloc | strdup | *printf | *printf_chk | puts | putchar | fput* | fopen* | open | read | write | \
             exit | _exit | time | clock* | gettimeofday | getenv | setlocale | localeconv | rand* | srand)
             [[ $allowed == *" $symbol "* || $symbol == __*snprintf_chk ]] || { echo "libgough.a needs $symbol"; failed=1; } ;;
-        pthread_create | pthread_join | pthread_mutex_*) ;; # a batch starts its threads and waits for them
+        pthread_create | pthread_join | pthread_attr_* | pthread_mutex_*) ;; # a batch starts its threads and waits for them
         pthread_*) echo "libgough.a needs $symbol"; failed=1 ;;
     esac
 done < <(nm -u "$archive" | awk 'NF == 2 { print $2 }' | sort -u)

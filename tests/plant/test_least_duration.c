@@ -182,6 +182,8 @@ START_TEST(what_no_duration_keeps_is_refused) {
     ck_assert(strstr(error.message, "is outside its limits however long the move takes"));
     ck_assert(gough_move_find(&machine, &motion, 0, &fit, sizeof fit - 8, &error) ==
               GOUGH_ERROR_INPUT);
+    ck_assert(gough_move_find(&machine, &motion, 1, &fit, sizeof fit, &error) == GOUGH_ERROR_INPUT);
+    ck_assert(strstr(error.message, "there is no move 2"));
 }
 END_TEST
 
