@@ -26,7 +26,7 @@ static bool small_exponential(int n, square A, square out) {
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++) norm += fabs(A[i][j]);
     if (!isfinite(norm)) return false;
-    for (double left = norm; left > 0.5; left /= 2) squarings++;
+    while (ldexp(norm, -squarings) > 0.5) squarings++;
     if (squarings > MOST_SQUARINGS) return false;
     for (int i = 0; i < n; i++) {
         for (int j = 0; j < n; j++) part[i][j] = ldexp(A[i][j], -squarings), out[i][j] = i == j;

@@ -434,6 +434,8 @@ static void fill_map(builder *b, cells *c, const char **names) {
         for (size_t i = 0; i < c->count; i++) put_map(b, c, i, name[i]);
     }
     for (size_t i = 0; i < c->count; i++) free(c->missing[i]);
+    for (size_t i = 0; i < c->count; i++) names[3 + i] = NULL;
+    c->grid = NULL;
 }
 
 /* ---- over more ---------------------------------------------------------------------------------------------------- */
@@ -553,8 +555,8 @@ void builder_fill_sweep(builder *b) {
             builder_fail(b, GOUGH_ERROR_INPUT, "some of these results are not from sweeps");
             return;
         }
-    survey *surveys = calloc(b->table_count, sizeof *surveys);
-    b->files = calloc(b->table_count, sizeof *b->files);
+    survey *surveys = calloc(b->table_count + 1, sizeof *surveys);
+    b->files = calloc(b->table_count + 1, sizeof *b->files);
     if (surveys == NULL || b->files == NULL)
         builder_fail(b, GOUGH_ERROR_FILE, "out of memory for this figure");
     bool good = surveys != NULL && b->files != NULL;

@@ -119,7 +119,7 @@ void study_moves_place(study_build *build, bool machine) {
 
 bool study_moves_depend(const study_node *root) {
     const study_node *list = study_node_at(root, "motion.moves");
-    const study_node *item = list && list->kind == STUDY_LIST ? list->first : NULL;
+    const study_node *item = list ? list->first : NULL;
     for (; item; item = item->next)
         if (study_is_least(study_node_child(item, "duration"))) return true;
     return false;

@@ -223,7 +223,7 @@ static int fill_window(window *w) {
 /* The whole lines of the window, or all of it at the end of the file. */
 static gough_piece whole_lines(window *w) {
     const char *begin = w->text + w->begin, *end = w->text + w->used;
-    while (!w->ended && end[-1] != '\n') end--; /* there is one: fill_window() */
+    while (!w->ended && end > begin && end[-1] != '\n') end--; /* unreachable: no line's end */
     w->begin = (size_t)(end - w->text);
     return (gough_piece){begin, end};
 }

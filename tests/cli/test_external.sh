@@ -5,7 +5,7 @@
 source "$(dirname "$0")/support.sh"
 : "${SOURCE:?the source folder}"
 cp "$SOURCE/examples/own-machine.yaml" "$scratch/own.yaml"
-cd "$scratch"
+cd "$scratch" || exit 1
 
 says() { tr -s '\n ' ' ' <out | grep -qF -- "$1" || fail "$what: does not say: $1"; }
 near() { awk -v a="$2" -v b="$3" -v e="$4" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d <= e) }' || fail "$1: $2 instead of $3"; }

@@ -2,7 +2,7 @@
 # Legs with mass and friction as the user reads them: a published machine, what is left out, what is refused and where.
 # Not sanitized: it looks at words, and other tests run the same verbs under sanitizers.
 source "$(dirname "$0")/support.sh"
-cd "$scratch"
+cd "$scratch" || exit 1
 
 says() { grep -qF -- "$1" out || tr -s ' \n' ' ' <out | grep -qF -- "$1" || fail "$what: does not say: $1"; }
 never() { ! grep -qE -- "$1" out || fail "$what: says: $(grep -E -- "$1" out | head -1)"; }

@@ -175,7 +175,7 @@ sweep: {seed: 1, runs: 5, keys: {load.mass: {uniform: [400, 600]}}}
 EOF
 for order in zyx xyz; do
     while read -r limit when; do
-        set=(--set motion.order=$order --set "platform.limits={${limit/:/: }}")
+        set=(--set "motion.order=$order" --set "platform.limits={${limit/:/: }}")
         run sweep "$scratch/angles.yaml" "${set[@]}" -q -o "$scratch/lanes.csv"
         run sweep "$scratch/angles.yaml" "${set[@]}" --lanes 1 -q -o "$scratch/alone.csv"
         cmp -s "$scratch/lanes.csv" "$scratch/alone.csv" || fail "$order, $limit: lanes differ from single runs"

@@ -49,6 +49,7 @@ done
 [[ $(jq -r '.studies[0].live | length' own.json) -gt 100 ]] || fail "nothing to run live"
 
 # a title that would end the element, and everything else that is not ASCII
+# shellcheck disable=SC1112
 title='</script><script>alert(1)</script> "quoted" ‘größer’ & 6 µm'
 run report own.yaml --set "title=$(jq -nr --arg t "$title" '$t | @json')" -o hostile.html
 expect_code 0 report hostile.html

@@ -25,7 +25,7 @@ same() { # same COLUMN RUN WANTED [PART]: up to round-off or a part
     awk -v a="$3" -v b="$(of "$1" "$2")" -v part="${4:-1e-12}" 'BEGIN { d = a - b; s = a < 0 ? -a : a
         exit !(a ~ /^-?[0-9]/ && b ~ /^-?[0-9]/ && (d < 0 ? -d : d) <= part * s + 1e-18) }' || fail "run $2: $1 is $(of "$1" "$2"), alone $3"
 }
-causes=(done leg_force leg_force)
+causes=('done' leg_force leg_force)
 for run in 1 2 3; do
     mass=$(of load.mass $run)
     "$GOUGH" simulate study.yaml --set load.mass="$mass" -q --json -o alone.csv >alone.json 2>/dev/null

@@ -55,7 +55,7 @@ alone() { # alone VERB FILE PART: the columns of a sweep against the summaries o
 run sweep study.yaml --sizing -o lanes.csv
 expect_code 0 "a sweep with --sizing"
 [[ $(head -1 lanes.csv) == *,power_greatest,$sizing ]] || fail "columns: $(head -1 lanes.csv)"
-[[ $(of lanes.csv end_cause 1) == done && $(of lanes.csv end_cause 3) == leg_force ]] || fail "ends: $(column lanes.csv end_cause)"
+[[ $(of lanes.csv end_cause 1) == 'done' && $(of lanes.csv end_cause 3) == leg_force ]] || fail "ends: $(column lanes.csv end_cause)"
 alone simulate lanes.csv 1e-9
 grep -q "largest side load between cylinder and piston of a leg" out || fail "the summary has no side load: $(cat out)"
 run sweep study.yaml --sizing --set simulation.method=dop853 --set simulation.step= -o adaptive.csv

@@ -127,7 +127,7 @@ jq -e '.gains.sampled | .stable == false and .radius > 1 and .growth_rate > 0' o
 # ---- refusals ------------------------------------------------------------------------------------------------------
 
 refused 2 "takes a frequency greater than 0, in cycles per unit of time, and a damping ratio from 0 to 1" paper-heave.yaml --poles 0,0.7
-for pair in -1,0.5 2 2,0.7,1 2, ,1 2,1.01 2,-0.1 nan,0.5 2,nan '2 ,0.5'; do refused 2 "--poles takes" paper-heave.yaml "--poles=$pair"; done
+for pair in -1,0.5 2 2,0.7,1 '2,' ',1' 2,1.01 2,-0.1 nan,0.5 2,nan '2 ,0.5'; do refused 2 "--poles takes" paper-heave.yaml "--poles=$pair"; done
 for pair in -1,1 1,-1 1 1,1,1 1,inf 1,x; do refused 2 "--lqr takes two weights" paper-heave.yaml "--lqr=$pair"; done
 refused 2 "give only one of them" paper-heave.yaml --poles 2,0.7 --lqr 1,1
 refused 2 "give one of these too" paper-heave.yaml --pose yaw=5

@@ -43,6 +43,6 @@ EOF
 run check "$scratch/far.yaml"
 expect_code 0 "a joint far away"
 for number in 0.698 0.123 0.00321 90000; do
-    sed -n '/base joint/,/^$/p' "$scratch/out" | grep -qE "(^| )-?$number[0-9]*( |\$)" || fail "no $number in the table: $(sed -n '/base joint/,/^$/p' "$scratch/out")"
+    sed -n '/base joint/,/^$/p' "$scratch/out" | grep -qE "(^| )-?${number}[0-9]*( |\$)" || fail "no $number in the table: $(sed -n '/base joint/,/^$/p' "$scratch/out")"
 done
 finish

@@ -76,7 +76,7 @@ without=$(plan PAGE=OFF PYTHON=OFF test | sed -n 's/.*install-packages\.sh //p' 
 # the table of CONTRIBUTING: group, purpose, packages, sizes
 told=$(sed -n '/^| group | for | packages/,/^$/p' CONTRIBUTING.md | sed -n 's/^| `\([a-z]*\)` | \([^|]*\) | \([^|]*\) | [0-9]* | [0-9]* |$/\1|\2|\3/p')
 true=$(while IFS='|' read -r group purpose; do
-    packages=$(listed pieces | awk -F'|' -v group="$group" '$1 == group { print $2 }' | paste -sd,)
-    echo "$group|$purpose|${packages//,/, }"
+    those=$(listed pieces | awk -F'|' -v group="$group" '$1 == group { print $2 }' | paste -sd,)
+    echo "$group|$purpose|${those//,/, }"
 done < <(listed groups))
 [[ $told == "$true" ]] || { echo "CONTRIBUTING lists other groups:"; diff <(echo "$told") <(echo "$true"); exit 1; }
