@@ -102,7 +102,7 @@ void study_place_find(study_place place, size_t *line, size_t *column) {
     for (size_t i = 1; i <= begin; i++)
         if (line_ends_before(place.source, i)) ++*line;
     const size_t mark = mark_length(place.source);
-    if (begin == 0 && mark <= place.offset) begin = mark; /* unreachable: no place within the mark */
+    if (begin == 0 && mark <= place.offset) begin = mark; /* unreachable: in the mark */
     *column = 1 + count_characters(place.source->text + begin, place.offset - begin);
 }
 
