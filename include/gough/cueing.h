@@ -3,8 +3,8 @@
  *  sample. Theory: docs/theory/cueing.md.
  *
  *  What a person in the vehicle feels is the specific force, acceleration less gravity, and the rates of rotation. The platform
- *  gives the beginnings of forces by moving, forces that last by leaning, and the beginnings of rotations by turning; then it goes
- *  back to its home so slowly that this is felt little.
+ *  reproduces the onset of forces by moving, sustained forces by leaning, and the onset of rotations by turning; then it returns to
+ *  home so slowly that people hardly feel it.
  *
  *  Units: any consistent set; angles are in radians, frequencies in cycles per unit of time. Frames: vehicle axes are x forward, y
  *  left, z up; the platform's are those of gough_state, with z up and its own x forward. Angles are roll, pitch and yaw in the
@@ -143,7 +143,7 @@ typedef struct gough_felt_gain {
     double frequency; /**< where it is, in cycles per unit of time; of z 0 */
 } gough_felt_gain;
 
-/** Where high pass and leaning meet, a force is felt less than below and above: the least gain.
+/** Finds the least gain of (cue-6) over all frequencies. It lies between those of the high pass and of leaning.
  *  @param axis  0: x, 1: y, 2: z
  *  @return GOUGH_OK; GOUGH_ERROR_INPUT with a sentence if there is no such axis or the parameters are refused.
  *
@@ -197,9 +197,9 @@ GOUGH_API gough_status gough_limiter_begin(gough_limiter *limiter, size_t size,
 
 /** Moves the platform on by one sample, (cue-8) … (cue-10), in a bounded time: for a control loop.
  *
- *  Between two samples the rate of each leg is a straight line in time, its length a parabola. Of these, all keep the bounds of
- *  length, speed and acceleration, within the sample too; and each leg can always stop within its stroke, so that
- *  there is a next sample whatever is wanted.
+ *  Between two samples the rate of each leg is a linear function of time and its length a parabola. They stay within the bounds of
+ *  length, speed and acceleration at all times, not only at the samples. Each leg can always stop within its stroke, so that the
+ *  next sample is possible whatever is wanted.
  *  @param wanted_length  six lengths of the wanted pose at the latest sample
  *  @param wanted_rate    their rates at the sample that comes
  *  @param[out] limited   for each leg whether a bound holds it; may be NULL

@@ -61,12 +61,12 @@ static double greatest_rate(double rate, double room, double most, double accele
     const double half = 0.5 * acceleration * h;
     const double root = half * half + acceleration * (2 * room - h * rate);
     double y = fmin(fmin(most, rate + 2 * half), sqrt(fmax(0, root)) - half);
-    /* a step that turns round is longest within it */
+    /* a leg that turns round within the step is longest before its end */
     if (y < 0 && rate > 0 && room > 0) y = fmin(y, rate - rate * rate * h / (2 * room));
     return y;
 }
 
-/* the bounds of the next rates; braking is always among them, also where rounding leaves none */
+/* The bounds of the next rates. Braking is always within them; where rounding makes them contradict each other, the leg brakes. */
 static void next_bounds(const gough_limiter *q, double least[RATES], double greatest[RATES]) {
     for (int v = 0; v < GOUGH_LEGS; v++) {
         const double rate = q->rate[v], change = q->bounds.acceleration[v] * q->period;

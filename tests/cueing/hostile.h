@@ -1,4 +1,4 @@
-/* Records that ask of the limiter what no platform can do. */
+/* Records with motions that no platform can follow. */
 #ifndef TESTS_CUEING_HOSTILE_H
 #define TESTS_CUEING_HOSTILE_H
 

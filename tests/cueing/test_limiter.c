@@ -1,5 +1,5 @@
-/* The limiter of the legs: whatever is wanted, the parabolas of the lengths keep stroke, speed and acceleration, looked at
- * within the steps too; where rates have to be cut, they are the nearest ones, compared with all faces of the bounds. */
+/* The limiter of the legs: the parabolas of the lengths stay within stroke, speed and acceleration whatever is wanted, also between
+ * the samples. Rates that are cut are the nearest ones: they are compared with the minima on all faces of the bounds. */
 #include <float.h>
 #include <stdio.h>
 
@@ -120,7 +120,7 @@ END_TEST
 
 /* ---- what is wanted wildly ---- */
 
-START_TEST(wild_records_leave_no_bound) {
+START_TEST(wild_records_exceed_no_bound) {
     const hostile_count count = hostile_records(300, 1);
     ck_assert_double_le(count.beyond, 1e-12);
     ck_assert_double_le(count.nearest, 1e-3); /* the stroke is used to its ends */
@@ -131,8 +131,8 @@ START_TEST(wild_records_leave_no_bound) {
 }
 END_TEST
 
-/* A step in which a leg turns round is longest within it: (cue-9). Without that bound a leg that moves slowly outwards near its end
- * leaves its stroke. */
+/* A leg that turns round within a step is longest between the samples, (cue-9). Without that bound a leg that moves slowly outwards
+ * near its end exceeds its stroke. */
 START_TEST(turning_round_within_a_step_keeps_the_stroke) {
     gough_model *model = malloc(sizeof *model);
     hostile_machine(model);
@@ -217,7 +217,7 @@ END_TEST
 
 int main(void) {
     return SUITE_RUN("cueing/limiter", 60, the_nearest_rates_are_the_nearest,
-                     a_gentle_program_is_followed, wild_records_leave_no_bound,
+                     a_gentle_program_is_followed, wild_records_exceed_no_bound,
                      turning_round_within_a_step_keeps_the_stroke,
                      what_cannot_be_limited_is_refused);
 }
