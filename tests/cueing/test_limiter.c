@@ -181,8 +181,9 @@ START_TEST(what_cannot_be_limited_is_refused) {
                          GOUGH_ERROR_INPUT);
         ck_assert_ptr_nonnull(strstr(error.message, "each leg needs a least and a greatest"));
     }
-    const double numbers[][3] = {
-        {0, 10, 0.01}, {0.3, -1, 0.01}, {0.3, 100, 0.01}, {0.3, 10, 0}, {NAN, 10, 0.01}};
+    const double numbers[][3] = {{0, 10, 0.01},     {0.3, -1, 0.01}, {0.3, 100, 0.01},
+                                 {0.3, 10, 0},      {NAN, 10, 0.01}, {INFINITY, 10, 0.01},
+                                 {0.3, 0, INFINITY}};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         ck_assert_int_eq(gough_limiter_begin(&q, sizeof q, &model->machine, &good, about,
                                              numbers[i][0], numbers[i][1], numbers[i][2], &home,
@@ -200,6 +201,10 @@ START_TEST(what_cannot_be_limited_is_refused) {
                                          &far, &error),
                      GOUGH_ERROR_INPUT);
     ck_assert_str_eq(error.message, "leg 1 is not within its stroke where the platform rests");
+    far.position[2] -= 7; /* 2 below home */
+    ck_assert_int_eq(gough_limiter_begin(&q, sizeof q, &model->machine, &good, about, 0.3, 10, 0.01,
+                                         &far, &error),
+                     GOUGH_ERROR_INPUT);
     far = home, far.rotation[0][0] = 2;
     ck_assert_int_eq(gough_limiter_begin(&q, sizeof q, &model->machine, &good, about, 0.3, 10, 0.01,
                                          &far, &error),

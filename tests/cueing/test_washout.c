@@ -332,6 +332,7 @@ START_TEST(the_least_gain_is_the_least) {
     double gain[2];
     ck_assert_int_eq(gough_washout_gain(&w, -1, 1, gain, NULL), GOUGH_ERROR_INPUT);
     ck_assert_int_eq(gough_washout_gain(&w, 0, NAN, gain, NULL), GOUGH_ERROR_INPUT);
+    ck_assert_int_eq(gough_washout_gain(&w, 0, INFINITY, gain, NULL), GOUGH_ERROR_INPUT);
     ck_assert_int_eq(gough_washout_gain(&w, 0, -1, gain, NULL), GOUGH_ERROR_INPUT);
 }
 END_TEST

@@ -184,6 +184,9 @@ START_TEST(what_no_duration_keeps_is_refused) {
               GOUGH_ERROR_INPUT);
     ck_assert(gough_move_find(&machine, &motion, 1, &fit, sizeof fit, &error) == GOUGH_ERROR_INPUT);
     ck_assert(strstr(error.message, "there is no move 2"));
+    motion.kind = GOUGH_MOTION_FORMULAS;
+    ck_assert(gough_move_find(&machine, &motion, 0, &fit, sizeof fit, &error) == GOUGH_ERROR_INPUT);
+    ck_assert(strstr(error.message, "there is no move 1"));
 }
 END_TEST
 
