@@ -441,6 +441,9 @@ START_TEST(wrong_samples_leave_the_filter_as_it_is) {
     }
     ck_assert_int_eq(gough_cueing_begin(&q, sizeof q - 1, &w, 0.01, &error), GOUGH_ERROR_INPUT);
     ck_assert_int_eq(gough_cueing_begin(&q, sizeof q, &w, 1e200, &error), GOUGH_ERROR_NUMERICAL);
+    gough_washout fast = w;
+    fast.frequency[0] = 1e200;
+    ck_assert_int_eq(gough_cueing_begin(&q, sizeof q, &fast, 0.01, &error), GOUGH_ERROR_NUMERICAL);
     ck_assert_ptr_nonnull(strstr(error.message, "cannot be stepped in double precision"));
     begin(&q, &w, 0.01);
     sample(&q, force, rate, &cue);

@@ -164,6 +164,29 @@ START_TEST(platform_limits_are_those_of_their_point) {
 }
 END_TEST
 
+/* the motion runs twice as fast as its moves are given */
+START_TEST(a_faster_motion_keeps_the_limits_as_it_runs) {
+    gough_machine machine;
+    gough_move move = {.target = {0, 0, 0.1}, .given = {false, false, true}, .speed = 0.2};
+    gough_motion motion = {
+        .kind = GOUGH_MOTION_MOVES, .move = &move, .moves = 1, .amplitude = 1, .frequency = 2};
+    gough_move_fit fit;
+
+    paper_machine(&machine);
+    for (int least = 0; least < 2; least++) {
+        motion.scaled = true;
+        move.least = least > 0;
+        for (int v = 0; v < 6 && least > 0; v++) { /* a limit on one side only */
+            machine.platform.legs.force[v][0] = -INFINITY;
+            machine.platform.legs.force[v][1] = 0.26;
+        }
+        ck_assert(gough_move_find(&machine, &motion, 0, &fit, sizeof fit, NULL) == GOUGH_OK);
+        if (least == 0) ck_assert(fabs(fit.duration - 2 * 0.9375) < 1e-14);
+        if (least > 0) ck_assert(fit.duration >= 2 * 0.9375 - 1e-14);
+    }
+}
+END_TEST
+
 START_TEST(what_no_duration_keeps_is_refused) {
     gough_machine machine;
     gough_move move = {.target = {0, 0, 0.1}, .given = {false, false, true}, .least = true};
@@ -191,7 +214,8 @@ START_TEST(what_no_duration_keeps_is_refused) {
 END_TEST
 
 int main(void) {
-    return SUITE_RUN("plant/least_duration", 30, least_duration_reaches_a_limit_and_exceeds_none,
-                     closed_forms_are_the_peaks_of_the_program,
-                     platform_limits_are_those_of_their_point, what_no_duration_keeps_is_refused);
+    return SUITE_RUN(
+        "plant/least_duration", 30, least_duration_reaches_a_limit_and_exceeds_none,
+        closed_forms_are_the_peaks_of_the_program, platform_limits_are_those_of_their_point,
+        a_faster_motion_keeps_the_limits_as_it_runs, what_no_duration_keeps_is_refused);
 }
