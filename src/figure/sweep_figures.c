@@ -307,6 +307,7 @@ typedef struct cells {
     double *cell[SWEEP_NAMES];
     bool *missing[SWEEP_NAMES]; /* a run of the cell has no number */
     bool any_missing[SWEEP_NAMES];
+    char name[SWEEP_NAMES][64]; /* of the columns that are drawn */
 } cells;
 
 /* A sweep_visitor: whether each pair of values has one run. */
@@ -415,10 +416,9 @@ static void put_map(builder *b, cells *c, size_t i, const char *name) {
 }
 
 static void fill_map(builder *b, cells *c, const char **names) {
-    char name[SWEEP_NAMES][64];
     map grid = {.columns = 0};
     c->grid = &grid;
-    c->count = names_of(b, c->of_forces, name, false);
+    c->count = names_of(b, c->of_forces, c->name, false);
     c->wide = (c->x->count + MAP_COLUMNS - 1) / MAP_COLUMNS;
     c->high = (c->y->count + MAP_ROWS - 1) / MAP_ROWS;
     b->sheet->logarithmic_abscissa = sweep_is_logarithmic(c->x);
@@ -428,13 +428,12 @@ static void fill_map(builder *b, cells *c, const char **names) {
     name_axis(b, b->sheet->abscissa, sizeof b->sheet->abscissa, names[0], names[0]);
     name_axis(b, grid.ordinate, sizeof grid.ordinate, names[1], names[1]);
     names[2] = "end_cause";
-    for (size_t i = 0; i < c->count; i++) names[3 + i] = name[i];
+    for (size_t i = 0; i < c->count; i++) names[3 + i] = c->name[i];
     if (make_cells(b, c) && sweep_visit(b, 0, names, 3 + c->count, fill_cells, c)) {
         note_cells(b, c);
-        for (size_t i = 0; i < c->count; i++) put_map(b, c, i, name[i]);
+        for (size_t i = 0; i < c->count; i++) put_map(b, c, i, c->name[i]);
     }
     for (size_t i = 0; i < c->count; i++) free(c->missing[i]);
-    for (size_t i = 0; i < c->count; i++) names[3 + i] = NULL;
     c->grid = NULL;
 }
 
