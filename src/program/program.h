@@ -216,7 +216,7 @@ static inline jet moves_jet(const gough_motion *m, int c, real t) {
 }
 
 /* Least duration of a move by a distance, (motion-13): the smooth step σ of (motion-3) has at most the slope 15/8, in the middle,
- * and the second derivative 10/√3, at τ = 1/2 ∓ 1/√12. A limit of 0 is none. */
+ * and the second derivative 10/√3, at τ = 1/2 ∓ 1/√12. A limit of 0 means that there is no limit. */
 static inline real move_duration_by_speed(real distance, real speed) {
     return speed > 0 ? (real)15 / 8 * distance / speed : 0;
 }

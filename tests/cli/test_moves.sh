@@ -33,7 +33,7 @@ run_times=$(python3 - "$out" <<'END'
 import json, math, sys
 moves = json.load(open(sys.argv[1]))["program"]["moves"]
 def near(a, b, what):
-    if abs(a - b) > 1e-9 * abs(b):
+    if not abs(a - b) <= 1e-9 * abs(b):
         print(f"{what} is {a}, not {b}")
 near(moves[0]["end"], 0.9375, "end of move 1")
 near(moves[2]["start"], moves[1]["end"], "start of move 3")

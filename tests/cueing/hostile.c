@@ -42,20 +42,25 @@ static void wish(dice *d, int kind, int k, const gough_limiter *q, double size, 
     }
 }
 
+/* the greater of both; NaN stays */
+static void widen(double *most, double value) {
+    if (!(value <= *most)) *most = value;
+}
+
 /* how far one step is beyond the bounds */
 static double beyond(const gough_limiter *a, const gough_limiter *b, double h, double *nearest) {
     double most = -INFINITY;
     for (int v = 0; v < 6; v++) {
         const gough_leg_bounds *bounds = &a->bounds;
         const double change = (b->rate[v] - a->rate[v]) / h;
-        most = fmax(most, fabs(b->rate[v]) - bounds->speed[v]);
-        most = fmax(most, h * (fabs(change) - bounds->acceleration[v]));
+        widen(&most, fabs(b->rate[v]) - bounds->speed[v]);
+        widen(&most, h * (fabs(change) - bounds->acceleration[v]));
         const double turn = fabs(change) > 0 ? -a->rate[v] / change : 0;
         for (int i = 0; i <= WITHIN + 1; i++) {
             const double t = i <= WITHIN ? h * i / WITHIN : fmin(h, fmax(0, turn));
             const double l = a->length[v] + t * (a->rate[v] + 0.5 * change * t);
             const double room = fmin(bounds->length[v][1] - l, l - bounds->length[v][0]);
-            most = fmax(most, -room);
+            widen(&most, -room);
             *nearest = fmin(*nearest, room);
         }
     }
@@ -81,7 +86,7 @@ hostile_count hostile_records(int records, uint64_t seed) {
             wish(&d, record % 5, k, &q, size, length, rate);
             before = q;
             if (gough_limiter_sample(&q, length, rate, limited, NULL)) break;
-            count.beyond = fmax(count.beyond, beyond(&before, &q, q.period, &count.nearest));
+            widen(&count.beyond, beyond(&before, &q, q.period, &count.nearest));
             for (int v = 0; v < 6; v++)
                 if (limited[v]) {
                     count.limited++;

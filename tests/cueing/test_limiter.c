@@ -104,7 +104,9 @@ static double apart_by(double h) {
         ck_assert_msg(!gough_limiter_sample(&q, length, rate, limited, &error), "%s",
                       error.message);
         for (int v = 0; v < 6; v++) ck_assert(!limited[v]);
-        for (int i = 0; i < 3; i++) apart = fmax(apart, fabs(q.state.position[i] - s.position[i]));
+        for (int i = 0; i < 3; i++)
+            if (!(fabs(q.state.position[i] - s.position[i]) <= apart)) /* NaN stays */
+                apart = fabs(q.state.position[i] - s.position[i]);
     }
     free(model);
     return apart;

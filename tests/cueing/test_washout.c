@@ -23,6 +23,11 @@ static void sample(gough_cueing *q, const double force[3], const double rate[3],
     if (gough_cueing_sample(q, force, rate, cue, &error)) ck_abort_msg("%s", error.message);
 }
 
+/* the greater of both; NaN stays */
+static void widen(double *most, double value) {
+    if (!(value <= *most)) *most = value;
+}
+
 static const double no_rate[3] = {0, 0, 0};
 
 /* ---- closed forms ---- */
@@ -39,8 +44,8 @@ START_TEST(a_step_of_heave_is_the_closed_form) {
         sample(&q, force, no_rate, &cue);
         const double t = k * h, d = fast - slow;
         const double x = step * (exp(-slow * t) - exp(-fast * t) * (1 + d * t)) / (d * d);
-        apart = fmax(apart, fabs(cue.component[GOUGH_HEAVE] - x));
-        apart = fmax(apart, fabs(cue.component[GOUGH_SURGE]));
+        widen(&apart, fabs(cue.component[GOUGH_HEAVE] - x));
+        widen(&apart, fabs(cue.component[GOUGH_SURGE]));
     }
     ck_assert_double_le(apart, 1e-14);
     ck_assert_double_eq_tol(cue.acceleration[2],
@@ -248,11 +253,11 @@ START_TEST(the_filter_agrees_with_sums_over_poles) {
         sample(&q, force, rate, &cue);
         other_sample(&o, &w, h, force, rate, &also);
         for (int c = 0; c < GOUGH_COMPONENTS; c++)
-            greatest = fmax(greatest, fabs(cue.component[c] - also.component[c]));
+            widen(&greatest, fabs(cue.component[c] - also.component[c]));
         for (int i = 0; i < 3; i++) {
-            greatest = fmax(greatest, fabs(cue.velocity[i] - also.velocity[i]));
-            greatest = fmax(greatest, fabs(cue.acceleration[i] - also.acceleration[i]));
-            greatest = fmax(greatest, fabs(cue.felt[i] - also.felt[i]));
+            widen(&greatest, fabs(cue.velocity[i] - also.velocity[i]));
+            widen(&greatest, fabs(cue.acceleration[i] - also.acceleration[i]));
+            widen(&greatest, fabs(cue.felt[i] - also.felt[i]));
         }
         limited += cue.limited;
     }
@@ -385,7 +390,7 @@ START_TEST(leaning_keeps_its_rate_and_angle) {
 }
 END_TEST
 
-/* where a member lies, and what is wrong with it */
+/* a wrong value of one member, and words of the sentence that refuses it */
 typedef struct flaw {
     size_t place;
     double value;
