@@ -7,6 +7,7 @@
 
 #include "base/limits.h"
 #include "gough/sizes.h"
+#include "plant/platform_point.h"
 #include "plant/program_motion.h"
 #include "program/program_valid.h"
 
@@ -37,22 +38,18 @@ typedef struct excess {
     int quantity; /* −1: the forces along the move cannot be computed */
 } excess;
 
-static void put(vector v, double out[3]) { out[0] = v.x, out[1] = v.y, out[2] = v.z; }
-
-/* velocity and acceleration of the point that the limits are of, v + ω × r and a + α × r + ω × (ω × r) */
+/* velocity and acceleration of the point that the limits are of */
 static void platform_at(const gough_state *s, const gough_acceleration *a, const double about[3],
                         double value[QUANTITIES]) {
-    const vector omega = vector_of(s->angular_velocity), alpha = vector_of(a->angular);
-    const vector p = vector_of(about);
-    const vector r = {dot(vector_of(s->rotation[0]), p), dot(vector_of(s->rotation[1]), p),
-                      dot(vector_of(s->rotation[2]), p)};
-    const vector turning = cross(omega, r);
+    const top_motion top = {s->position,         s->velocity, a->linear,
+                            s->angular_velocity, a->angular,  (const double(*)[3])s->rotation};
+    double point[3];
 
-    put(add(vector_of(s->velocity), turning), &value[VELOCITY]);
-    put(omega, &value[VELOCITY + 3]);
-    put(add(vector_of(a->linear), add(cross(alpha, r), cross(omega, turning))),
-        &value[ACCELERATION]);
-    put(alpha, &value[ACCELERATION + 3]);
+    platform_point(&top, about, point, &value[VELOCITY], &value[ACCELERATION]);
+    for (int i = 0; i < 3; i++) {
+        value[VELOCITY + 3 + i] = s->angular_velocity[i];
+        value[ACCELERATION + 3 + i] = a->angular[i];
+    }
 }
 
 /* all quantities at a time; false where they cannot be computed */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "gough/dynamics.h"
+#include "plant/platform_point.h"
 
 void summary_limits_begin(gough_summary *summary, const gough_machine *machine,
                           const gough_motion *motion) {
@@ -24,39 +25,16 @@ void summary_limits_begin(gough_summary *summary, const gough_machine *machine,
     }
 }
 
-static void cross_of(const double a[3], const double b[3], double c[3]) {
-    for (int i = 0; i < 3; i++)
-        c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
-static double dot_of(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* A point at `at` in the top frame: where it is, v = ṗ + ω×r, a = p̈ + α×r + ω×(ω×r). */
-static void follow_point(const double *value, const double R[3][3], const double at[3],
-                         double point[3], double velocity[3], double acceleration[3]) {
-    const double *omega = value + GOUGH_WX, *alpha = value + GOUGH_ALX;
-    double r[3], turn[3], tangential[3], central[3];
-
-    for (int i = 0; i < 3; i++) r[i] = dot_of(R[i], at);
-    cross_of(omega, r, turn);
-    cross_of(alpha, r, tangential);
-    cross_of(omega, turn, central);
-    for (int i = 0; i < 3; i++) {
-        point[i] = value[GOUGH_X + i] + r[i];
-        velocity[i] = value[GOUGH_VX + i] + turn[i];
-        acceleration[i] = value[GOUGH_AX + i] + tangential[i] + central[i];
-    }
-}
-
 void summary_limits_row(const gough_machine *machine, gough_order order, const double about[3],
                         const double *value, double component[3][GOUGH_COMPONENTS],
                         double acceleration[GOUGH_LEGS]) {
     double R[3][3], point[3], velocity[3], a[3], along[3];
 
+    const top_motion top = {value + GOUGH_X,  value + GOUGH_VX,  value + GOUGH_AX,
+                            value + GOUGH_WX, value + GOUGH_ALX, (const double(*)[3])R};
+
     gough_rotation_in_order(order, value + GOUGH_ROLL_ANGLE, R);
-    follow_point(value, (const double(*)[3])R, about, point, velocity, a);
+    platform_point(&top, about, point, velocity, a);
     for (int i = 0; i < 3; i++) {
         component[0][i] = point[i] - about[i] - (i == 2 ? machine->platform.height : 0);
         component[1][i] = velocity[i];
@@ -68,10 +46,12 @@ void summary_limits_row(const gough_machine *machine, gough_order order, const d
 
     /* l̈ = n·a + (|v|² − l̇²)/l */
     for (int v = 0; v < GOUGH_LEGS; v++) {
-        follow_point(value, (const double(*)[3])R, machine->platform.top[v], point, velocity, a);
+        platform_point(&top, machine->platform.top[v], point, velocity, a);
         for (int i = 0; i < 3; i++) along[i] = point[i] - machine->platform.base[v][i];
-        const double length = sqrt(dot_of(along, along)), rate = dot_of(along, velocity) / length;
-        acceleration[v] = (dot_of(along, a) + dot_of(velocity, velocity) - rate * rate) / length;
+        const double length = sqrt(point_dot(along, along)),
+                     rate = point_dot(along, velocity) / length;
+        acceleration[v] =
+            (point_dot(along, a) + point_dot(velocity, velocity) - rate * rate) / length;
     }
 }
 
