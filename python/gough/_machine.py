@@ -1,16 +1,18 @@
 """One machine in many poses at once."""
 from __future__ import annotations
 
-from typing import Any, NamedTuple
-
-import numpy as np
-from numpy.typing import ArrayLike
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _gough
 from ._study import StudyLike, as_study
 
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike
+else:
+    from ._numpy import ArrayLike, np
+
 _KINEMATICS, _JACOBIAN, _CONDITIONING, _INVERSE, _FORWARD, _JOINTS = range(6)
-_UNIT = np.eye(3)
 _ORDERS = ("zyx", "xyz")
 _TAILS = ((3,), (3, 3), (3,), (3,), (3,), (3,), (6,), (6,))
 _NAMES = ("position", "rotation", "velocity", "angular_velocity", "acceleration", "angular_acceleration", "force", "wrench")
@@ -122,6 +124,7 @@ class Machine:
     def __init__(self, study: StudyLike, *, threads: int = 0, set: dict[str, Any] | None = None):
         self.study = as_study(study, set)
         self._handle = self.study._handle
+        self._unit = np.eye(3)
         self.threads: int = _gough.threads(threads)
         facts = _gough.machine_facts(self._handle)
         self.height: float = facts["height"]
@@ -169,24 +172,24 @@ class Machine:
 
     def lengths(self, position: ArrayLike, rotation: ArrayLike | None = None) -> np.ndarray:
         """Leg lengths, joint to joint [m], shape (..., 6), of `position` (..., 3) [m] and `rotation` (..., 3, 3)."""
-        return self._each(_KINEMATICS, (position, _UNIT if rotation is None else rotation), ((6,),))[0]
+        return self._each(_KINEMATICS, (position, self._unit if rotation is None else rotation), ((6,),))[0]
 
     def rates(
         self, position: ArrayLike, rotation: ArrayLike | None = None, velocity: ArrayLike | None = None, angular_velocity: ArrayLike | None = None
     ) -> np.ndarray:
         """Rates of the leg lengths [m/s], shape (..., 6); `velocity` of the origin of the top frame [m/s] and `angular_velocity`
         [rad/s], both (..., 3) in base axes."""
-        given = (position, _UNIT if rotation is None else rotation, velocity, angular_velocity)
+        given = (position, self._unit if rotation is None else rotation, velocity, angular_velocity)
         return self._each(_KINEMATICS, given, (None, (6,)))[1]
 
     def jacobian(self, position: ArrayLike, rotation: ArrayLike | None = None) -> np.ndarray:
         """Jacobian of the leg lengths, shape (..., 6, 6): rates = J (v, ω), with v of the origin of the top frame and ω in base axes.
         The first three columns have no unit, the last three are in m."""
-        return self._each(_JACOBIAN, (position, _UNIT if rotation is None else rotation), ((6, 6),))[0]
+        return self._each(_JACOBIAN, (position, self._unit if rotation is None else rotation), ((6, 6),))[0]
 
     def conditioning(self, position: ArrayLike, rotation: ArrayLike | None = None) -> Conditioning:
         """Condition number and determinant of poses, each of shape (...)."""
-        return Conditioning(*self._each(_CONDITIONING, (position, _UNIT if rotation is None else rotation), ((), ())))
+        return Conditioning(*self._each(_CONDITIONING, (position, self._unit if rotation is None else rotation), ((), ())))
 
     def inverse_dynamics(
         self,
@@ -204,7 +207,7 @@ class Machine:
         base axes; `wrench` (..., 6) is a force on the load at its centre of mass [N] and a moment [N m], base axes. What is left
         out is 0.
         """
-        given = (position, _UNIT if rotation is None else rotation, velocity, angular_velocity, acceleration, angular_acceleration, None, wrench)
+        given = (position, self._unit if rotation is None else rotation, velocity, angular_velocity, acceleration, angular_acceleration, None, wrench)
         return self._each(_INVERSE, given, ((6,),))[0]
 
     def lengths_and_forces(
@@ -218,7 +221,7 @@ class Machine:
         wrench: ArrayLike | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
         """Leg lengths [m] and the forces of `inverse_dynamics` [N] in one call, each of shape (..., 6)."""
-        given = (position, _UNIT if rotation is None else rotation, velocity, angular_velocity, acceleration, angular_acceleration, None, wrench)
+        given = (position, self._unit if rotation is None else rotation, velocity, angular_velocity, acceleration, angular_acceleration, None, wrench)
         force, _, length = self._each(_INVERSE, given, ((6,), None, (6,)))
         return length, force
 
@@ -232,7 +235,7 @@ class Machine:
         wrench: ArrayLike | None = None,
     ) -> Accelerations:
         """Accelerations of the top under the leg forces `force` (..., 6) [N] and `wrench` (..., 6), as in `inverse_dynamics`."""
-        given = (position, _UNIT if rotation is None else rotation, velocity, angular_velocity, None, None, force, wrench)
+        given = (position, self._unit if rotation is None else rotation, velocity, angular_velocity, None, None, force, wrench)
         return Accelerations(*self._each(_FORWARD, given, ((3,), (3,))))
 
     def joint_forces(
@@ -246,7 +249,7 @@ class Machine:
         wrench: ArrayLike | None = None,
     ) -> JointForces:
         """Forces at the joints of the legs that an acceleration needs; arguments as in `inverse_dynamics`."""
-        given = (position, _UNIT if rotation is None else rotation, velocity, angular_velocity, acceleration, angular_acceleration, None, wrench)
+        given = (position, self._unit if rotation is None else rotation, velocity, angular_velocity, acceleration, angular_acceleration, None, wrench)
         return JointForces(*self._each(_JOINTS, given, ((6,), (6, 3), (6, 3), (6,))))
 
     def pose(
@@ -273,7 +276,7 @@ class Machine:
             raise ValueError(f"a record to follow has the shape (rows, 6), not {given.shape}")
         home = (0, 0, self.height)
         place = _filled(home if position is None else position, lead + (3,))
-        turn = _filled(_UNIT if rotation is None else rotation, lead + (3, 3))
+        turn = _filled(self._unit if rotation is None else rotation, lead + (3, 3))
         certificate = np.empty(lead + (5,))
         items = given.size // 6
         if items:
@@ -307,7 +310,7 @@ class Machine:
             return _filled(value, lead + tail).reshape((count,) + tail)
 
         plants = Plants(self.study, count, step, threads=self.threads)
-        turn = flat(_UNIT if rotation is None else rotation, (3, 3))
+        turn = flat(self._unit if rotation is None else rotation, (3, 3))
         plants.put(
             position=flat(place, (3,)), rotation=turn, velocity=flat(velocity, (3,)), angular_velocity=flat(angular_velocity, (3,))
         )

@@ -7,16 +7,17 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
 from . import _command, _gough
 from ._errors import fail
 from ._study import Study
 
 if TYPE_CHECKING:
     import matplotlib.figure
+    import numpy as np
     import pandas
     import xarray
+else:
+    from ._numpy import np
 
 
 class End(NamedTuple):
@@ -30,7 +31,7 @@ class End(NamedTuple):
     message: str  #: one sentence; empty if the cause is ``done``
 
 
-class Result(Mapping[str, np.ndarray]):
+class Result(Mapping[str, "np.ndarray"]):
     """What a verb returns.
 
     As a mapping it has the columns of its table: ``result["f1"]`` is an array of float64, read only, one number for each row.

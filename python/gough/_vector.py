@@ -1,18 +1,22 @@
 """Many plants that commands move, and the vector environment of learning libraries over them."""
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
-
-import numpy as np
-from numpy.typing import ArrayLike
+from typing import TYPE_CHECKING, Any
 
 from . import _gough
 from ._errors import fail
 from ._machine import Machine
 from ._machine import angles as angles_of
 from ._study import StudyLike
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike
+else:
+    from ._numpy import ArrayLike, np
 
 #: why a plant does not move any more, by the numbers of `Plants.ended`
 ENDED = ("moves", "limit", "singular", "not_finite")
@@ -156,7 +160,7 @@ class Box:
         return bool(array.shape == self.shape and (array >= self.low).all() and (array <= self.high).all())
 
 
-Start = Callable[[np.random.Generator, int], Mapping[str, ArrayLike]]
+Start = Callable[["np.random.Generator", int], Mapping[str, "ArrayLike"]]
 
 
 class VectorEnv:
@@ -201,7 +205,7 @@ class VectorEnv:
         step: float = 1e-3,
         frame_skip: int = 10,
         duration: float = 10.0,
-        force: float = np.inf,
+        force: float = math.inf,
         hold: bool = True,
         start: Start | None = None,
         disturbance: Callable[[np.random.Generator, np.ndarray], np.ndarray] | None = None,

@@ -1,5 +1,8 @@
 """Studies from files, mappings and texts, and errors with their places."""
 import pathlib
+import subprocess
+import sys
+import typing
 
 import gough
 import numpy as np
@@ -68,3 +71,14 @@ def test_a_mapping_with_something_else():
         gough.Study({"load": {"mass": object()}})
     with pytest.raises(TypeError, match="keys of a study are texts"):
         gough.Study({1: 2})
+
+
+def test_numpy_is_imported_when_it_is_used():
+    code = "import sys, gough; assert 'numpy' not in sys.modules; gough.rotation([0, 0, 0]); assert 'numpy' in sys.modules"
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_type_hints_can_be_read():
+    for function in (gough.rotation, gough.Machine.lengths, gough.Machine.step, gough.Plants.move, gough.VectorEnv.step, gough.forces):
+        assert "return" in typing.get_type_hints(function)
+    assert typing.get_type_hints(gough.Machine.lengths)["return"] is np.ndarray
