@@ -47,6 +47,7 @@ libraries | libhdf5-dev      | pkg-config --exists hdf5-serial
 libraries | libjansson-dev   | pkg-config --exists jansson
 libraries | liblapacke-dev   | pkg-config --exists lapacke
 libraries | libnlopt-dev     | pkg-config --exists nlopt
+libraries | zlib1g-dev       | pkg-config --exists zlib
 figures   | gnuplot-nox      | command -v gnuplot
 bundler   | nodejs           | command -v node
 bundler   | npm              | command -v npm

@@ -50,6 +50,7 @@ function notices() {
     "This page holds parts of others under the MIT License below:",
     `three.js: ${holder("three")}`,
     `uPlot: ${holder("uplot")}`,
+    `fflate: ${holder("fflate")}`,
     "musl, by way of wasi-libc: Copyright © 2005-2020 Rich Felker, et al.",
     licence("three").slice(licence("three").indexOf("Permission is")).trim(),
   ].join("\n\n");

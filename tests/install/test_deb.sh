@@ -41,7 +41,7 @@ holds gough bin/gough share/man/man1/gough.1.gz
 holds "$library" 'lib/.*/libgough\.so\.[0-9.]*' 'lib/.*/libgough-analyse\.so\.[0-9.]*' 'lib/.*/libgough-files\.so\.[0-9.]*'
 holds libgough-dev include/gough/gough.h 'lib/.*/libgough.so' 'lib/.*/libgough.a' 'lib/.*/libgough-files.a' 'lib/.*/pkgconfig/gough.pc' 'lib/.*/cmake/gough/gough-config.cmake'
 holds gough-doc share/doc/gough/README.md share/doc/gough/guide/sweep.md share/doc/gough/images/page.png share/doc/gough/examples/own-machine.yaml
-needs gough libc6 libfyaml0 libhdf5 libjansson4 libnlopt0 libquadmath0
+needs gough libc6 libfyaml0 libhdf5 libjansson4 libnlopt0 libquadmath0 zlib1g
 needs "$library" libc6 libfyaml0 libhdf5 libnlopt0 libquadmath0
 needs libgough-dev "$library"
 if ls "$scratch"/python3-gough_*.deb >/dev/null 2>&1; then

@@ -5,6 +5,8 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import test, { after } from "node:test";
+import { inflateSync } from "node:zlib";
+import { unpacked } from "../../web/src/packed.js";
 import {
   byName,
   closeAll,
@@ -199,9 +201,10 @@ for (const units of ["si", "dimensionless"]) {
     ]) {
       const { names, rows } = table(verb, files[units]);
       assert.ok(columns.length >= 19, verb);
-      for (const { name, unit, data } of columns) {
+      for (const column of columns) {
+        const { name, unit } = column;
         assert.equal(unit, unitOf(units, name), `${verb} ${name}`);
-        const values = new Float64Array(Uint8Array.from(Buffer.from(data, "base64")).buffer);
+        const values = unpacked(column, inflateSync);
         assert.equal(values.length, rows.length);
         values.forEach((value, row) => assert.equal(value, rows[row][names.indexOf(name)], name));
       }

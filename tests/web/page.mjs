@@ -64,8 +64,8 @@ test("opens without an error and shows the study", async () => {
   assert.deepEqual(page.said, []);
 });
 
-test("is below 1.5 MB for twenty units, and draws its first picture within a second", async () => {
-  assert.ok(sizeOf(paper()) < 1.5e6, `${sizeOf(paper())} bytes`);
+test("is below 1.3 MB for twenty units, and draws its first picture within a second", async () => {
+  assert.ok(sizeOf(paper()) <= 1.3e6, `${sizeOf(paper())} bytes`);
   const tries = await firstPictures(paper());
   assert.ok(
     tries.some(({ time, most }) => time < most),

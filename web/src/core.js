@@ -102,6 +102,17 @@ export class Core {
     return this.doubles(this.calls.live_program(), 6).slice();
   }
 
+  // Leg lengths, their rates and condition numbers of rows of 12 numbers (web/core/derived.h): rows of 13.
+  derived(rows) {
+    const count = rows.length / 12;
+    const address = this.calls.derived_input(count);
+    if (address === 0) throw new Error("there is not enough memory for the table");
+    this.doubles(address, rows.length).set(rows);
+    const out = this.calls.derived_find();
+    if (out === 0) throw new Error("there is not enough memory for the table");
+    return this.doubles(out, 13 * count).slice();
+  }
+
   // The whole study as it came: {cause, rows, data}, the rows one after the other.
   run() {
     const cause = this.text(this.calls.live_cause_name(this.calls.live_run()));

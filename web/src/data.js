@@ -1,6 +1,7 @@
 // What `gough report` wrote into the page: studies with their tables. A column is decoded when it is first asked for, so that a
 // recording of many rows opens at once.
 import { below, known, unit } from "./format.js";
+import { unpacked } from "./packed.js";
 import { blendAngle, placed, poseOf } from "./pose.js";
 
 const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
@@ -23,25 +24,13 @@ const DIMENSIONS = [
  *  The constraints are kept to rounding. */
 const NOISE = { of: 100, least: 1e-12, greatest: 1e-6, rounding: 1e-14 };
 
-/** Little-endian doubles from base64. */
-export function decode(text) {
-  const characters = atob(text);
-  const bytes = new Uint8Array(characters.length);
-  for (let index = 0; index < bytes.length; index++) bytes[index] = characters.charCodeAt(index);
-  if (new Uint8Array(new Uint16Array([1]).buffer)[0] === 1)
-    return new Float64Array(bytes.buffer, 0, bytes.length >> 3);
-  const view = new DataView(bytes.buffer);
-  return Float64Array.from({ length: bytes.length >> 3 }, (_, index) =>
-    view.getFloat64(8 * index, true),
-  );
-}
-
 /** A table of columns, rows at equal steps of time. */
 export class Table {
-  /** @param radian a radian in the unit of the angles. @param order of the angles. */
-  constructor(columns, radian, order) {
+  /** @param radian a radian in the unit of the angles. @param order of the angles. @param inflate zlib's decompression. */
+  constructor(columns, radian, order, inflate) {
     this.radian = radian;
     this.order = order;
+    this.inflate = inflate;
     this.info = new Map((columns ?? []).map((column) => [column.name, column]));
     this.decoded = new Map();
     this.t = this.column("t") ?? new Float64Array(0);
@@ -61,9 +50,19 @@ export class Table {
   column(name) {
     if (!this.decoded.has(name)) {
       const info = this.info.get(name);
-      this.decoded.set(name, info ? decode(info.data) : null);
+      this.decoded.set(name, info?.packed === undefined ? null : unpacked(info, this.inflate));
     }
     return this.decoded.get(name);
+  }
+
+  /** Takes the numbers of a column that the page has computed. */
+  set(name, values) {
+    this.decoded.set(name, values);
+  }
+
+  /** Names of the columns without numbers of their own. */
+  get computed() {
+    return this.names.filter((name) => this.info.get(name).packed === undefined);
   }
 
   /** Unit of a column as in the tables: "m/s2", "degree", "1". */
@@ -117,11 +116,12 @@ export class Table {
 
 /** One study: what the command wrote, its run and its program as tables. */
 export class Study {
-  constructor(raw, index) {
+  /** @param inflate zlib's decompression. */
+  constructor(raw, index, inflate) {
     Object.assign(this, raw);
     this.index = index;
-    this.run = new Table(raw.columns, this.factor("angle"), raw.motion?.order);
-    this.plan = new Table(raw.program, this.factor("angle"), raw.motion?.order);
+    this.run = new Table(raw.columns, this.factor("angle"), raw.motion?.order, inflate);
+    this.plan = new Table(raw.program, this.factor("angle"), raw.motion?.order, inflate);
     this.label = raw.title || raw.name || `study ${index + 1}`;
     this.complete = raw.end.status === "done";
     this.lastTime = this.run.rows ? this.run.t[this.run.rows - 1] : 0;
@@ -295,11 +295,11 @@ export class Study {
 }
 
 /** The studies of the page, or null in the template that nothing has filled yet. */
-export function readStudies() {
+export function readStudies(inflate) {
   const page = JSON.parse(document.getElementById("gough-data").textContent);
   if (!page) return null;
   return {
     version: page.version,
-    studies: page.studies.map((raw, index) => new Study(raw, index)),
+    studies: page.studies.map((raw, index) => new Study(raw, index, inflate)),
   };
 }

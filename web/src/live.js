@@ -1,7 +1,6 @@
 // The live run: what the reader sets and pulls goes to the thread in worker.js, and its rows come back as pictures.
 import core from "virtual:core";
-import { bytesOf, canRun } from "./core.js";
-import { decode } from "./data.js";
+import { bytesOf, canRun, doublesOf } from "./core.js";
 import { byId, element } from "./dom.js";
 import { amount, causeWords, fixed, number, unit, unitAfter } from "./format.js";
 import { Hand } from "./hand.js";
@@ -84,7 +83,7 @@ export class Live {
       this.worker.addEventListener("error", (event) => this.fail(event.message));
       this.tell("begin", {
         module: bytesOf(core),
-        flat: decode(this.study.live),
+        flat: doublesOf(bytesOf(this.study.live)),
         settings: {
           step: this.step(),
           reach: REACH * this.study.inside.radius,

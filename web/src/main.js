@@ -6,7 +6,9 @@ import "./access.css";
 import "./print.css";
 import { forceGradient, studyColor } from "./color.js";
 import { Curves } from "./curves.js";
+import { unzlibSync } from "fflate";
 import { readStudies } from "./data.js";
+import { complete, WHY_NOT } from "./derived.js";
 import { byId, calm, element } from "./dom.js";
 import { amount, causeWords, fixed, number, unitAfter } from "./format.js";
 import { bindKeys } from "./keys.js";
@@ -482,6 +484,18 @@ class Page {
   }
 }
 
-const data = readStudies();
-if (data?.studies.length) window.goughPage = new Page(data);
-else byId("title").textContent = "This is the empty template: gough report fills it.";
+/** Opens the page of these studies; columns that the file does not have are computed first. */
+async function begin(data) {
+  if (!data?.studies.length) {
+    byId("title").textContent = "This is the empty template: gough report fills it.";
+    return;
+  }
+  const thin = data.studies.filter((study) => study.at_rest);
+  if (thin.length && !(await complete(thin))) {
+    byId("title").textContent = WHY_NOT;
+    return;
+  }
+  window.goughPage = new Page(data);
+}
+
+begin(readStudies(unzlibSync));

@@ -2,8 +2,7 @@
 // positions. The core finds them in the thread of reach_worker.js; this is the panel.
 import core from "virtual:core";
 import { LEGS } from "./color.js";
-import { bytesOf, canRun } from "./core.js";
-import { decode } from "./data.js";
+import { bytesOf, canRun, doublesOf } from "./core.js";
 import { byId, element } from "./dom.js";
 import { known, number, unit, unitAfter } from "./format.js";
 import { poseOf } from "./pose.js";
@@ -58,7 +57,7 @@ export class Reach {
       this.worker.postMessage({
         kind: "begin",
         module: bytesOf(core),
-        flat: decode(this.study.live),
+        flat: doublesOf(bytesOf(this.study.live)),
         chosen: this.study.quantities.chosen,
       });
       this.fromRun();

@@ -1,5 +1,5 @@
-/* One study as the page has it: numbers as JSON, columns of tables as base64 of little-endian doubles, so that nothing is
- * rounded and nothing is parsed twice. */
+/* One study as the page has it: numbers as JSON, columns of tables packed (packed.c), so that nothing is rounded and nothing is
+ * parsed twice. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,41 +10,10 @@
 #include "cli/common/memory.h"
 #include "cli/common/study_fields.h"
 #include "cli/common/talk.h"
+#include "cli/report/packed.h"
 #include "cli/report/page_study.h"
 #include "cli/run/run_report.h"
 #include "cli/stability/stability_report.h"
-
-/* 3 bytes to 4 characters, the last group filled up with '=' */
-static json_t *base64(const unsigned char *bytes, size_t count) {
-    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const size_t length = (count + 2) / 3 * 4;
-    char *text = allocate(length + 1);
-    for (size_t i = 0, k = 0; i < count; i += 3, k += 4) {
-        const size_t left = count - i;
-        const unsigned group = (unsigned)bytes[i] << 16 |
-                               (left > 1 ? (unsigned)bytes[i + 1] : 0) << 8 |
-                               (left > 2 ? (unsigned)bytes[i + 2] : 0);
-        for (int c = 0; c < 4; c++) text[k + (size_t)c] = digit[group >> (18 - 6 * c) & 63];
-        if (left < 3) text[k + 3] = '=';
-        if (left < 2) text[k + 2] = '=';
-    }
-    json_t *string = json_stringn_nocheck(text, length);
-    free(text);
-    return string;
-}
-
-/* Numbers as bytes, least significant first whatever the machine's order. */
-static json_t *base64_of_numbers(const double *value, size_t count) {
-    unsigned char *bytes = allocate(8 * count + 1);
-    for (size_t i = 0; i < count; i++) {
-        uint64_t bits;
-        memcpy(&bits, &value[i], sizeof bits);
-        for (unsigned b = 0; b < 8; b++) bytes[8 * i + b] = (unsigned char)(bits >> 8 * b);
-    }
-    json_t *string = base64(bytes, 8 * count);
-    free(bytes);
-    return string;
-}
 
 /* Whether a column is of a joint: the page shows leg forces, but no others of them. */
 static bool is_of_joint(const char *name) {
@@ -53,26 +22,55 @@ static bool is_of_joint(const char *name) {
     return false;
 }
 
-/* Columns of a table; of the program's only what the page draws of it. */
-static json_t *columns_of(const gough_result *result, bool program) {
+/* What the page has of a column: its numbers, or without them what the page computes by itself, or nothing. */
+typedef enum column_share { LEFT_OUT, COMPUTED, NUMBERS } column_share;
+
+static bool is_among(const char *name, const char *const *names) {
+    while (*names && strcmp(*names, name) != 0) names++;
+    return *names != NULL;
+}
+
+/* Of the program only what the page draws of it. A thin page has pose, rates, forces and drift, from which its core computes the
+ * rest; accelerations do not follow from them. `same_times`: deviations follow from the poses of run and program. */
+static column_share share_of(const char *name, bool program, const page_options *options,
+                             bool same_times) {
+    static const char *const drawn[] = {"t",  "x",  "y",  "z",  "roll", "pitch", "yaw",
+                                        "l1", "l2", "l3", "l4", "l5",   "l6",    "f1",
+                                        "f2", "f3", "f4", "f5", "f6",   NULL};
+    static const char *const deviations[] = {"ex", "ey", "ez", "eroll", "epitch", "eyaw", NULL};
+    static const char *const accelerations[] = {"ax", "ay", "az", "alx", "aly", "alz", NULL};
+    if (program ? !is_among(name, drawn) : is_of_joint(name)) return LEFT_OUT;
+    if (!options->thin) return NUMBERS;
+    if (is_among(name, accelerations)) return LEFT_OUT;
+    if (is_among(name, deviations)) return same_times ? COMPUTED : NUMBERS;
+    const bool of_leg = name[0] == 'l' || name[0] == 'p' || (name[0] == 'd' && name[1] == 'l');
+    const bool numbered = name[strlen(name) - 1] >= '1' && name[strlen(name) - 1] <= '6';
+    return (of_leg && numbered) || strcmp(name, "condition") == 0 ? COMPUTED : NUMBERS;
+}
+
+static json_t *columns_of(const gough_result *result, bool program, const page_options *options,
+                          bool same_times) {
     json_t *columns = json_array();
     gough_result_column column;
     for (int i = 0; gough_result_column_at(result, i, &column); i++) {
-        static const char *const drawn[] = {"t",  "x",  "y",  "z",  "roll", "pitch", "yaw",
-                                            "l1", "l2", "l3", "l4", "l5",   "l6",    "f1",
-                                            "f2", "f3", "f4", "f5", "f6"};
-        bool wanted = !program && !is_of_joint(column.name);
-        for (size_t k = 0; k < sizeof drawn / sizeof *drawn; k++)
-            wanted |= strcmp(column.name, drawn[k]) == 0;
-        if (!wanted) continue;
+        const column_share share = share_of(column.name, program, options, same_times);
+        if (share == LEFT_OUT) continue;
         json_t *one = json_object();
         json_object_set_new(one, "name", json_string(column.name));
         json_object_set_new(one, "long_name", json_string(column.long_name));
         json_object_set_new(one, "unit", json_string(column.unit));
-        json_object_set_new(one, "data", base64_of_numbers(column.value, column.rows));
+        if (share == NUMBERS) pack_numbers(one, column.value, column.rows);
         json_array_append_new(columns, one);
     }
     return columns;
+}
+
+/* Whether the rows of a run are the first ones of its program, at the same times to the bit. */
+static bool have_same_times(const gough_result *run, const gough_result *program) {
+    gough_result_column a, b;
+    return gough_result_column_at(run, GOUGH_T, &a) &&
+           gough_result_column_at(program, GOUGH_T, &b) && a.rows <= b.rows &&
+           memcmp(a.value, b.value, a.rows * sizeof *a.value) == 0;
 }
 
 /* whether six legs have different limits, each of `sides` numbers */
@@ -205,21 +203,32 @@ static json_t *end_object(const gough_end *end) {
     return object;
 }
 
-/* The model for the live simulation; null for recorded motion so long that it would swell the page. */
-static json_t *live_object(const gough_study *study) {
-    enum { MOST_NUMBERS = 100000 };
-    const size_t count = gough_model_flat_size(study->model);
-    if (count > MOST_NUMBERS) return json_null();
+static json_t *flat_of(const gough_model *model, const gough_simulation *simulation) {
+    const size_t count = gough_model_flat_size(model);
     double *flat = allocate(count * sizeof *flat);
-    gough_model_flatten(study->model, &study->simulation, flat);
+    gough_model_flatten(model, simulation, flat);
     json_t *text = base64_of_numbers(flat, count);
     free(flat);
     return text;
 }
 
-/* Runs forces or simulate and adds its summary and table to the object. */
+/* The model for the live simulation; null for recorded motion so long that it would swell the page. */
+static json_t *live_object(const gough_study *study) {
+    enum { MOST_NUMBERS = 100000 };
+    if (gough_model_flat_size(study->model) > MOST_NUMBERS) return json_null();
+    return flat_of(study->model, &study->simulation);
+}
+
+/* The same machine at rest: what the columns of a thin page are computed of. */
+static json_t *machine_at_rest(const gough_study *study) {
+    gough_model model = *study->model;
+    model.motion = (gough_motion){.order = study->model->motion.order};
+    return flat_of(&model, &study->simulation);
+}
+
+/* Runs forces or simulate and adds its summary to the object; *table is to be freed. */
 static gough_status add_run(const command_line *line, const gough_study *study, bool simulated,
-                            json_t *object) {
+                            json_t *object, gough_result **table) {
     const char *verb = simulated ? "simulate" : "forces";
     run_report report = {.verb = verb, .simulated = simulated, .study = study};
     gough_error error = {0};
@@ -230,15 +239,32 @@ static gough_status add_run(const command_line *line, const gough_study *study, 
     if (status == GOUGH_OK || status == GOUGH_ERROR_NUMERICAL) {
         run_report_scale(&report);
         json_object_set_new(object, verb, run_report_json(&report));
-        json_object_set_new(object, simulated ? "columns" : "program",
-                            columns_of(result, !simulated));
         if (simulated) json_object_set_new(object, "end", end_object(&report.end));
     } else {
         complain_of(line->verb, study, &error);
     }
     free(report.crossings.list);
-    gough_result_free(result);
+    *table = result;
     return status;
+}
+
+/* Both runs with their tables. */
+static gough_status add_runs(const command_line *line, const gough_study *study,
+                             const page_options *options, json_t *object) {
+    gough_result *run = NULL, *program = NULL;
+    gough_status worst = add_run(line, study, true, object, &run);
+    if (worst <= GOUGH_ERROR_NUMERICAL) {
+        const gough_status forced = add_run(line, study, false, object, &program);
+        if (forced > worst) worst = forced;
+    }
+    if (worst <= GOUGH_ERROR_NUMERICAL) {
+        const bool same_times = have_same_times(run, program);
+        json_object_set_new(object, "columns", columns_of(run, false, options, same_times));
+        json_object_set_new(object, "program", columns_of(program, true, options, same_times));
+    }
+    gough_result_free(run);
+    gough_result_free(program);
+    return worst;
 }
 
 /* What gough stability finds, in the study's units; where there is no answer about the program, rest alone and the reason. */
@@ -266,7 +292,8 @@ static void add_stability(const gough_study *study, json_t *object) {
     free(report);
 }
 
-gough_status page_study(const command_line *line, gough_study *study, json_t **object) {
+gough_status page_study(const command_line *line, const page_options *options, gough_study *study,
+                        json_t **object) {
     json_t *page = *object = json_object();
     json_t *motion = json_object();
 
@@ -288,8 +315,6 @@ gough_status page_study(const command_line *line, gough_study *study, json_t **o
     json_object_set_new(page, "simulation", simulation_object(study));
     json_object_set_new(page, "live", live_object(study));
     add_stability(study, page);
-    const gough_status simulated = add_run(line, study, true, page);
-    if (simulated > GOUGH_ERROR_NUMERICAL) return simulated;
-    const gough_status forced = add_run(line, study, false, page);
-    return forced > simulated ? forced : simulated;
+    if (options->thin) json_object_set_new(page, "at_rest", machine_at_rest(study));
+    return add_runs(line, study, options, page);
 }

@@ -11,6 +11,20 @@
 #include "cli/common/talk.h"
 #include "cli/report/page_study.h"
 
+typedef struct report_line {
+    command_line common;
+    page_options page;
+} report_line;
+
+static const option page_option[] = {
+    {.name = "thin",
+     .read = read_flag,
+     .at = offsetof(page_options, thin),
+     .text = "write pose, rates and forces only; the page computes the other columns and has no "
+             "accelerations"},
+    {0}};
+static const option_group page_group = {.option = page_option};
+
 /* What can be known before the studies are run. */
 static gough_status check_path(const char *verb, const char *path) {
     const char *ending = strrchr(path, '.');
@@ -25,13 +39,14 @@ static gough_status check_path(const char *verb, const char *path) {
 }
 
 /* Every study into the list; the worst status, GOUGH_ERROR_NUMERICAL where runs ended early. */
-static gough_status add_studies(const command_line *line, json_t *studies) {
+static gough_status add_studies(const command_line *line, const page_options *options,
+                                json_t *studies) {
     gough_status worst = GOUGH_OK;
     for (size_t i = 0; i < line->file.count && worst <= GOUGH_ERROR_NUMERICAL; i++) {
         gough_study *study = NULL;
         json_t *object = NULL;
         gough_status status = read_study(line, line->file.word[i], &study);
-        if (!status) status = page_study(line, study, &object);
+        if (!status) status = page_study(line, options, study, &object);
         if (object) json_array_append_new(studies, object);
         gough_study_free(study);
         if (status > worst) worst = status;
@@ -73,12 +88,12 @@ static gough_status check_paths(const command_line *line) {
     return status;
 }
 
-static gough_status run_and_write(const command_line *line) {
+static gough_status run_and_write(const command_line *line, const page_options *options) {
     json_t *data = json_object(), *studies = json_array();
     json_object_set_new(data, "format", json_integer(1));
     json_object_set_new(data, "version", json_string(GOUGH_VERSION));
     json_object_set(data, "studies", studies);
-    gough_status status = add_studies(line, studies);
+    gough_status status = add_studies(line, options, studies);
     if (status <= GOUGH_ERROR_NUMERICAL) {
         const gough_status written = write_pages(line, data);
         if (written) status = written;
@@ -89,7 +104,8 @@ static gough_status run_and_write(const command_line *line) {
 }
 
 static gough_status run(const void *given) {
-    command_line line = *(const command_line *)given;
+    const report_line *whole = given;
+    command_line line = whole->common;
     const char *beside[1];
     char *path = NULL;
     if (line.outputs.count == 0) {
@@ -100,7 +116,7 @@ static gough_status run(const void *given) {
     }
     gough_status status = check_paths(&line);
     interrupt_outputs(line.verb, line.outputs.word, line.outputs.count, 0);
-    if (!status) status = run_and_write(&line);
+    if (!status) status = run_and_write(&line, &whole->page);
     free(path);
     return status;
 }
@@ -108,6 +124,7 @@ static gough_status run(const void *given) {
 static const group_use groups[] = {
     USES_OUTPUT("write to FILE, whose name ends in .html (default: the first study with .html); "
                 "may be given several times"),
+    USES(page_group, report_line, page, NULL),
     USES_SETTINGS,
     {0}};
 
@@ -125,5 +142,5 @@ const command_verb report_verb = {
     .least_files = 1,
     .most_files = 64,
     .groups = groups,
-    .size = sizeof(command_line),
+    .size = sizeof(report_line),
     .run = run};
