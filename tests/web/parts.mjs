@@ -108,8 +108,8 @@ test("a table as text gives each double back", () => {
 /** The 64 bits of a double. */
 const bits = (value) => new BigUint64Array(Float64Array.of(value).buffer)[0];
 
-/** A column packed as the page has it, in whole numbers of any size: differences of bits from the polynomial through `order` numbers,
- *  which Newton's backward differences continue. */
+/** A column packed as the page has it, in whole numbers of any size: differences of bits from the polynomial through the last
+ *  `order` numbers. */
 function packed(values, order) {
   const planes = Array.from({ length: 8 }, () => []);
   values.forEach((value, row) => {
@@ -132,9 +132,9 @@ function packed(values, order) {
 
 test("packed columns come back to the last bit, whatever their numbers are", () => {
   const random = generator(2026);
-  const any = new Float64Array(new BigUint64Array(
-    Array.from({ length: 400 }, () => BigInt(Math.floor(random() * 2 ** 32)) * 4294967296n + BigInt(Math.floor(random() * 2 ** 32))),
-  ).buffer).map((value) => (Number.isNaN(value) ? 1 : value));
+  const word = () => BigInt(Math.floor(random() * 2 ** 32));
+  const words = Array.from({ length: 400 }, () => word() * 4294967296n + word());
+  const any = new Float64Array(new BigUint64Array(words).buffer).map((value) => (Number.isNaN(value) ? 1 : value));
   const columns = [
     [],
     [0.1],

@@ -72,13 +72,15 @@ test("numbers that the page shows are those of the command, and its table is sav
     await byName(page, `curve-${id}`).scrollIntoViewIfNeeded();
   for (const row of [37, 250]) {
     await scrubTo(page, row);
-    for (const [id, column] of [["lengths", "l1"], ["lengths", "l6"], ["rates", "dl2"], ["power", "p3"], ["condition", "condition"]]) {
+    for (const column of ["l1", "l6", "dl2", "p3", "condition"]) {
+      const id = { l: "lengths", d: "rates", p: "power", c: "condition" }[column[0]];
       await byName(page, `curve-${id}`).scrollIntoViewIfNeeded();
       await pictureDrawn(page); // a curve that is scrolled to is drawn then
       const box = byName(page, `value-${id}-${column}`);
       const wanted = rows[row][names.indexOf(column)];
       const shown = read(await box.textContent());
-      assert.ok(Math.abs(shown - wanted) <= 0.51 * 10 ** (Math.ceil(Math.log10(Math.abs(wanted))) - 5), `${column}: ${shown} for ${wanted}`);
+      const digit = 10 ** (Math.ceil(Math.log10(Math.abs(wanted))) - 5);
+      assert.ok(Math.abs(shown - wanted) <= 0.51 * digit, `${column}: ${shown} for ${wanted}`);
     }
   }
   const lines = (await saved(page, "save-run-0")).bytes.toString().trim().split("\n");
@@ -96,7 +98,8 @@ test("without WebAssembly a thin page says what it lacks", async () => {
 });
 
 test("ten minutes at 100 rows a second are at most 8 MB", () => {
-  const long = text("").replace("duration: 8, output_step: 0.02, method: rk4, step: 0.002", "duration: 600, output_step: 0.01, method: rk4, step: 0.01")
+  const long = text("")
+    .replace(/duration: 8.*}/, "duration: 600, output_step: 0.01, method: rk4, step: 0.01}")
     .replace(/  legs:[^]*?load:/, "load:");
   const bytes = sizeOf(report(study("thin-long.yaml", long), "--thin"));
   assert.ok(bytes <= 8e6, `${bytes} bytes`);

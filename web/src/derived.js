@@ -5,7 +5,8 @@ import { bytesOf, canRun, Core, doublesOf, inflated } from "./core.js";
 import { deviationColumns, legColumns, powerColumns } from "./thin_table.js";
 
 export const WHY_NOT =
-  "The command wrote this page with --thin, so that the page computes the leg lengths itself. That needs WebAssembly, which this browser does not provide.";
+  "The command wrote this page with --thin, so that the page computes the leg lengths itself. " +
+  "That needs WebAssembly, which this browser does not provide.";
 
 /** Gives each study all of its columns; false: the browser cannot compute them. */
 export async function complete(studies) {
