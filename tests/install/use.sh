@@ -1,5 +1,5 @@
-# Sourced: use_package FOLDER compiles the users' programs against what is installed under FOLDER, by pkg-config, by
-# find_package(gough) and against the static library, and runs them.
+# Sourced: link_programs FOLDER compiles the users' programs against what is installed under FOLDER, by pkg-config, by
+# find_package(gough) and against the static library, and runs them; use_package FOLDER does so and tries the command and the texts.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 scratch=$(mktemp -d)
@@ -30,7 +30,7 @@ links_of() {
     echo "ok: $count links of the installed texts"
 }
 
-use_package() {
+link_programs() {
     local prefix=$1 config libraries title
     config=$(dirname "$(find "$prefix" -name gough.pc)")
     libraries=$(dirname "$config")
@@ -50,7 +50,6 @@ use_package() {
         "$libraries/libgough-files.a" "$libraries/libgough-analyse.a" "$libraries/libgough.a" \
         $(pkg-config --static --libs gough-files | sed -E 's/-lgough(-analyse|-files)?( |$)/ /g')
     (unset LD_LIBRARY_PATH; expect "libgough-files.a" "$title" "$scratch/files-static" "$SOURCE/examples/paper-heave.yaml")
-    links_of "$prefix/share/doc/gough"
 
     mkdir -p "$scratch/user"
     cp "$here/program.c" "$here/files.c" "$scratch/user"
@@ -73,7 +72,13 @@ END
     (unset LD_LIBRARY_PATH; expect "find_package, gough::static" 1.000000000000 "$scratch/user/build/static")
     expect "find_package, gough::files" "$title" "$scratch/user/build/files" "$SOURCE/examples/paper-heave.yaml"
     (unset LD_LIBRARY_PATH; expect "find_package, gough::files-static" "$title" "$scratch/user/build/files-static" "$SOURCE/examples/paper-heave.yaml")
+}
 
+use_package() {
+    local prefix=$1 config
+    link_programs "$prefix"
+    links_of "$prefix/share/doc/gough"
+    config=$(dirname "$(find "$prefix" -name gough.pc)")
     expect "the command" "gough $(sed -n 's/^Version: //p' "$config/gough.pc")" version_of "$prefix/bin/gough"
     local file
     for file in share/man/man1/gough.1 share/bash-completion/completions/gough share/fish/vendor_completions.d/gough.fish \
