@@ -27,7 +27,7 @@ lint        | static analysis
 counts      | benchmarks: counting operations
 peers       | benchmarks: timings beside MuJoCo and GSL
 mpi         | building gough-mpi, and running it
-engines     | the test of the recipes for GNU parallel and Dask
+engines     | the tests of the recipes for GNU parallel, Dask and Slurm
 sundials    | benchmarks: timings beside SUNDIALS
 musl        | building the core with the C library musl
 END
@@ -88,6 +88,7 @@ mpi       | libopenmpi-dev   | command -v mpicc
 mpi       | openmpi-bin      | command -v mpirun
 engines   | parallel         | command -v parallel
 engines   | python3-distributed | /usr/bin/python3 -c 'import distributed'
+engines   | slurm-wlm        | PATH=$PATH:/usr/sbin command -v slurmctld
 sundials  | libsundials-dev  | test -e /usr/include/cvode/cvode.h
 musl      | musl-tools       | command -v musl-gcc
 END

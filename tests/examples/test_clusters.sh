@@ -1,34 +1,16 @@
 #!/usr/bin/env bash
 # Label: thorough.
 # The guide to sweeps on many machines: each recipe runs as it is printed and leaves the bytes of one machine. The job array is that of
-# Slurm without Slurm: its script, once for each number of the array.
-# shellcheck source=tests/examples/common.sh
-source "$(dirname "$0")/common.sh"
-guide=$SOURCE/docs/guide/clusters.md
+# Slurm without Slurm: its script, once for each number of the array; examples/slurm has it with Slurm.
+# shellcheck source=tests/examples/recipes.sh
+source "$(dirname "$0")/recipes.sh"
+study 60
 
-# block HEADING: the first block of code below a heading
-block() { awk -v heading="## $1" '$0 == heading { on = 1; next } /^## / { on = 0 } on && /^```/ { if (inside) exit; inside = 1; next } on && inside' "$guide"; }
-ln -s "$GOUGH" gough
-export PATH=$PWD:$PATH
-# the study of the guide, made short
-gough example load-uncertainty | sed 's/^  runs: 1000/  runs: 60/; s/duration: 10,/duration: 0.2,/' >study.yaml
-claim 'the study is short' same "$(gough check study.yaml | awk '$1 == "runs" { print $2 }')" 60
-gough sweep study.yaml -q -o one.h5
-
-tried=0
-# joined WHAT: the table that a recipe leaves has the bytes of one machine
-joined() {
-    claim "$1: the bytes of one machine" cmp one.h5 table.h5
-    claim "$1: eight shards" same "$(ls part-*.shard | wc -l)" 8
-    rm -f table.h5 part-*.shard
-    tried=$((tried + 1))
-}
 block Slurm >sweep.sbatch
 array=$(sed -n 's/^#SBATCH --array=//p' sweep.sbatch)
 claim 'the array is 1-8' same "$array" 1-8
 for i in $(seq "${array%-*}" "${array#*-}"); do SLURM_ARRAY_TASK_ID=$i sh sweep.sbatch >task.txt 2>&1 || cat task.txt; done
-merge=$(sed -n '/^## Slurm/,/^## GNU/s/^    \(gough merge .*\)/\1/p' "$guide")
-bash -c "$merge" >/dev/null
+bash -c "$(commands Slurm 'gough merge')" >/dev/null
 joined 'the job array, without Slurm'
 
 if command -v parallel >/dev/null; then
@@ -47,7 +29,7 @@ else
 fi
 if [[ -x $BUILD/gough-mpi ]] && command -v mpirun >/dev/null; then
     ln -s "$BUILD/gough-mpi" gough-mpi
-    recipe=$(sed -n 's/^    \(mpirun .*\)/\1/p' "$guide" | sed 's/-n 64/--oversubscribe -n 4/')
+    recipe=$(commands MPI mpirun | sed 's/-n 64/--oversubscribe -n 4/')
     OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl_vader_single_copy_mechanism=none bash -c "$recipe" >said.txt 2>&1 || cat said.txt
     claim 'MPI: the bytes of one machine' cmp one.h5 table.h5
 else
