@@ -141,15 +141,33 @@ test("scrubbing moves all cursors, and the numbers shown are those of the table"
   }
 });
 
-test("pointing into a curve moves the scene to that moment", async () => {
+test("pointing into a curve shows the numbers there, and a click moves the scene to that moment", async () => {
   const page = await unseenPaper();
   await byName(page, "curve-forces").scrollIntoViewIfNeeded(); // it is drawn when it comes near
   const plot = byName(page, "curve-forces").locator(".u-over");
   await plot.scrollIntoViewIfNeeded();
-  const box = await plot.boundingBox();
-  await page.mouse.move(box.x + 0.75 * box.width, box.y + 60);
+  const { names, rows } = table("simulate", example("paper-perturbed"));
+  const shown = async () => read(await byName(page, "value-rates-dl1").textContent());
+  const clock = async () => read((await byName(page, "clock").textContent()).slice(4));
+  await byName(page, "curve-rates").scrollIntoViewIfNeeded();
   await pictureDrawn(page);
-  assert.ok(Math.abs(read((await byName(page, "clock").textContent()).slice(4)) - 15) <= 0.1);
+  const atStart = await shown();
+  const over = byName(page, "curve-rates").locator(".u-over");
+  const rates = await over.boundingBox();
+  await page.mouse.move(rates.x + 0.75 * rates.width, rates.y + 60);
+  await pictureDrawn(page);
+  assert.equal(await clock(), 0);
+  const pointed = await shown();
+  const near = rows.slice(295, 306).map((row) => row[names.indexOf("dl1")]);
+  assert.ok(near.some((rate) => Math.abs(rate - pointed) <= 1e-4 * Math.abs(rate)), `${pointed} of ${near}`);
+  await page.mouse.move(5, 5);
+  await pictureDrawn(page);
+  assert.equal(await shown(), atStart);
+  await byName(page, "curve-forces").scrollIntoViewIfNeeded();
+  const place = await plot.boundingBox();
+  await page.mouse.click(place.x + 0.75 * place.width, place.y + 60);
+  await pictureDrawn(page);
+  assert.ok(Math.abs((await clock()) - 15) <= 0.1);
 });
 
 test("the saved table has the bits of the command's", async () => {

@@ -48,19 +48,21 @@ function decades(least, greatest) {
 export class Curve {
   /** @param spec {id, title, unit, note, noise, limits: [{value, beyond}],
    *  lines: [{label, name, color, t, y, leg, dash, width, off}]}: arrays of a line are as long as its t; `off` lines are shown
-   *  on demand. @param range common Range; @param onSeek called with a time that the reader points at, and whether it was a
-   *  click; @param timeUnit of the abscissa. */
-  constructor(spec, range, { onSeek, timeUnit, study }) {
+   *  on demand. @param range common Range; @param onSeek called with a time that the reader chooses, and @param onPoint
+   *  with one that the pointer is at, or null; @param timeUnit of the abscissa. */
+  constructor(spec, range, { onSeek, onPoint, timeUnit, study }) {
     // a table may lack a column that a run of another kind has
     this.spec = { ...spec, lines: spec.lines.filter((line) => line.y) };
     this.range = range;
     this.onSeek = onSeek;
+    this.onPoint = onPoint;
     this.timeUnit = timeUnit;
     this.study = study;
     this.logarithmic = Boolean(spec.logarithmic);
     this.noise = spec.noise ?? 0;
     this.hidden = new Set(this.spec.lines.filter((line) => line.off));
     this.time = 0;
+    this.pointed = null;
     this.visible = false;
     this.stale = true;
     this.build();
@@ -420,24 +422,26 @@ export class Curve {
       this.signature = signature;
       this.plot = new uPlot(this.options(order), data, this.plotHost);
       this.cursor = element("div", { class: "cursor", "data-testid": `cursor-${this.spec.id}` });
-      this.plot.over.append(this.cursor);
+      this.pointer = element("div", { class: "cursor pointer", "data-testid": `pointer-${this.spec.id}` });
+      this.plot.over.append(this.pointer, this.cursor);
       this.listen(this.plot.over);
     } else this.plot.setData(data);
     this.setTime(this.time);
   }
 
-  /** Pointing moves the common cursor; a click always does. */
+  /** Pointing shows the numbers of that time in all figures; a click, or a finger that is drawn along, goes to it. */
   listen(over) {
     const at = (event) =>
       this.plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x");
     let pressed = null;
     over.addEventListener("pointerdown", (event) => (pressed = event.clientX));
     over.addEventListener("pointermove", (event) => {
-      if (event.pointerType === "touch") this.onSeek(at(event), true);
-      else if (event.buttons === 0) this.onSeek(at(event), false);
+      if (event.pointerType === "touch") this.onSeek(at(event));
+      else if (event.buttons === 0) this.onPoint(at(event));
     });
+    over.addEventListener("pointerleave", () => this.onPoint(null));
     over.addEventListener("pointerup", (event) => {
-      if (pressed !== null && Math.abs(event.clientX - pressed) < 4) this.onSeek(at(event), true);
+      if (pressed !== null && Math.abs(event.clientX - pressed) < 4) this.onSeek(at(event));
       pressed = null;
     });
   }
@@ -449,11 +453,23 @@ export class Curve {
     this.refresh();
   }
 
-  /** Moves the cursor and shows the values there: those of the row at or before the time. */
+  /** Moves the cursor, and shows the values there: those of the row at or before the time. */
   setTime(time) {
     this.time = time;
     if (!this.visible || !this.plot) return;
     this.placeCursor();
+    if (this.pointed === null) this.showValues(time);
+  }
+
+  /** Shows the values of a time that the pointer is at; with null those of the cursor again. */
+  point(time) {
+    this.pointed = time;
+    if (!this.visible || !this.plot) return;
+    this.placeCursor();
+    this.showValues(time ?? this.time);
+  }
+
+  showValues(time) {
     this.spec.lines.forEach((line, index) => {
       const row = lowerBound(line.t, time + 1e-9 * Math.max(1, time)) - 1;
       const text =
@@ -467,9 +483,14 @@ export class Curve {
   placeCursor() {
     if (!this.cursor) return;
     const [from, to] = this.range.shown;
-    const { time } = this;
-    this.cursor.style.transform = `translateX(${this.plot.valToPos(time, "x").toFixed(1)}px)`;
-    this.cursor.style.visibility = time >= from && time <= to ? "visible" : "hidden";
+    for (const [line, time] of [
+      [this.cursor, this.time],
+      [this.pointer, this.pointed ?? NaN],
+    ]) {
+      const within = time >= from && time <= to;
+      if (within) line.style.transform = `translateX(${this.plot.valToPos(time, "x").toFixed(1)}px)`;
+      line.style.visibility = within ? "visible" : "hidden";
+    }
   }
 
   get name() {

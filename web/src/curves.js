@@ -15,9 +15,10 @@ const button = (words, title, action, attributes = {}) =>
   );
 
 export class Curves {
-  /** @param onSeek called with a time that the reader points at, and whether it was a click. */
-  constructor(onSeek) {
+  /** @param onSeek called with a time that the reader chooses; @param onChange after a change of what is shown. */
+  constructor(onSeek, onChange) {
     this.onSeek = onSeek;
+    this.onChange = onChange;
     this.curves = [];
     // a figure is drawn when it comes near the window
     this.observer = new IntersectionObserver(
@@ -38,6 +39,7 @@ export class Curves {
       timeUnit: shown[0].unit("t"),
       study: shown.length === 1 ? shown[0].label : "comparison",
       onSeek: this.onSeek,
+      onPoint: (pointed) => this.curves.forEach((curve) => curve.point(pointed)),
     };
     this.curves = specs.map((spec) => new Curve(spec, this.range, shared));
     byId("grid").replaceChildren(...this.curves.map((curve) => curve.card));
@@ -46,6 +48,7 @@ export class Curves {
       curve.card.curve = curve;
       this.observer.observe(curve.card);
     });
+    this.range.listeners.add(this.onChange);
     this.buildTools();
     this.setTime(time);
   }
@@ -80,6 +83,20 @@ export class Curves {
     ];
   }
 
+  /** The legs that are switched off, 1 … 6. */
+  get hiddenLegs() {
+    return [...byId("curve-tools").querySelectorAll(".leg-toggle")]
+      .filter((node) => node.getAttribute("aria-pressed") === "false")
+      .map((node) => Number(node.textContent));
+  }
+
+  /** Switches off these legs and no others. */
+  hideLegs(hidden) {
+    for (const node of byId("curve-tools").querySelectorAll(".leg-toggle"))
+      if ((node.getAttribute("aria-pressed") === "true") === hidden.includes(Number(node.textContent)))
+        node.click();
+  }
+
   /** Shows or hides a leg in all figures; its program's lines are shown only while `planned` is set. */
   legButton(leg) {
     const toggle = () => {
@@ -92,6 +109,7 @@ export class Curves {
           ),
           visible,
         );
+      this.onChange();
     };
     const node = button(String(leg), `leg ${leg} in all curves: show or hide`, toggle, {
       "aria-pressed": "true",

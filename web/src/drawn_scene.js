@@ -34,7 +34,7 @@ export class DrawnScene {
         element("span", { class: "study-mark", style: { "--study": accent } }, name),
       ),
     );
-    this.resetView();
+    this.fit();
   }
 
   /** Takes the colours of the theme in force: the style sheet does. */
@@ -43,6 +43,12 @@ export class DrawnScene {
   }
 
   resetView() {
+    this.fit();
+    this.eye.look("first");
+  }
+
+  /** The same for another picture or other machines: the reader's view of them stays. */
+  fit() {
     this.eye.fit(extent(this.entries, this.room));
   }
 
@@ -61,7 +67,7 @@ export class DrawnScene {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (!width || !height) return;
-    if (this.eye.proportion(width, height) && this.machines.length) this.resetView();
+    if (this.eye.proportion(width, height) && this.machines.length) this.fit();
     this.invalidate();
   }
 

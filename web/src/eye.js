@@ -57,10 +57,38 @@ export class Eye {
     ];
   }
 
-  /** The view that machines fill: @param size base radius; @param height and @param width of them all. */
+  /** The view that machines fill: @param size base radius; @param height and @param width of them all. The reader's own
+   *  direction, distance and place are kept, measured by the machines. */
   fit({ size, height, width }) {
+    const view = this.home && this.view;
     Object.assign(this, { size, home: { height, width } });
     this.look("first");
+    if (view) this.take(view);
+  }
+
+  /** The reader's view in plain numbers: azimuth and elevation in degrees, the distance as a multiple of that which all machines
+   *  fill, and how far the target is from their middle, in base radii. */
+  get view() {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const distance = offset.length();
+    const shift = this.controls.target.clone().sub(this.middle);
+    shift.z -= this.framed.height;
+    return [
+      Math.atan2(offset.y, offset.x) / RADIAN,
+      Math.asin(Math.min(Math.max(offset.z / distance, -1), 1)) / RADIAN,
+      distance / (this.whole * this.framed.factor),
+      ...shift.toArray().map((part) => part / this.size),
+    ];
+  }
+
+  /** Takes a view in these numbers. */
+  take([azimuth, elevation, times, ...shift]) {
+    const { target } = this.controls;
+    target.copy(this.middle);
+    target.z += this.framed.height;
+    target.add(new Vector3(...shift).multiplyScalar(this.size));
+    this.stand(azimuth * RADIAN, elevation * RADIAN, times * this.whole * this.framed.factor);
+    this.onChange();
   }
 
   /** The point in the middle of the machines at home. */
@@ -93,8 +121,9 @@ export class Eye {
     this.controls.minDistance = 0.5 * size;
     this.controls.maxDistance = 150 * size;
     this.framed = { height: 0, factor: 1 };
+    this.whole = this.distanceFor(this.camera.aspect);
     const [azimuth, elevation] = VIEWS[name].map((angle) => angle * RADIAN);
-    this.stand(azimuth, elevation, this.distanceFor(this.camera.aspect));
+    this.stand(azimuth, elevation, this.whole);
     this.follow();
     this.onChange();
   }

@@ -159,7 +159,7 @@ export function bindKeys(page) {
       "p",
       { class: "note" },
       "Mouse: drag to turn, wheel to zoom, right button to shift. Touch: two fingers turn and zoom. ",
-      "In a curve: point to see that moment, ",
+      "In a curve: point to see the numbers of a moment, click to go there, ",
       "drag to zoom, double-click for the full range. Live: grab the load and pull.",
     ),
     element("form", { method: "dialog" }, element("button", { class: "mini" }, "close")),

@@ -175,6 +175,7 @@ export class Live {
     const kind = { stiffness: "stiffness", damping: "damping", period: "time", delay: "time" }[name];
     const told = kind ? value / this.study.factor(kind) : value;
     this.moved[name] = told;
+    this.page.link.changed();
     this.tell("set", { settings: { [name]: told } });
     this.tell("pace", { step: this.step() });
   }

@@ -3,6 +3,7 @@ import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import "./drawing.css";
 import "./access.css";
+import "./beside.css";
 import "./print.css";
 import { forceGradient, studyColor } from "./color.js";
 import { Curves } from "./curves.js";
@@ -12,6 +13,7 @@ import { complete, WHY_NOT } from "./derived.js";
 import { byId, calm, element } from "./dom.js";
 import { amount, causeWords, fixed, number, unitAfter } from "./format.js";
 import { bindKeys } from "./keys.js";
+import { Link } from "./link.js";
 import { Live } from "./live.js";
 import { compareNumbers, showNumbers } from "./numbers.js";
 import { Player } from "./player.js";
@@ -36,12 +38,15 @@ class Page {
     this.buildHeader();
     this.buildSwitches();
     this.bindModes();
-    this.section = new Curves((time, clicked) => {
-      if (this.mode === "recorded" && (clicked || !this.player.playing)) this.player.seekRow(time);
-    });
+    this.link = new Link(this);
+    this.section = new Curves(
+      (time) => this.mode === "recorded" && this.player.seekRow(time),
+      () => this.link.changed(),
+    );
     this.choose(studies.length > 1 ? ALL : 0);
     bindKeys(this);
     bindPrint(this);
+    this.link.bind();
     document.addEventListener("visibilitychange", () => this.live.hide(document.hidden));
     this.loop();
   }
@@ -133,7 +138,10 @@ class Page {
     this.reach = new Reach(this, first);
     byId("modes").hidden = which === ALL;
     this.setMode("recorded");
-    this.player.listen(() => (this.moved = true));
+    this.player.listen(() => {
+      this.moved = true;
+      if (!this.player.playing) this.link.changed();
+    });
     this.player.seek(Math.min(time, duration));
     if (playing) this.player.play();
     this.show();
@@ -368,6 +376,7 @@ class Page {
       .querySelector(`[data-part="${part}"]`)
       .setAttribute("aria-pressed", String(this.switched[part]));
     this.scene.toggle(part, this.switched[part]);
+    this.link.changed();
   }
 
   async savePicture() {
@@ -395,6 +404,7 @@ class Page {
       byId(`mode-${name}`).setAttribute("aria-selected", String(name === this.mode));
       byId(`mode-${name}`).tabIndex = name === this.mode ? 0 : -1;
     }
+    document.querySelector("main").dataset.mode = this.mode;
     byId("mode-live").disabled = !this.live.possible;
     byId("mode-live").title = "the simulation runs in this page";
     byId("mode-reach").disabled = !this.reach.possible;
@@ -423,11 +433,12 @@ class Page {
     }
     this.showLegend();
     this.scene.resize();
+    this.link.changed();
   }
 
   showScenePaths() {
     this.scene.machines.forEach(({ model, entry }) => model.setPaths(entry.run, entry.plan));
-    this.scene.resetView();
+    this.scene.fit();
   }
 
   // ---- curves and numbers ----
@@ -437,6 +448,7 @@ class Page {
     this.section.show(this.shown, this.player.time);
     if (this.alone) showNumbers(byId("figures"), this.shown[0]);
     else compareNumbers(byId("figures"), this.shown);
+    this.link.applyCurves();
     document.documentElement.dataset.ready = "true";
   }
 

@@ -184,7 +184,13 @@ export class StudyPanel {
       { class: "note", "data-testid": "over", role: "status", hidden: true },
       `The run ended at t = ${number(study.end.time, 6)}${unitAfter(study.unit("t"))}. After that there is only the program.`,
     );
-    this.node = element("div", {}, this.over, this.bars.node, this.pose.node, glance(study));
+    this.node = element(
+      "div",
+      {},
+      this.over,
+      element("div", { class: "two" }, this.bars.node, this.pose.node),
+      glance(study),
+    );
   }
 
   show(time) {

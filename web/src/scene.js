@@ -121,7 +121,7 @@ export class Scene {
     this.buildGround();
     this.buildLabels(entries.length > 1);
     this.paint();
-    this.resetView();
+    this.fit();
   }
 
   buildGround() {
@@ -209,6 +209,12 @@ export class Scene {
 
   /** The view that all machines at home fill. */
   resetView() {
+    this.fit();
+    this.eye.look("first");
+  }
+
+  /** The same for another picture or other machines: the reader's view of them stays. */
+  fit() {
     this.eye.fit(extent(this.entries, this.room));
   }
 
@@ -243,7 +249,7 @@ export class Scene {
     if (!width || !height) return;
     this.renderer.setPixelRatio(this.fineness * Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
-    if (this.eye.proportion(width, height) && this.machines.length) this.resetView();
+    if (this.eye.proportion(width, height) && this.machines.length) this.fit();
     this.invalidate();
   }
 

@@ -57,6 +57,17 @@ function loopButton(player) {
   return button;
 }
 
+let watched;
+
+/** Keeps the bar at the lower edge of the window while the view of the machine is out of sight. */
+function float(host) {
+  watched?.disconnect();
+  watched = new IntersectionObserver(([{ isIntersecting }]) =>
+    host.classList.toggle("afloat", !isIntersecting),
+  );
+  watched.observe(document.getElementById("view"));
+}
+
 export class Transport {
   /** @param host element; @param player the clock; @param unitText of time; @param ends [{time, label}] marked on the bar. */
   constructor(host, player, unitText, ends) {
@@ -86,6 +97,7 @@ export class Transport {
       loopButton(player),
     );
     player.listen(() => this.show());
+    float(host);
   }
 
   show() {
