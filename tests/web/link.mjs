@@ -1,5 +1,5 @@
-// The address of the page says what it shows, and a page that is opened with it shows the same; the reader's view stays when another
-// study is chosen; the machine or its play bar is in sight beside the curves.
+// The address of the page says what it shows, and a page that is opened with it shows the same; the reader's view stays when
+// another study is chosen; the machine or its play bar is in sight beside the curves.
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
 import { byName, closeAll, example, open, picture, pictureDrawn, report, scrubTo } from "./browser.mjs";
@@ -31,9 +31,10 @@ function assertSame(actual, wanted) {
   assert.ok(Math.abs(actual.time - wanted.time) < 1e-9, `${actual.time} for ${wanted.time}`);
   // the address has six digits
   for (const name of ["view", "range"])
-    actual[name].forEach((value, place) =>
-      assert.ok(Math.abs(value - wanted[name][place]) <= 1e-5 * Math.max(1, Math.abs(wanted[name][place])), `${name}: ${actual[name]} for ${wanted[name]}`),
-    );
+    actual[name].forEach((value, place) => {
+      const expected = wanted[name][place];
+      assert.ok(Math.abs(value - expected) <= 1e-5 * Math.max(1, Math.abs(expected)), `${name}: ${actual[name]}`);
+    });
 }
 
 /** The page at an address, opened anew. */
@@ -92,7 +93,11 @@ test("an address that makes no sense shows the page as it begins", async () => {
   const wanted = await shownOn(page);
   const [address] = page.url().split("#");
   await page.close();
-  for (const words of ["study=9&t=x&view=1,2&range=5,1&part=none&off=sun&legs-off=0,7", "%%%", "study=__proto__&view=1,2,-3,4,5,6&t=1e999"]) {
+  for (const words of [
+    "study=9&t=x&view=1,2&range=5,1&part=none&off=sun&legs-off=0,7",
+    "%%%",
+    "study=__proto__&view=1,2,-3,4,5,6&t=1e999",
+  ]) {
     const again = await reopened(`${address}#${words}`);
     const shown = await shownOn(again);
     assertSame(shown, wanted);
@@ -103,7 +108,11 @@ test("an address that makes no sense shows the page as it begins", async () => {
 
 test("the view stays when another study is chosen, and the button resets it", async () => {
   const page = await open(three(), UNSEEN);
-  const view = () => page.evaluate(() => window.goughPage.scene.eye.view.slice(0, 3).map((part) => part.toFixed(4)).join());
+  const view = () =>
+    page.evaluate(() => {
+      const { eye } = window.goughPage.scene;
+      return eye.view.slice(0, 3).map((part) => part.toFixed(4)).join();
+    });
   const first = await view();
   await byName(page, "scene-canvas").focus();
   for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "-"]) await page.keyboard.press(key);
@@ -133,8 +142,11 @@ test("beside the curves the machine stays in sight in a wide window, its play ba
     return page;
   };
   const wide = await scrolled(1280);
-  const [view, transport, card] = [await box(wide, "view"), await box(wide, "transport"), await box(wide, "curve-orientation")];
-  assert.ok(view.top >= 0 && view.bottom - view.top > 250 && transport.bottom <= 900, JSON.stringify([view, transport]));
+  const view = await box(wide, "view");
+  const transport = await box(wide, "transport");
+  const card = await box(wide, "curve-orientation");
+  assert.ok(view.top >= 0 && view.bottom - view.top > 250, JSON.stringify(view));
+  assert.ok(transport.bottom <= 900, JSON.stringify(transport));
   assert.ok(view.right <= card.left && card.top < 900, "side by side");
   await picture(wide, "beside");
   await wide.close();

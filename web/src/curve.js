@@ -50,12 +50,13 @@ export class Curve {
    *  lines: [{label, name, color, t, y, leg, dash, width, off}]}: arrays of a line are as long as its t; `off` lines are shown
    *  on demand. @param range common Range; @param onSeek called with a time that the reader chooses, and @param onPoint
    *  with one that the pointer is at, or null; @param timeUnit of the abscissa. */
-  constructor(spec, range, { onSeek, onPoint, timeUnit, study }) {
+  constructor(spec, range, { events, onSeek, onPoint, timeUnit, study }) {
     // a table may lack a column that a run of another kind has
     this.spec = { ...spec, lines: spec.lines.filter((line) => line.y) };
     this.range = range;
     this.onSeek = onSeek;
     this.onPoint = onPoint;
+    this.events = events.filter(({ figure }) => !figure || figure === spec.id);
     this.timeUnit = timeUnit;
     this.study = study;
     this.logarithmic = Boolean(spec.logarithmic);
@@ -317,7 +318,7 @@ export class Curve {
       ],
       hooks: {
         setSelect: [(plot) => this.select(plot)],
-        drawAxes: [(plot) => this.drawLimits(plot)],
+        drawAxes: [(plot) => this.drawLimits(plot), (plot) => this.drawEvents(plot)],
         // uPlot knows its scales only when it draws, a moment after it was asked to
         draw: [() => this.placeCursor()],
       },
@@ -391,6 +392,25 @@ export class Curve {
       if (beyond > 0) ctx.fillRect(bbox.left, bbox.top, bbox.width, Math.max(0, y - bbox.top));
       else ctx.fillRect(bbox.left, y, bbox.width, Math.max(0, bbox.top + bbox.height - y));
       ctx.globalAlpha = 1;
+    }
+    ctx.restore();
+  }
+
+  /** A triangle at the upper edge for each event of this figure. */
+  drawEvents(plot) {
+    const { ctx, bbox } = plot;
+    const [from, to] = this.range.shown;
+    const size = 5 * devicePixelRatio;
+    ctx.save();
+    for (const { time, kind } of this.events) {
+      if (time < from || time > to) continue;
+      const x = plot.valToPos(time, "x", true);
+      ctx.fillStyle = themed(kind === "limit" ? "--limit" : "--muted");
+      ctx.beginPath();
+      ctx.moveTo(x - size, bbox.top - size);
+      ctx.lineTo(x + size, bbox.top - size);
+      ctx.lineTo(x, bbox.top + size);
+      ctx.fill();
     }
     ctx.restore();
   }

@@ -30,12 +30,13 @@ export class Curves {
   }
 
   /** Shows the figures of a study, or those that compare several. */
-  show(shown, time) {
+  show(shown, time, events = []) {
     this.shown = shown;
     this.curves.forEach((curve) => curve.dispose());
     this.range = new Range(0, Math.max(...shown.map((study) => study.duration), 1e-9));
     const specs = shown.length === 1 ? figuresOf(shown[0]) : figuresOfAll(shown);
     const shared = {
+      events,
       timeUnit: shown[0].unit("t"),
       study: shown.length === 1 ? shown[0].label : "comparison",
       onSeek: this.onSeek,

@@ -116,12 +116,12 @@ function plate(pen, joints, { margin, low, high }, size, name, move = (point) =>
 }
 
 /** A leg: cylinder in the colour of its force, piston, joints; the farther end first. */
-function leg(pen, machine, { base, top, along, length }, index, force, peak) {
+function leg(pen, machine, { base, top, along, length }, index, { forces, glow }, peak) {
   const size = machine.base_radius;
   const share = cylinderLength(machine, index, length) / (length || 1);
   const end = base.map((part, axis) => part + share * along[axis]);
   const parts = [
-    pen.rod(base, end, THICK.cylinder * size, "cylinder", forceCss(force / peak)),
+    pen.rod(base, end, THICK.cylinder * size, glow?.[index] ? "cylinder glow" : "cylinder", forceCss(forces[index] / peak)),
     pen.rod(end, top, THICK.piston * size, "piston"),
   ];
   if (pen.depth(top) > pen.depth(base)) parts.reverse();
@@ -207,11 +207,11 @@ function numbers(pen, machine) {
 }
 
 /** A machine at a moment as nodes of an SVG.
- *  @param entry {machine, peak, accent, run, plan}; @param moment {pose, forces, plan, points}; @param place {shift, scale} of
- *  the machine in the scene; @param shown {ghost, paths, load, labels}; @param poses further poses that are drawn as outlines. */
+ *  @param entry {machine, peak, accent, run, plan}; @param moment {pose, forces, glow, plan, points}; @param place
+ *  {shift, scale} of the machine in the scene; @param shown {ghost, paths, load, labels}; @param poses further poses that are drawn as outlines. */
 function machineNodes(projection, entry, moment, place, shown, poses = []) {
   const { machine, peak } = entry;
-  const { pose, forces } = moment;
+  const { pose } = moment;
   const pen = new Pen(projection, place.shift, place.scale);
   const size = machine.base_radius;
   const move = (point) => placed(pose, point);
@@ -219,7 +219,7 @@ function machineNodes(projection, entry, moment, place, shown, poses = []) {
   const base = plate(pen, machine.base, THICK.base, size, "base-plate");
   const top = plate(pen, machine.top, THICK.top, size, "top-plate", move);
   const legs = legsOf(machine, pose)
-    .map((each, index) => leg(pen, machine, each, index, forces[index], peak))
+    .map((each, index) => leg(pen, machine, each, index, moment, peak))
     .sort((a, b) => b.depth - a.depth)
     .flatMap(({ nodes }) => nodes);
   const carried = shown.load ? load(pen, machine, pose) : [];

@@ -61,9 +61,10 @@ export class Eye {
    *  direction, distance and place are kept, measured by the machines. */
   fit({ size, height, width }) {
     const view = this.home && this.view;
+    const own = view?.some((part, place) => Math.abs(part - this.standard.view[place]) > 1e-9);
     Object.assign(this, { size, home: { height, width } });
-    this.look("first");
-    if (view) this.take(view);
+    this.look(own ? "first" : (this.standard?.name ?? "first"));
+    if (own) this.take(view);
   }
 
   /** The reader's view in plain numbers: azimuth and elevation in degrees, the distance as a multiple of that which all machines
@@ -125,6 +126,8 @@ export class Eye {
     const [azimuth, elevation] = VIEWS[name].map((angle) => angle * RADIAN);
     this.stand(azimuth, elevation, this.whole);
     this.follow();
+    // to tell one of the five views from the reader's own
+    this.standard = { name, view: this.view };
     this.onChange();
   }
 

@@ -319,8 +319,8 @@ export class Machine {
     return this.showPath(kept.length / 3);
   }
 
-  /** Pose and leg forces of the moment. */
-  move(pose, forces) {
+  /** Pose and leg forces of the moment; @param glow whether each leg glows. */
+  move(pose, forces, glow) {
     this.top.matrix.copy(matrixOf(pose));
     this.top.matrixWorldNeedsUpdate = true;
     const direction = new Vector3();
@@ -342,6 +342,7 @@ export class Machine {
       if (high) high.position.z = length - this.machine.piston.center[index];
       const [red, green, blue] = forceColor(forces[index] / this.peak);
       leg.body.color.setRGB(red / 255, green / 255, blue / 255, "srgb");
+      leg.body.emissive.setHex(glow?.[index] ? 0x8a6a00 : 0);
     });
   }
 

@@ -11,6 +11,7 @@ import { unzlibSync } from "fflate";
 import { readStudies } from "./data.js";
 import { complete, WHY_NOT } from "./derived.js";
 import { byId, calm, element } from "./dom.js";
+import { eventsOf, glowing } from "./events.js";
 import { amount, causeWords, fixed, number, unitAfter } from "./format.js";
 import { bindKeys } from "./keys.js";
 import { Link } from "./link.js";
@@ -118,10 +119,11 @@ class Page {
     );
     this.showHeader();
     this.showScene();
+    this.events = which === ALL ? [] : eventsOf(first);
     this.panel =
       which === ALL
         ? new ComparisonPanel(this.studies, (index) => this.choose(index))
-        : new StudyPanel(first);
+        : new StudyPanel(first, this.events, (event) => this.goTo(event));
     byId("recorded").replaceChildren(this.panel.node);
     this.transport = new Transport(
       byId("transport"),
@@ -133,6 +135,7 @@ class Page {
           time: study.end.time,
           label: `${study.label}: ${causeWords(study.end.status)}`,
         })),
+      this.events,
     );
     this.live = new Live(this, first);
     this.reach = new Reach(this, first);
@@ -445,7 +448,7 @@ class Page {
 
   showCurves(which) {
     if (which !== this.chosen) return;
-    this.section.show(this.shown, this.player.time);
+    this.section.show(this.shown, this.player.time, this.events);
     if (this.alone) showNumbers(byId("figures"), this.shown[0]);
     else compareNumbers(byId("figures"), this.shown);
     this.link.applyCurves();
@@ -453,6 +456,13 @@ class Page {
   }
 
   // ---- time ----
+
+  /** Goes to an event's own time, which may lie between rows. */
+  goTo({ time }) {
+    if (this.mode !== "recorded") return;
+    this.player.pause();
+    this.player.seek(time);
+  }
 
   /** Scene, panel and cursors at the clock's time. */
   show() {
@@ -472,6 +482,7 @@ class Page {
         pose: study.run.rows ? study.run.pose(at) : study.home,
         forces: FORCES.map((name) => (study.isOver(time) ? NaN : study.run.value(name, at))),
         plan: study.plan.rows ? study.plan.pose(time) : null,
+        glow: glowing(this.events, time, 0.5 * study.run.step),
         points: study.run.rows
           ? Math.floor(study.run.at(at).row / this.paths[index].stride) + 1
           : 0,

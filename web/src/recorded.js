@@ -2,6 +2,7 @@
 import { forceCss, LEGS, studyColor } from "./color.js";
 import { element } from "./dom.js";
 import { causeWords, fixed, known, number, shower, unit, unitAfter } from "./format.js";
+import { eventList, limitsUsed, StrokeBars } from "./happenings.js";
 import { verdictOf } from "./stability.js";
 
 const POSE = ["x", "y", "z", "roll", "pitch", "yaw"];
@@ -166,8 +167,10 @@ function glance(study) {
 
 /** Panel of one study. */
 export class StudyPanel {
-  constructor(study) {
+  /** @param events of the study; @param go called with an event that is clicked. */
+  constructor(study, events, go) {
     this.study = study;
+    this.strokes = StrokeBars.of(study);
     this.pose = new PoseTable(study.unit("x"), study.unit("roll"), study.machine.base_radius, [
       study.noise("ex"),
       study.noise("eroll"),
@@ -188,8 +191,14 @@ export class StudyPanel {
       "div",
       {},
       this.over,
-      element("div", { class: "two" }, this.bars.node, this.pose.node),
-      glance(study),
+      element(
+        "div",
+        { class: "two" },
+        element("div", {}, this.bars.node, this.strokes?.node),
+        this.pose.node,
+      ),
+      eventList(study, events, go),
+      element("div", { class: "two" }, glance(study), limitsUsed(study)),
     );
   }
 
@@ -206,6 +215,7 @@ export class StudyPanel {
       [1, 2, 3, 4, 5, 6].map((leg) => now(`f${leg}`)),
       [1, 2, 3, 4, 5, 6].map((leg) => plan.value(`f${leg}`, time)),
     );
+    this.strokes?.show([1, 2, 3, 4, 5, 6].map((leg) => now(`l${leg}`)));
   }
 }
 

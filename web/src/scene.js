@@ -220,9 +220,9 @@ export class Scene {
 
   /** Moves the machines: [{pose, forces, plan, points}] in order; keeps what has left the view's first frame within it. */
   move(moments) {
-    moments.forEach(({ pose, forces, plan, points }, index) => {
+    moments.forEach(({ pose, forces, plan, points, glow }, index) => {
       const { model } = this.machines[index];
-      model.move(pose, forces);
+      model.move(pose, forces, glow);
       model.moveGhost(plan);
       if (points !== undefined) model.showPath(points);
     });

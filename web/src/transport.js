@@ -32,6 +32,16 @@ const endMarks = (ends, duration) =>
     }),
   );
 
+/** A mark on the bar at the time of each event. */
+const eventMarks = (events, duration) =>
+  events.map(({ time, kind, text }) =>
+    element("i", {
+      class: `event-mark ${kind}`,
+      title: text,
+      style: { left: `${(100 * time) / (duration || 1)}%` },
+    }),
+  );
+
 /** The list of speeds. */
 function speedList(player) {
   const list = element(
@@ -69,8 +79,9 @@ function float(host) {
 }
 
 export class Transport {
-  /** @param host element; @param player the clock; @param unitText of time; @param ends [{time, label}] marked on the bar. */
-  constructor(host, player, unitText, ends) {
+  /** @param host element; @param player the clock; @param unitText of time; @param ends [{time, label}] and
+   *  @param events marked on the bar. */
+  constructor(host, player, unitText, ends, events) {
     this.player = player;
     this.rows = Math.max(1, Math.round(player.duration / player.step));
     this.decimals = Math.max(2, Math.min(9, Math.ceil(-Math.log10(player.step))));
@@ -90,7 +101,12 @@ export class Transport {
         "div",
         { class: "scrubber" },
         this.scrub,
-        element("div", { class: "marks", "aria-hidden": "true" }, endMarks(ends, player.duration)),
+        element(
+          "div",
+          { class: "marks", "aria-hidden": "true" },
+          endMarks(ends, player.duration),
+          eventMarks(events, player.duration),
+        ),
       ),
       this.label,
       this.speed,
