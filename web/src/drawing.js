@@ -208,7 +208,8 @@ function numbers(pen, machine) {
 
 /** A machine at a moment as nodes of an SVG.
  *  @param entry {machine, peak, accent, run, plan}; @param moment {pose, forces, glow, plan, points}; @param place
- *  {shift, scale} of the machine in the scene; @param shown {ghost, paths, load, labels}; @param poses further poses that are drawn as outlines. */
+ *  {shift, scale} of the machine in the scene; @param shown {ghost, paths, load, labels}; @param poses further poses
+ *  that are drawn as outlines. */
 function machineNodes(projection, entry, moment, place, shown, poses = []) {
   const { machine, peak } = entry;
   const { pose } = moment;
