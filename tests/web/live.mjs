@@ -12,7 +12,9 @@ import {
   pictureDrawn,
   read,
   report,
+  saved,
   study,
+  table,
 } from "./browser.mjs";
 
 after(closeAll);
@@ -298,6 +300,68 @@ test("strips do not draw errors of the run as a signal, and have numbers at thei
   const [kicked] = await strips();
   assert.equal(kicked.said, "");
   assert.ok(kicked.scale[1] >= 5e-3 && kicked.scale[1] < 0.02, `${kicked.scale}`);
+  await page.close();
+});
+
+test("a recorded live run is a table with the command's columns and units, row by row consistent", async () => {
+  const text = `units: {length: mm, force: N, mass: kg, angle: mrad, time: ms}
+platform: {base: {radius: 250, half_angle: 10}, top: {radius: 150, half_angle: 10}, height: 280}
+load: {mass: 6, center_of_mass: [0, 0, 50], inertia: [50000, 50000, 80000]}
+motion: {heave: 20*sin(0.003*t), roll: 50*sin(0.002*t)}
+control: {stiffness: 5, damping: 150}
+simulation: {duration: 1000, output_step: 10}
+`;
+  const file = study("recorded-live.yaml", text);
+  const { names } = table("simulate", file);
+  const page = await live(file);
+  await byName(page, "live-record").click();
+  await page.waitForFunction(() => window.goughPage.live.record.rows.length >= 12, null, { timeout: limit(60000) });
+  const { name, bytes } = await saved(page, "live-record");
+  assert.match(name, /-live\.csv$/);
+  const [head, ...lines] = bytes.toString().trim().split("\n");
+  assert.deepEqual(head.split(","), names);
+  assert.ok(lines.length >= 12);
+  const rows = lines.map((line) => line.split(",").map(Number));
+  const at = (row, column) => row[names.indexOf(column)];
+  const joints = await page.evaluate(() => {
+    const { base, top } = window.goughPage.studies[0].machine;
+    return { base, top };
+  });
+  rows.forEach((row, index) => {
+    if (index) assert.ok(at(row, "t") > at(rows[index - 1], "t"));
+    // N mm/ms are W
+    assert.ok(Math.abs(at(row, "p4") - at(row, "f4") * at(row, "dl4")) <= 1e-12 * (1 + Math.abs(at(row, "p4"))));
+    // no pitch and no yaw but the run's own errors: leg 1 by the roll alone
+    const roll = at(row, "roll") / 1000;
+    const [x, y, z] = joints.top[0];
+    const turned = [x, y * Math.cos(roll) - z * Math.sin(roll), y * Math.sin(roll) + z * Math.cos(roll)];
+    const leg = turned.map((part, axis) => part + at(row, "xyz"[axis]) - joints.base[0][axis]);
+    assert.ok(Math.abs(Math.hypot(...leg) - at(row, "l1")) < 1e-3, `${Math.hypot(...leg)} for ${at(row, "l1")}`);
+  });
+  await page.close();
+});
+
+test("presets set both gains: open loop, below and above the threshold, the study's", async () => {
+  const page = await live(example("paper-feedback"));
+  const gains = async () =>
+    Promise.all(["stiffness", "damping"].map(async (name) => Number(await byName(page, `live-${name}-number`).inputValue())));
+  const own = await gains();
+  const most = await page.evaluate(() => {
+    const { stability } = window.goughPage.studies[0];
+    return Math.max(0, ...(stability.thresholds ?? []).map(({ stiffness }) => stiffness));
+  });
+  const click = (word) => page.locator(".presets button", { hasText: word }).click();
+  await click("open loop");
+  assert.deepEqual(await gains(), [0, 0]);
+  await click("large G");
+  const [large, damping] = await gains();
+  assert.equal(damping, own[1]);
+  await click("small G");
+  const [small] = await gains();
+  assert.ok(small > 0 && Math.abs(large / small - 8) < 0.01, `${small}, ${large}`);
+  assert.ok(0 < small && small < most && most < large, `${small}, ${most}, ${large}`);
+  await click("the study's");
+  assert.deepEqual(await gains(), own);
   await page.close();
 });
 

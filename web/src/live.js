@@ -4,6 +4,8 @@ import { bytesOf, canRun, doublesOf } from "./core.js";
 import { byId, element } from "./dom.js";
 import { amount, causeWords, fixed, number, unit, unitAfter } from "./format.js";
 import { Hand } from "./hand.js";
+import { LiveRecord } from "./live_record.js";
+import { presets } from "./presets.js";
 import { placed, rotation } from "./pose.js";
 import { Slider } from "./sliders.js";
 import { holdsFrom } from "./stability.js";
@@ -343,6 +345,7 @@ export class Live {
 
   /** Makes the outputs that each picture updates: the clock, the distance from the program and the pace. */
   buildReadings() {
+    this.record = new LiveRecord(this.study);
     this.clock = element("output", {
       class: "span",
       "data-testid": "live-time",
@@ -372,6 +375,7 @@ export class Live {
         },
         "restart",
       ),
+      this.record.button,
       this.clock,
     );
   }
@@ -381,6 +385,7 @@ export class Live {
     const { stiffness, damping, period, delay, amplitude, frequency, disturbance } = this.sliders;
     return [
       element("h3", {}, "Feedback"),
+      element("div", { class: "pad presets" }, presets(this.study, this.sliders)),
       stiffness.node,
       damping.node,
       period.node,
@@ -443,6 +448,7 @@ export class Live {
     else if (data.kind === "failed") this.fail(data.message);
     else if (data.kind === "row") {
       data.samples.forEach((sample) => this.strips.take(this.ownSample(sample)));
+      this.record.take(this.place, data.row);
       this.row = this.ownRow(data.row);
       this.program = data.program.map((value, index) =>
         index < 3 ? value * this.study.factor("length") : value,
