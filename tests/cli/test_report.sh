@@ -74,6 +74,16 @@ expect_code 0 report hostile.html
 [[ $(data hostile.html | jq -r '.studies[0].title') == "$title" ]] || fail "the title did not come through"
 [[ $(grep -o '<script' hostile.html | wc -l) == $(grep -o '<script' own.html | wc -l) ]] || fail "the title made an element"
 
+# names of studies, which are text too; more names than studies are refused
+run report own.yaml own.yaml --label "$title" --label '' -q -o named.html
+expect_code 0 report labels
+[[ $(data named.html | jq -r '.studies[0].label') == "$title" ]] || fail "the label did not come through"
+[[ $(grep -o '<script' named.html | wc -l) == $(grep -o '<script' own.html | wc -l) ]] || fail "the label made an element"
+run report own.yaml --label a --label b -o named2.html
+expect_code 2 "more labels than studies"
+grep -q '2 labels are given for 1 study' err || fail "it does not say that there are too many labels"
+[[ ! -e named2.html ]] || fail "a page was written in spite of that"
+
 # a run that ends early: the page is written and says so, exit code 1
 run report own.yaml --set platform.legs.max_force=15 -o early.html
 expect_code 1 report early

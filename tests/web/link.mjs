@@ -160,3 +160,13 @@ test("beside the curves the machine stays in sight in a wide window, its play ba
   await narrow.waitForFunction(() => !document.getElementById("transport").classList.contains("afloat"));
   await narrow.close();
 });
+
+test("labels name studies in place of their titles", async () => {
+  const file = report(example("paper-heave"), example("paper-heave"), "--label", "light <b>", "--label", "heavy");
+  const page = await open(file, UNSEEN);
+  const names = await page.locator("#studies [role=tab]").allTextContents();
+  assert.deepEqual(names, ["All", "light <b>", "heavy"]);
+  await byName(page, "tab-1").click();
+  assert.equal(await byName(page, "title").textContent(), "heavy");
+  await page.close();
+});

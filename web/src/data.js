@@ -122,7 +122,7 @@ export class Study {
     this.index = index;
     this.run = new Table(raw.columns, this.factor("angle"), raw.motion?.order, inflate);
     this.plan = new Table(raw.program, this.factor("angle"), raw.motion?.order, inflate);
-    this.label = raw.title || raw.name || `study ${index + 1}`;
+    this.label = raw.label || raw.title || raw.name || `study ${index + 1}`;
     this.complete = raw.end.status === "done";
     this.lastTime = this.run.rows ? this.run.t[this.run.rows - 1] : 0;
   }

@@ -7,23 +7,45 @@
 
 #include "cli/common/in_and_out.h"
 #include "cli/common/interrupt.h"
+#include "cli/common/json.h"
 #include "cli/common/memory.h"
 #include "cli/common/talk.h"
 #include "cli/report/page_study.h"
 
 typedef struct report_line {
     command_line common;
-    page_options page;
+    struct report_options {
+        page_options page;
+        word_list label;
+    } report;
 } report_line;
 
-static const option page_option[] = {
+static void end_report(void *group) {
+    struct report_options *report = group;
+    free(report->label.word);
+}
+
+static void add_label(const struct argp_state *state, const option *o, const char *text,
+                      void *group) {
+    struct report_options *report = group;
+    (void)state, (void)o;
+    word_list_add(&report->label, text);
+}
+
+static const option report_option[] = {
     {.name = "thin",
      .read = read_flag,
-     .at = offsetof(page_options, thin),
+     .at = offsetof(struct report_options, page.thin),
      .text = "write pose, rates and forces only; the page computes the other columns and has no "
              "accelerations"},
+    {.name = "label",
+     .value = "TEXT",
+     .many = true,
+     .read = add_label,
+     .text = "name of a study on the page, in place of its title; give one for each study, in "
+             "order"},
     {0}};
-static const option_group page_group = {.option = page_option};
+static const option_group report_group = {.option = report_option, .end = end_report};
 
 /* What can be known before the studies are run. */
 static gough_status check_path(const char *verb, const char *path) {
@@ -39,14 +61,16 @@ static gough_status check_path(const char *verb, const char *path) {
 }
 
 /* Every study into the list; the worst status, GOUGH_ERROR_NUMERICAL where runs ended early. */
-static gough_status add_studies(const command_line *line, const page_options *options,
+static gough_status add_studies(const command_line *line, const struct report_options *options,
                                 json_t *studies) {
     gough_status worst = GOUGH_OK;
     for (size_t i = 0; i < line->file.count && worst <= GOUGH_ERROR_NUMERICAL; i++) {
         gough_study *study = NULL;
         json_t *object = NULL;
         gough_status status = read_study(line, line->file.word[i], &study);
-        if (!status) status = page_study(line, options, study, &object);
+        if (!status) status = page_study(line, &options->page, study, &object);
+        if (object && i < options->label.count)
+            json_object_set_new(object, "label", json_words(options->label.word[i]));
         if (object) json_array_append_new(studies, object);
         gough_study_free(study);
         if (status > worst) worst = status;
@@ -71,8 +95,14 @@ static gough_status write_pages(const command_line *line, json_t *data) {
     return status;
 }
 
-static gough_status check_paths(const command_line *line) {
+static gough_status check_paths(const command_line *line, size_t labels) {
+    const size_t files = line->file.count;
     gough_status status = GOUGH_OK;
+    if (labels > files) {
+        complain(line->verb, "%zu labels are given for %zu stud%s", labels, files,
+                 files == 1 ? "y" : "ies");
+        return GOUGH_ERROR_INPUT;
+    }
     for (size_t i = 0; i < line->outputs.count && !status; i++) {
         status = check_path(line->verb, line->outputs.word[i]);
         if (!status)
@@ -88,7 +118,7 @@ static gough_status check_paths(const command_line *line) {
     return status;
 }
 
-static gough_status run_and_write(const command_line *line, const page_options *options) {
+static gough_status run_and_write(const command_line *line, const struct report_options *options) {
     json_t *data = json_object(), *studies = json_array();
     json_object_set_new(data, "format", json_integer(1));
     json_object_set_new(data, "version", json_string(GOUGH_VERSION));
@@ -114,9 +144,9 @@ static gough_status run(const void *given) {
         beside[0] = path;
         line.outputs = (word_list){beside, 1};
     }
-    gough_status status = check_paths(&line);
+    gough_status status = check_paths(&line, whole->report.label.count);
     interrupt_outputs(line.verb, line.outputs.word, line.outputs.count, 0);
-    if (!status) status = run_and_write(&line, &whole->page);
+    if (!status) status = run_and_write(&line, &whole->report);
     free(path);
     return status;
 }
@@ -124,7 +154,7 @@ static gough_status run(const void *given) {
 static const group_use groups[] = {
     USES_OUTPUT("write to FILE, whose name ends in .html (default: the first study with .html); "
                 "may be given several times"),
-    USES(page_group, report_line, page, NULL),
+    USES(report_group, report_line, report, NULL),
     USES_SETTINGS,
     {0}};
 
