@@ -342,7 +342,7 @@ export class Machine {
       if (high) high.position.z = length - this.machine.piston.center[index];
       const [red, green, blue] = forceColor(forces[index] / this.peak);
       leg.body.color.setRGB(red / 255, green / 255, blue / 255, "srgb");
-      leg.body.emissive.setHex(glow?.[index] ? 0x8a6a00 : 0);
+      leg.body.emissive.setHex(glow?.[index] ? 0xc08a00 : 0);
     });
   }
 
