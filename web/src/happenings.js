@@ -67,7 +67,7 @@ export class StrokeBars {
     });
     this.node = element(
       "section",
-      { class: "bars strokes", "aria-label": "Strokes between both stops" },
+      { class: "strokes", "aria-label": "Strokes between both stops" },
       element("h3", {}, "Strokes", unit(study.unit("l1")) && element("span", { class: "unit" }, unit(study.unit("l1")))),
       element("ol", {}, this.rows.map(({ node }) => node)),
     );
